@@ -13,8 +13,9 @@ from typing import Any
 
 from jauspy import ConfigError
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.platform.chassis import Chassis, SkidSteerDrive, chassis_of
+from jauspy.platform.chassis import Chassis, chassis_of
 from jauspy.platform.description import RobotModel
+from jauspy.platform.drives import SkidSteerDrive
 from jauspy.robot import robot_files
 from jauspy.robot.runner import RobotRunner
 from jauspy.transport.connect import transport_for

@@ -16,7 +16,7 @@ from xml.sax.saxutils import escape
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.platform.description import RobotModel
-from jauspy.platform.modular.parts import CellSetup, PartKind, PartType, Shape, Solid
+from jauspy.platform.modular.parts import CellSetup, PartKind, PartSolid, PartType, Shape
 from jauspy.robot import robot_files
 from jauspy.robot.config import RobotConfig
 
@@ -87,7 +87,7 @@ def rectangle(pose: Pose, length: float, width: float) -> list[tuple[float, floa
     return [frame.apply((x * length / 2, y * width / 2, 0.0))[:2] for x, y in corners]
 
 
-def outline(solid: Solid, frame: Transform) -> list[tuple[float, float]]:
+def outline(solid: PartSolid, frame: Transform) -> list[tuple[float, float]]:
     """The convex outline of a primitive from above."""
     placed = frame @ solid.pose
     if solid.shape is Shape.CUBOID:

@@ -43,6 +43,9 @@ SLEEP_TOLERANCE: Final = 0.002
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
 
+STEP_TOLERANCE: Final = 1e-9
+"""Tolerance for rounding errors of times, as a fraction of a step."""
+
 ROTOR_INERTIA: Final = 1.0 / ROTOR_ACCELERATION
 """Armature of a joint as a fraction of its maximal effort: the reflected inertia of geared rotors."""
 

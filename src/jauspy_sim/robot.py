@@ -8,14 +8,15 @@ from typing import Final
 
 import mujoco
 
-from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, GroundDrive, chassis_of
+from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
+from jauspy.platform.drives import SLIP_FACTOR, FixedBase, GroundDrive
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer, Turning
 from jauspy.platform.ranging import Scanner
-from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
+from jauspy_sim.assembly import STEP_TOLERANCE, TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.physics.joints import SimulatedJoints
 from jauspy_sim.physics.sensors import SimulatedLidar, simulated_force_torque
 from jauspy_sim.physics.tracks import SimulatedTracks
@@ -32,9 +33,6 @@ MAX_STEPS_AT_ONCE: Final = 2
 SKIDDING: Final = 0.04
 """Metres after one radian by which tracks shift the robot, besides what the turning point of its file explains."""
 
-ROUNDING: Final = 1e-9
-"""Tolerance for rounding errors of times, as a fraction of a step."""
-
 
 class SimulatedRobot:
     """One robot and its world. The same commands at the same times give the same trajectory, bit for bit."""
@@ -46,32 +44,36 @@ class SimulatedRobot:
         name_prefix = prefix(robot.description.name)
         self._tracked = SimulatedTracks(model, data, name_prefix, robot.tracks) if robot.tracks else None
         self._wheels = SimulatedWheels(model, data, name_prefix, robot.wheels) if robot.wheels else None
-        self._drive = self._tracked or self._wheels or FixedBase()
+        self.drive: SimulatedTracks | SimulatedWheels | FixedBase = self._tracked or self._wheels or FixedBase()
+        """The chassis on tracks or wheels, or a base that does not move."""
         self._localizer: Localizer | None = None
-        self._groups = {
+        self.groups: Mapping[str, SimulatedJoints] = {
             name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
             for name, setup in robot.groups.items()
         }
-        self._every = math.gcd(MAX_STEPS_AT_ONCE, *(group.every for group in self._groups.values()))
+        """Its other joints, by the names that its description gives them."""
+        self._every = math.gcd(MAX_STEPS_AT_ONCE, *(group.every for group in self.groups.values()))
         self._sensors: tuple[Scanner | SampledForceTorque | Localizer, ...] = ()
         mujoco.mj_forward(model, data)
         self._owed = 0.0
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
-        self._lidars = {
+        self.lidars: Mapping[str, SimulatedLidar] = {
             setup.name: SimulatedLidar(model, data, data.body(f"{name_prefix}{setup.link}"), setup)
             for setup in robot.lidars
         }
-        self._force_torque = {
+        """Its lidars, by name."""
+        self.force_torque: Mapping[str, SampledForceTorque] = {
             setup.name: simulated_force_torque(data, name_prefix, setup) for setup in robot.force_torque
         }
+        """Its sensors of force and torque, by name."""
         if self._tracked is not None:
             self._tracked.slip_width = SLIP_FACTOR * chassis_of(robot).track_separation
         if (measured := self._tracked or self._wheels) and not robot.localization.is_exact(default=False):
             turning = Turning(robot.tracks.turning_point, SKIDDING) if robot.tracks else Turning()
             self._localizer = Localizer(robot.localization, measured, turning)
         located = () if self._localizer is None else (self._localizer,)
-        self._sensors = (*self._lidars.values(), *self._force_torque.values(), *located)
+        self._sensors = (*self.lidars.values(), *self.force_torque.values(), *located)
         self._update_sensors()
         self._lamps = switched_lamps(robot.lamps)
         self._cameras = SimulatedCameras(model, data, name_prefix, robot, self._lamps, drawn=drawn)
@@ -93,26 +95,6 @@ class SimulatedRobot:
         return self._data
 
     @property
-    def drive(self) -> SimulatedTracks | SimulatedWheels | FixedBase:
-        """The chassis on tracks or wheels, or a base that does not move."""
-        return self._drive
-
-    @property
-    def groups(self) -> Mapping[str, SimulatedJoints]:
-        """Its other joints, by the names that its description gives them."""
-        return self._groups
-
-    @property
-    def lidars(self) -> Mapping[str, Scanner]:
-        """Its lidars, by name."""
-        return self._lidars
-
-    @property
-    def force_torque(self) -> Mapping[str, SampledForceTorque]:
-        """Its sensors of force and torque, by name."""
-        return self._force_torque
-
-    @property
     def cameras(self) -> Mapping[str, SimulatedCamera]:
         """Its cameras, by name."""
         return self._cameras.cameras
@@ -121,7 +103,7 @@ class SimulatedRobot:
     def optional_parts(self) -> Sequence[OptionalPart]:
         """The optional parts of the chassis, the localisation unless the pose is exact, and the lamps."""
         located = () if self._localizer is None else (self._localizer,)
-        return (*self._drive.optional_parts, *located, *self._lamps)
+        return (*self.drive.optional_parts, *located, *self._lamps)
 
     @property
     def time(self) -> float:
@@ -133,15 +115,15 @@ class SimulatedRobot:
         if not 0.0 <= dt < math.inf:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
         self._owed += dt / TIMESTEP
-        steps = math.floor(self._owed + ROUNDING)
+        steps = math.floor(self._owed + STEP_TOLERANCE)
         if not steps:
             return
         self._owed -= steps
-        before = self._drive.twist()
+        before = self.drive.twist()
         self._run(steps)
-        if isinstance(self._drive, GroundDrive):
-            self._drive.update_acceleration(before, steps * TIMESTEP)
-        for lidar in self._lidars.values():
+        if isinstance(self.drive, GroundDrive):
+            self.drive.update_acceleration(before, steps * TIMESTEP)
+        for lidar in self.lidars.values():
             lidar.wait(self.time)
         self._cameras.show()
         if self._viewer is not None:
@@ -154,8 +136,8 @@ class SimulatedRobot:
 
     def close(self) -> None:
         """Stop, and release the shared memory of the cameras; MuJoCo's memory is released with the object."""
-        self._drive.stop()
-        for group in self._groups.values():
+        self.drive.stop()
+        for group in self.groups.values():
             group.hold()
         self._cameras.close()
         if self._viewer is not None:
@@ -182,7 +164,7 @@ class SimulatedRobot:
                 self._update_sensors()
 
     def _control(self) -> None:
-        for group in self._groups.values():
+        for group in self.groups.values():
             if not self._steps % group.every:
                 group.control()
 

@@ -10,8 +10,8 @@ from typing import Final
 import pytest
 
 from jauspy import backends
-from jauspy.backends.can.setup import CanTable
 from jauspy.errors import ConfigError
+from jauspy.platform.servo_drives import CanTable
 from jauspy.robot import config as tables, robot_files
 from jauspy.robot.audit import AuditLog
 from jauspy.robot.config import RobotConfig

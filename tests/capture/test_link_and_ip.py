@@ -4,7 +4,7 @@ import dpkt
 import pytest
 
 from jauspy.capture import reader
-from jauspy.capture.reader import MAX_OPEN_PACKETS, Assembler
+from jauspy.capture.reader import MAX_OPEN_PACKETS, DatagramAssembler
 
 MESSAGE = bytes.fromhex("02001000010a017e0014017e0002200200")
 
@@ -48,7 +48,7 @@ ETHERNET = b"\1" * 6 + b"\2" * 6
     ],
 )
 def test_all_link_types_give_the_same_datagram(link_type, frame):
-    udp = Assembler().add(reader.ip_packet(link_type, frame))
+    udp = DatagramAssembler().add(reader.ip_packet(link_type, frame))
     assert udp is not None
     assert udp.payload == MESSAGE
     assert (udp.source, udp.destination) == (("10.0.0.1", 3794), ("10.0.0.2", 3794))
@@ -69,14 +69,14 @@ def test_frames_without_ipv4_are_skipped(link_type, frame):
 
 
 def test_ethernet_padding_is_removed():
-    assert Assembler().add(PACKET + bytes(11)).payload == MESSAGE
+    assert DatagramAssembler().add(PACKET + bytes(11)).payload == MESSAGE
 
 
 def test_udp_length_is_used_if_the_ip_length_is_zero():
     """Captured before segmentation offload filled the IP length in."""
     packet = bytearray(PACKET)
     packet[2:4] = b"\0\0"
-    assert Assembler().add(bytes(packet) + b"\xaa" * 5).payload == MESSAGE
+    assert DatagramAssembler().add(bytes(packet) + b"\xaa" * 5).payload == MESSAGE
 
 
 @pytest.mark.parametrize("order", [(0, 1, 2), (2, 1, 0), (1, 0, 2), (0, 0, 1, 1, 2)])
@@ -84,7 +84,7 @@ def test_fragments_in_any_order_are_reassembled(order):
     payload = bytes(range(256)) * 4
     pieces = fragments(payload, 400)
     assert len(pieces) == 3
-    assembler = Assembler()
+    assembler = DatagramAssembler()
     found = [udp for index in order if (udp := assembler.add(pieces[index]))]
     assert [udp.payload for udp in found] == [payload]
     assembler.finish()
@@ -93,7 +93,7 @@ def test_fragments_in_any_order_are_reassembled(order):
 
 def test_missing_fragment_is_counted():
     first, _, last = fragments(bytes(1000), 400)
-    assembler = Assembler()
+    assembler = DatagramAssembler()
     assert assembler.add(first) is None
     assert assembler.add(last) is None
     assembler.finish()
@@ -101,14 +101,14 @@ def test_missing_fragment_is_counted():
 
 
 def test_incomplete_packets_are_bounded():
-    assembler = Assembler()
+    assembler = DatagramAssembler()
     for identifier in range(MAX_OPEN_PACKETS + 10):
         assembler.add(fragments(bytes(1000), 400, identifier)[0])
     assert assembler.skipped == {"IP packet with missing fragments": 10}
 
 
 def test_overlapping_fragments_are_bounded():
-    assembler = Assembler()
+    assembler = DatagramAssembler()
     for offset in range(100):
         header = dpkt.ip.IP(src=b"\x0a\0\0\1", dst=b"\x0a\0\0\2", p=17, id=1, data=bytes(1480))
         header.offset, header.mf, header.len = offset, 1, 1500
@@ -129,6 +129,6 @@ def test_overlapping_fragments_are_bounded():
     ],
 )
 def test_other_packets_are_counted(packet, reason):
-    assembler = Assembler()
+    assembler = DatagramAssembler()
     assert assembler.add(packet) is None
     assert assembler.skipped == {reason: 1}

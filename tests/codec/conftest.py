@@ -13,7 +13,7 @@ import jauspy
 from jauspy.codec import declare as rt
 from jauspy.codec.build import load_schema
 from jauspy.codec.registry import Registry
-from jauspy.codec.wire import FLOATS, SIZES, limits
+from jauspy.codec.scalars import FLOATS, SIZES, limits
 from jauspy.schema import model as m
 
 
@@ -120,14 +120,16 @@ ROUNDED = m.Record(
     ),
 )
 MESSAGES = (
-    m.Message(name="Everything", code=0xF001, is_command=False, body=EVERYTHING),
-    m.Message(name="Options", code=0xF002, is_command=True, body=OPTIONS),
-    m.Message(name="Nothing", code=0xF003, is_command=True, body=None),
-    m.Message(name="Shapes", code=0xF004, is_command=False, body=SHAPE),
-    m.Message(name="Points", code=0xF005, is_command=False, body=m.List(name="P", count=counted(), element=POINT)),
-    m.Message(name="Rounded", code=0xF006, is_command=False, body=ROUNDED),
+    m.MessageDefinition(name="Everything", code=0xF001, is_command=False, body=EVERYTHING),
+    m.MessageDefinition(name="Options", code=0xF002, is_command=True, body=OPTIONS),
+    m.MessageDefinition(name="Nothing", code=0xF003, is_command=True, body=None),
+    m.MessageDefinition(name="Shapes", code=0xF004, is_command=False, body=SHAPE),
+    m.MessageDefinition(
+        name="Points", code=0xF005, is_command=False, body=m.List(name="P", count=counted(), element=POINT)
+    ),
+    m.MessageDefinition(name="Rounded", code=0xF006, is_command=False, body=ROUNDED),
 )
-SERVICE = m.Service(name="Odds", id="urn:example:test:Odds", version="1.0", jsidl="1.1", outputs=MESSAGES)
+SERVICE = m.ServiceDefinition(name="Odds", id="urn:example:test:Odds", version="1.0", jsidl="1.1", outputs=MESSAGES)
 SCHEMA = m.Schema(services=(SERVICE,))
 
 
@@ -138,7 +140,7 @@ def odd() -> Registry:
 
 
 @pytest.fixture(scope="session")
-def odd_models() -> dict[str, m.Message]:
+def odd_models() -> dict[str, m.MessageDefinition]:
     """The models of its messages."""
     return {message.name: message for message in MESSAGES}
 

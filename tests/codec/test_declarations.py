@@ -125,9 +125,11 @@ def hostile_schema() -> m.Schema:
         m.Variant(name=text, doc=text, tag=m.Count("u8", 0, 1), arms=(m.Record(name=text, fields=()),)),
     )
     record = m.Record(name=text, doc=text, presence="u8", fields=fields)
-    message = m.Message(name=text, code=0xD001, is_command=True, body=record, doc=text)
-    where = m.Location(text, 1)
-    service = m.Service(name=text, id=f"urn:{text}:{text}", version=text, jsidl="1.1", inputs=(message,), where=where)
+    message = m.MessageDefinition(name=text, code=0xD001, is_command=True, body=record, doc=text)
+    where = m.SourceLocation(text, 1)
+    service = m.ServiceDefinition(
+        name=text, id=f"urn:{text}:{text}", version=text, jsidl="1.1", inputs=(message,), where=where
+    )
     return m.Schema(services=(service,))
 
 

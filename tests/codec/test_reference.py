@@ -18,11 +18,11 @@ LONGITUDE = "needs 4 bytes (u32, -180 to 180 degree), 1 left"
 
 
 @pytest.fixture(scope="module")
-def models() -> dict[str, m.Message]:
+def models() -> dict[str, m.MessageDefinition]:
     return {message.name: message for service in load_builtin().services for message in service.messages}
 
 
-def test_explain(models: dict[str, m.Message]) -> None:
+def test_explain(models: dict[str, m.MessageDefinition]) -> None:
     data = ReportVelocityState(velocity_x=1.0, yaw_rate=0.5).encode()
     rows = reference.explain(models["ReportVelocityState"], data)
     assert [(row.offset, row.length, row.path) for row in rows] == [
@@ -36,7 +36,7 @@ def test_explain(models: dict[str, m.Message]) -> None:
     assert rows[2].raw == int.from_bytes(data[4:8], "little")
 
 
-def test_explain_covers_every_byte(models: dict[str, m.Message]) -> None:
+def test_explain_covers_every_byte(models: dict[str, m.MessageDefinition]) -> None:
     services = RegisterServices([RegisterServices.ServiceRec("urn:a", 1, 2)] * 2)
     data = services.encode()
     rows = reference.explain(models["RegisterServices"], data)
@@ -69,7 +69,7 @@ def test_explain_covers_every_byte(models: dict[str, m.Message]) -> None:
     ],
 )
 def test_explain_ends_at_the_damage(
-    models: dict[str, m.Message], name: str, data: str, last: tuple[object, ...]
+    models: dict[str, m.MessageDefinition], name: str, data: str, last: tuple[object, ...]
 ) -> None:
     message = models[name]
     payload = message.code.to_bytes(2, "little") + bytes.fromhex(data)[2:]
@@ -79,13 +79,13 @@ def test_explain_ends_at_the_damage(
     assert sum(row.length for row in rows) <= len(payload)
 
 
-def test_explain_of_a_huge_count_takes_no_memory(models: dict[str, m.Message]) -> None:
+def test_explain_of_a_huge_count_takes_no_memory(models: dict[str, m.MessageDefinition]) -> None:
     message = models["SetElement"]
     data = message.code.to_bytes(2, "little") + b"\x01\xff\xff\xff"
     assert len(reference.explain(message, data)) < 10
 
 
-def test_errors(models: dict[str, m.Message]) -> None:
+def test_errors(models: dict[str, m.MessageDefinition]) -> None:
     with pytest.raises(DecodeError) as caught:
         reference.parse(models["ReportStatus"], b"\x02\x40\x01\x00")
     assert (caught.value.path, caught.value.offset) == ("reserved", 4)

@@ -50,7 +50,7 @@ def test_every_builtin_message(entry: Any, values_of: Any) -> None:
 
 
 @pytest.mark.parametrize("name", ODD)
-def test_every_feature(name: str, odd: Registry, odd_models: dict[str, m.Message], values_of: Any) -> None:
+def test_every_feature(name: str, odd: Registry, odd_models: dict[str, m.MessageDefinition], values_of: Any) -> None:
     cls = odd.by_name(name)
 
     @MORE
@@ -63,7 +63,7 @@ def test_every_feature(name: str, odd: Registry, odd_models: dict[str, m.Message
     run()
 
 
-def agree(cls: type[Message], model: m.Message, data: bytes) -> None:
+def agree(cls: type[Message], model: m.MessageDefinition, data: bytes) -> None:
     """The generated decoder and the reference accept the same bytes, and both give them back."""
     try:
         ours: Message | None = cls.decode(data)
@@ -85,7 +85,7 @@ def agree(cls: type[Message], model: m.Message, data: bytes) -> None:
 
 
 @pytest.mark.parametrize("name", ODD)
-def test_mutated_messages(name: str, odd: Registry, odd_models: dict[str, m.Message], values_of: Any) -> None:
+def test_mutated_messages(name: str, odd: Registry, odd_models: dict[str, m.MessageDefinition], values_of: Any) -> None:
     cls = odd.by_name(name)
 
     @MORE

@@ -16,7 +16,7 @@ from jauspy.errors import SchemaError
 from jauspy.schema import load_builtin, model as m
 
 MESSAGES = Path(__file__).parents[2] / "src" / "jauspy" / "messages"
-WHERE = m.Location("odd.xml", 1)
+WHERE = m.SourceLocation("odd.xml", 1)
 
 
 def test_committed_messages_match_the_schemas() -> None:
@@ -46,21 +46,27 @@ def test_nested_lists_are_supported() -> None:
 
 
 def _schema(body: m.Composite) -> m.Schema:
-    message = m.Message(name="Bomb", code=1, is_command=False, body=body)
-    service = m.Service(name="Bad", id="urn:example:test:Bad", version="1.0", jsidl="1.1", outputs=(message,))
+    message = m.MessageDefinition(name="Bomb", code=1, is_command=False, body=body)
+    service = m.ServiceDefinition(name="Bad", id="urn:example:test:Bad", version="1.0", jsidl="1.1", outputs=(message,))
     return m.Schema(services=(service,))
 
 
 @pytest.mark.slow
-def test_generated_code_is_typed(tmp_path: Path, odd_models: dict[str, m.Message]) -> None:
+def test_generated_code_is_typed(tmp_path: Path, odd_models: dict[str, m.MessageDefinition]) -> None:
     """Also where names are those of types, and numbers of a variable field integers and floats."""
     names = ("List", "Int", "Float", "Str", "Bytes", "rt", "Size")
     kinds: tuple[m.Scalar, ...] = ("u8", "f32", "u16")
     choices = tuple(m.TypeChoice(index, kind, "one") for index, kind in enumerate(kinds))
     fields = (*(m.FixedField(name=name, type="u8") for name in names), m.VariableField(name="Any", choices=choices))
-    first = m.Message(name="IntEnum", code=1, is_command=False, body=m.Record(name="R", fields=fields))
-    messages = (first, m.Message(name="Self", code=2, is_command=False, body=first.body), *odd_models.values())
-    service = m.Service(name="Odd", id="urn:odd:x:Odd", version="1.0", jsidl="1.1", outputs=messages, where=WHERE)
+    first = m.MessageDefinition(name="IntEnum", code=1, is_command=False, body=m.Record(name="R", fields=fields))
+    messages = (
+        first,
+        m.MessageDefinition(name="Self", code=2, is_command=False, body=first.body),
+        *odd_models.values(),
+    )
+    service = m.ServiceDefinition(
+        name="Odd", id="urn:odd:x:Odd", version="1.0", jsidl="1.1", outputs=messages, where=WHERE
+    )
     for path, text in generate(m.Schema(services=(service,)), "odd", "jauspy.messages").items():
         file = tmp_path / "odd" / path
         file.parent.mkdir(parents=True, exist_ok=True)

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 import pytest
 
 from jauspy.component.component import MAX_WAITING_PER_TURN, Component, loop_time
-from jauspy.component.inbox import MAX_WAITING, Inbox, may_wait
+from jauspy.component.inbox import MAX_WAITING, ClientInbox, may_wait
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import (
@@ -97,7 +97,7 @@ async def test_a_command_does_not_wait_for_a_flood(virtual_network: VirtualNetwo
 def test_everybody_has_a_turn_and_the_longest_queue_loses_its_oldest() -> None:
     counters = Counters(None)  # type: ignore[arg-type]  # nothing is logged here
     counters.drop = lambda reason, detail="": counters.__setitem__(reason, counters[reason] + 1)
-    inbox = Inbox(counters)
+    inbox = ClientInbox(counters)
     query, request = QueryStatus().encode(), create(1, 1.0).encode()
     for number in range(MAX_WAITING + 10):
         inbox.put(Packet(STRANGERS[0], ME, request, number & 0xFFFF))

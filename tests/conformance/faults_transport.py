@@ -20,10 +20,10 @@ from tests.conformance.injectors import (
 from tests.conformance.simulated import TARGET
 
 from jauspy.conformance import TargetComponent, VirtualTarget
+from jauspy.conformance.link import Arrival
 from jauspy.conformance.profiles import transport as transport_steps
 from jauspy.conformance.profiles.raw_packets import FIRST_NUMBER
 from jauspy.conformance.virtual_target import OTHER_PORT, USUAL_PORT
-from jauspy.conformance.wire import Arrival
 from jauspy.ids import JausID
 from jauspy.messages import core
 from jauspy.protocol import endpoint, judp

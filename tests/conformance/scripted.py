@@ -6,7 +6,7 @@ import heapq
 from collections.abc import Callable, Collection, Iterable
 from itertools import count
 
-from jauspy.conformance.wire import PORTS, RAW, Arrival
+from jauspy.conformance.link import PORTS, RAW, Arrival
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
@@ -14,7 +14,7 @@ from jauspy.protocol.header import Packet
 Script = Callable[[bytes], Iterable[tuple[float, bytes]]]
 
 
-class ScriptedWire:
+class ScriptedLink:
     features: Collection[str] = (RAW, PORTS)
     first_sequence = 0
 

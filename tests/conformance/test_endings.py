@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.conformance.scripted import ScriptedWire
+from tests.conformance.scripted import ScriptedLink
 from tests.conformance.simulated import examined, robot
 
 from jauspy.conformance import Profile, Step, Verdict, ask, run, tell
@@ -47,15 +47,15 @@ def verdicts(report):
 
 
 def test_steps_that_expect_silence_fail_if_the_target_is_dead():
-    wire = ScriptedWire("101.1.1", dying(after=1))
-    report = run(steps(STATUS, STATUS, tell(COP, Standby())), wire, wire.id, began=0.0)
+    link = ScriptedLink("101.1.1", dying(after=1))
+    report = run(steps(STATUS, STATUS, tell(COP, Standby())), link, link.id, began=0.0)
     assert verdicts(report) == [Verdict.PASS, Verdict.SILENT, Verdict.SILENT]
     assert report.results[2].reason == "the target is silent since step 2"
 
 
 def test_steps_after_three_silent_ones_are_skipped():
-    wire = ScriptedWire("101.1.1", dying(after=1))
-    report = run(steps(*[STATUS] * 50), wire, wire.id, began=0.0)
+    link = ScriptedLink("101.1.1", dying(after=1))
+    report = run(steps(*[STATUS] * 50), link, link.id, began=0.0)
     assert verdicts(report) == [Verdict.PASS, *[Verdict.SILENT] * 3, *[Verdict.SKIPPED] * 46]
     assert report.results[-1].reason == "the target is silent since step 2"
     assert report.status == 1
@@ -67,9 +67,9 @@ def test_unanswered_query_alone_does_not_count_as_dead():
     def script(payload):
         return [(0.01, READY)] if payload[:2] == b"\x02\x20" else []
 
-    wire = ScriptedWire("101.1.1", script)
+    link = ScriptedLink("101.1.1", script)
     ignored = ask(COP, QueryControl(), ReportControl)
-    report = run(steps(STATUS, *[ignored] * 5, tell(COP, Standby()), STATUS), wire, wire.id, began=0.0)
+    report = run(steps(STATUS, *[ignored] * 5, tell(COP, Standby()), STATUS), link, link.id, began=0.0)
     assert verdicts(report) == [Verdict.PASS, *[Verdict.SILENT] * 5, Verdict.PASS, Verdict.PASS]
 
 
@@ -87,8 +87,8 @@ def test_exception_in_a_step_fails_it_and_the_others_run():
     def buggy(tester):
         tester.client(COP).nonsense()
 
-    wire = ScriptedWire("101.1.1", dying(after=9))
-    report = run(steps(STATUS, buggy, STATUS), wire, wire.id, began=0.0)
+    link = ScriptedLink("101.1.1", dying(after=9))
+    report = run(steps(STATUS, buggy, STATUS), link, link.id, began=0.0)
     assert verdicts(report) == [Verdict.PASS, Verdict.FAIL, Verdict.PASS]
     reason = report.results[1].reason
     assert reason.startswith("the step itself has a bug: AttributeError: 'Client' object has no attribute 'nonsense' (")
@@ -96,8 +96,8 @@ def test_exception_in_a_step_fails_it_and_the_others_run():
 
 
 def test_encode_error_in_a_step_fails_it():
-    wire = ScriptedWire("101.1.1", dying(after=9))
-    report = run(steps(STATUS, tell(COP, SetTravelSpeed(1e9)), STATUS), wire, wire.id, began=0.0)
+    link = ScriptedLink("101.1.1", dying(after=9))
+    report = run(steps(STATUS, tell(COP, SetTravelSpeed(1e9)), STATUS), link, link.id, began=0.0)
     assert verdicts(report) == [Verdict.PASS, Verdict.FAIL, Verdict.PASS]
     assert "the step itself has a bug: EncodeError: " in report.results[1].reason
 
@@ -154,14 +154,14 @@ def test_ctrl_c_restores_the_robot_and_keeps_the_report():
 
 
 def test_lost_network_is_reported():
-    class Unplugged(ScriptedWire):
+    class Unplugged(ScriptedLink):
         def send(self, datagram, source, *, other_port=False):
             if self.sent:
                 raise TransportError("cannot send to UDP 10.0.0.1:3794: Network is unreachable")
             super().send(datagram, source)
 
-    wire = Unplugged("101.1.1", dying(after=9))
-    report = run(steps(STATUS, tell(COP, RequestControl(200)), STATUS), wire, wire.id, began=0.0)
+    link = Unplugged("101.1.1", dying(after=9))
+    report = run(steps(STATUS, tell(COP, RequestControl(200)), STATUS), link, link.id, began=0.0)
     assert len(report.results) == 1
     assert report.status == 2
     assert "Network is unreachable" in report.problem

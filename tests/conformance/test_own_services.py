@@ -74,10 +74,10 @@ def test_unknown_service_is_an_error() -> None:
 def test_verb_tests_a_service_by_its_urn(monkeypatch: pytest.MonkeyPatch) -> None:
     target = winch()
 
-    async def open_wire(connect: str | None) -> VirtualTarget:
+    async def open_link(connect: str | None) -> VirtualTarget:
         return target
 
-    monkeypatch.setattr(verb, "open_wire", open_wire)
+    monkeypatch.setattr(verb, "open_link", open_link)
     where = ["--target", str(ID), "--schemas", str(SOURCE)]
     listed = CliRunner().invoke(app, ["conformance", URN, "--list", *where])
     assert f"{READY}.Pulling/LockWinch/controller" in listed.stdout

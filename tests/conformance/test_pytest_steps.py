@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import UTC, datetime
 
 import pytest
-from tests.conformance.scripted import ScriptedWire
+from tests.conformance.scripted import ScriptedLink
 from tests.conformance.simulated import robot
 from tests.conformance.test_endings import is_free
 
@@ -64,16 +64,16 @@ STATUS = ask(COP, QueryStatus(), ReportStatus)
 QUIET = tell(COP, Standby())
 
 
-def calls_of(profile, wire, target="105.1.1"):
-    marked = pytest_steps(profile, lambda: wire, target)
+def calls_of(profile, link, target="105.1.1"):
+    marked = pytest_steps(profile, lambda: link, target)
     return [param.values[0] for param in marked.args[1]]
 
 
 def test_steps_that_expect_silence_fail_if_the_target_is_dead():
     alive = [[(0.01, bytes.fromhex("02400100000000"))]]
-    wire = ScriptedWire("105.1.1", lambda _: alive.pop() if alive else [])
+    link = ScriptedLink("105.1.1", lambda _: alive.pop() if alive else [])
     profile = Profile("p", "t", tuple(Step(str(n), "s", run) for n, run in enumerate((STATUS, STATUS, QUIET))))
-    first, second, third = calls_of(profile, wire)
+    first, second, third = calls_of(profile, link)
     first()
     for test in (second, third):
         with pytest.raises(pytest.fail.Exception, match="silent: "):

@@ -16,8 +16,8 @@ from tests.conformance.injectors import code, deaf_to
 from tests.conformance.simulated import examined, robot
 
 from jauspy.conformance import TargetComponent, Verdict, VirtualTarget, find, run
+from jauspy.conformance.link import NodeManagerLink, UdpLink, random_sequence
 from jauspy.conformance.profile import Offers
-from jauspy.conformance.wire import LinkWire, UdpWire, random_sequence
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryControl, ReportStatus
 from jauspy.protocol import judp, junior
@@ -50,7 +50,7 @@ def test_second_run_is_heard_by_a_peer_that_remembers_sequence_numbers():
 
 
 def test_sequence_numbers_begin_at_random_on_networks(free_port):
-    wires = [make() for make in 3 * [lambda: UdpWire(port=free_port), lambda: LinkWire("local:/nowhere")]]
+    wires = [make() for make in 3 * [lambda: UdpLink(port=free_port), lambda: NodeManagerLink("local:/nowhere")]]
     for each in wires:
         each.close()
     assert len({each.first_sequence for each in wires}) > 1
@@ -63,20 +63,20 @@ def test_datagrams_wait_for_a_node_manager_that_does_not_read(root: Path) -> Non
         node.bind(str(root / junior.SOCKET_NAME))
         accepting = threading.Thread(target=lambda: node.sendto(junior.accept(sender), node.recvfrom(100)[1]))
         accepting.start()
-        wire = LinkWire(f"local:{root}")
-        wire.join(sender)
+        link = NodeManagerLink(f"local:{root}")
+        link.join(sender)
         accepting.join()
         for payload in payloads:
-            wire.send(judp.pack(Packet(sender, COMPONENT, payload)), sender)
+            link.send(judp.pack(Packet(sender, COMPONENT, payload)), sender)
         node.setblocking(False)
         arrived: list[bytes] = []
         deadline = time.monotonic() + 10.0
         while len(arrived) < len(payloads) and time.monotonic() < deadline:
-            wire.receive(time.monotonic() + 0.01)
+            link.receive(time.monotonic() + 0.01)
             with contextlib.suppress(BlockingIOError):
                 while datagram := node.recv(100):
                     arrived += [each.payload for each in judp.unpack_all(datagram)[0] if not junior.parse(datagram)]
-        wire.close()
+        link.close()
     assert arrived == payloads
 
 

@@ -12,14 +12,14 @@ from xml.etree import ElementTree as ET
 import dpkt
 import pytest
 from dpkt.ip import IP
-from tests.conformance.scripted import ScriptedWire
+from tests.conformance.scripted import ScriptedLink
 
 import jauspy
 from jauspy.capture.reader import CaptureReader
 from jauspy.cli.conformance import ReportFiles, show
 from jauspy.conformance import Profile, Step, Verdict, ask, has, run
 from jauspy.conformance.reports import capture, junit, page, result_json, summary, summary_json
-from jauspy.conformance.results import DEPENDS_ON_TARGET, Report, Result, Transition
+from jauspy.conformance.results import DEPENDS_ON_TARGET, Report, Result, TransitionResult
 from jauspy.errors import ConfigError
 from jauspy.messages.core import QueryIdentification, QueryStatus, ReportIdentification, ReportStatus
 
@@ -33,14 +33,14 @@ ANSWERS = {
 
 @pytest.fixture(scope="module")
 def report():
-    wire = ScriptedWire("101.1.1", lambda payload: [(0.1, ANSWERS[int.from_bytes(payload[:2], "little")])])
+    link = ScriptedLink("101.1.1", lambda payload: [(0.1, ANSWERS[int.from_bytes(payload[:2], "little")])])
     status = ask("42.1.1", QueryStatus(), ReportStatus, has(status=ReportStatus.Status.READY))
     steps = (
         Step("1", "who", ask("42.1.1", QueryIdentification(4), ReportIdentification), points=1),
         Step("2", "<ready>", status, points=1),
         Step("3", "skipped", status, points=1, wants=frozenset({"telepathy"})),
     )
-    return run(Profile("mine", "a <profile>", steps), wire, wire.id, began=1_700_000_000.0)
+    return run(Profile("mine", "a <profile>", steps), link, link.id, began=1_700_000_000.0)
 
 
 def test_json(report):
@@ -127,9 +127,9 @@ def test_the_failed_check_and_what_came_are_in_every_report(report, capsys):
 def test_messages_of_a_vendor_are_decoded_in_the_report():
     known = jauspy.load(VENDOR)
     answer = known.by_name("ReportGate")(opening=55)
-    wire = ScriptedWire("101.1.1", lambda payload: [(0.1, answer.encode())])
+    link = ScriptedLink("101.1.1", lambda payload: [(0.1, answer.encode())])
     wrong = ask("42.1.1", known.by_name("QueryGate")(), type(answer), has(opening=100))
-    report = run(Profile("mine", "mine", (Step("1", "gate", wrong),)), wire, wire.id, began=0.0, registry=known)
+    report = run(Profile("mine", "mine", (Step("1", "gate", wrong),)), link, link.id, began=0.0, registry=known)
     (result,) = report.results
     assert [each.name for each in result.failed_checks] == [f"ReportGate {answer.CODE:04X}h has opening 100"]
     assert "ReportGate(opening=55" in result.came[0]
@@ -183,10 +183,10 @@ def test_transitions_are_counted_and_untested_ones_have_a_reason():
     )
     report = Report("p", "t", "1.1.1", 0.0, results=results)
     assert report.transitions == (
-        Transition(failure, reason="it comes from inside"),
-        Transition(reset, "b"),
-        Transition(query, reason="wrong"),
-        Transition(create, reason=DEPENDS_ON_TARGET),
+        TransitionResult(failure, reason="it comes from inside"),
+        TransitionResult(reset, "b"),
+        TransitionResult(query, reason="wrong"),
+        TransitionResult(create, reason=DEPENDS_ON_TARGET),
     )
     total = "1 of 4 state machine transitions in these steps were taken and judged"
     assert summary_json(report)["transitions"] == {
@@ -204,7 +204,7 @@ def test_transitions_are_counted_and_untested_ones_have_a_reason():
 
 
 def test_impossible_run_is_an_error():
-    deaf = ScriptedWire("101.1.1", lambda _: [])
+    deaf = ScriptedLink("101.1.1", lambda _: [])
     report = run(
         Profile("p", "t", (Step("1", "x", ask("42.1.1", QueryStatus(), ReportStatus)),)), deaf, deaf.id, began=0.0
     )

@@ -19,7 +19,7 @@ from jauspy.conformance.state_tables import TABLES, table_steps
 from jauspy.conformance.state_tests import behaviour
 from jauspy.ids import JausID
 from jauspy.schema import state_tree
-from jauspy.schema.model import Service, State, Transition
+from jauspy.schema.model import ServiceDefinition, State, Transition
 from jauspy.services import binding
 
 TARGET = JausID(105, 1, 1)
@@ -45,7 +45,7 @@ def elsewhere(transition: Transition) -> Transition:
     return replace(transition, end_state="Receiving.Ready.NotControlled.Available.Standby")
 
 
-def seeded(service: str, path: str, message: str, change: Change) -> Callable[[Iterable[Service]], object]:
+def seeded(service: str, path: str, message: str, change: Change) -> Callable[[Iterable[ServiceDefinition]], object]:
     """`merge_machines` with this mistake in the transitions of a state for a message."""
 
     def transitions(given: tuple[Transition, ...]) -> tuple[Transition, ...]:
@@ -61,7 +61,7 @@ def seeded(service: str, path: str, message: str, change: Change) -> Callable[[I
         assert (changed, defaults) != (given.transitions, given.default_transitions)
         return replace(given, states=nested, transitions=changed, default_transitions=defaults)
 
-    def definition(given: Service) -> Service:
+    def definition(given: ServiceDefinition) -> ServiceDefinition:
         if given.name != service:
             return given
         machines = tuple(

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from jauspy.conformance.wire import UdpWire
+from jauspy.conformance.link import UdpLink
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.node import network as binding
@@ -31,8 +31,8 @@ def say(data: bytes, address: tuple[str, int]) -> None:
         robot.sendto(data, address)
 
 
-def need_network(wire: UdpWire) -> None:
-    if any("cannot be joined" in each for each in wire.notes):
+def need_network(link: UdpLink) -> None:
+    if any("cannot be joined" in each for each in link.notes):
         pytest.skip("needs a network with multicasts")
 
 
@@ -46,29 +46,29 @@ def node_manager(free_port: int) -> Iterator[socket.socket]:
 
 
 def test_multicasts_are_received_beside_a_node_manager(node_manager, free_port):
-    wire = UdpWire(group=(GROUP, free_port), port=free_port)
+    link = UdpLink(group=(GROUP, free_port), port=free_port)
     try:
-        need_network(wire)
-        assert wire.port != free_port
-        (note,) = wire.notes
+        need_network(link)
+        assert link.port != free_port
+        (note,) = link.notes
         assert f"UDP port {free_port} is taken" in note
         say(QUESTION, (GROUP, free_port))
-        arrival = wire.receive(time.monotonic() + TIMEOUT)
+        arrival = link.receive(time.monotonic() + TIMEOUT)
     finally:
-        wire.close()
+        link.close()
     assert arrival is not None
     assert arrival.data == QUESTION
 
 
 def test_datagrams_for_the_node_manager_are_not_received(node_manager, free_port):
-    wire = UdpWire(group=(GROUP, free_port), port=free_port)
+    link = UdpLink(group=(GROUP, free_port), port=free_port)
     try:
         say(QUESTION, ("127.0.0.1", free_port))
         node_manager.settimeout(TIMEOUT)
         assert node_manager.recv(100) == QUESTION
-        assert wire.receive(time.monotonic()) is None
+        assert link.receive(time.monotonic()) is None
     finally:
-        wire.close()
+        link.close()
 
 
 def test_port_of_a_node_manager_is_not_shared(node_manager, free_port):
@@ -77,25 +77,25 @@ def test_port_of_a_node_manager_is_not_shared(node_manager, free_port):
 
 
 def test_multicasts_are_received_once_on_a_free_port(free_port):
-    wire = UdpWire(group=(GROUP, free_port), port=free_port)
+    link = UdpLink(group=(GROUP, free_port), port=free_port)
     try:
-        need_network(wire)
-        assert (wire.port, wire.notes) == (free_port, [])
+        need_network(link)
+        assert (link.port, link.notes) == (free_port, [])
         say(QUESTION, (GROUP, free_port))
         say(QUESTION[:-1] + b"\x01", ("127.0.0.1", free_port))
-        heard = [wire.receive(time.monotonic() + TIMEOUT) for _ in range(2)]
-        assert wire.receive(time.monotonic()) is None
+        heard = [link.receive(time.monotonic() + TIMEOUT) for _ in range(2)]
+        assert link.receive(time.monotonic()) is None
     finally:
-        wire.close()
+        link.close()
     assert len({each.data for each in heard if each}) == 2
 
 
 def test_group_in_use_is_noted(free_port):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
         stranger.bind(("", free_port))
-        wire = UdpWire(peer=("127.0.0.1", free_port))
-        wire.close()
-    assert f"no multicasts are received: port {free_port} is held by another" in wire.notes[-1]
+        link = UdpLink(peer=("127.0.0.1", free_port))
+        link.close()
+    assert f"no multicasts are received: port {free_port} is held by another" in link.notes[-1]
 
 
 def test_many_open_files_do_not_break_receiving(free_port):
@@ -105,10 +105,10 @@ def test_many_open_files_do_not_break_receiving(free_port):
     resource.setrlimit(resource.RLIMIT_NOFILE, (max(soft, 1200), hard))
     files = [os.open(os.devnull, os.O_RDONLY) for _ in range(1050)]
     try:
-        wire = UdpWire(group=(GROUP, free_port), port=free_port)
+        link = UdpLink(group=(GROUP, free_port), port=free_port)
         say(QUESTION, ("127.0.0.1", free_port))
-        arrival = wire.receive(time.monotonic() + TIMEOUT)
-        wire.close()
+        arrival = link.receive(time.monotonic() + TIMEOUT)
+        link.close()
     finally:
         for each in files:
             os.close(each)
@@ -118,7 +118,7 @@ def test_many_open_files_do_not_break_receiving(free_port):
 
 def test_datagrams_that_arrive_during_a_busy_step_are_kept(free_port):
     """As much as in a socket that asked the kernel for a large buffer."""
-    wire = UdpWire(group=(GROUP, free_port), port=free_port)
+    link = UdpLink(group=(GROUP, free_port), port=free_port)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
         other.setblocking(False)
         other.bind(("127.0.0.1", 0))
@@ -131,8 +131,8 @@ def test_datagrams_that_arrive_during_a_busy_step_are_kept(free_port):
             with contextlib.suppress(BlockingIOError):
                 while other.recv(5000):
                     held += 1
-            while wire.receive(time.monotonic() + 0.1) is not None:
+            while link.receive(time.monotonic() + 0.1) is not None:
                 arrived += 1
         finally:
-            wire.close()
+            link.close()
     assert arrived >= 0.9 * held

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from tests.conformance.scripted import ScriptedWire
+from tests.conformance.scripted import ScriptedLink
 from tests.conformance.simulated import examined, robot
 from typer.testing import CliRunner
 
@@ -28,8 +28,8 @@ ASK = Step("1", "ready", ask("42.1.1", QueryStatus(), ReportStatus, has(status=R
 
 
 def outcome(*answers: tuple[float, bytes], step: Step = ASK, target: str = "101.1.1", **settings: object) -> Report:
-    wire = ScriptedWire("101.1.1", lambda _: answers)
-    return run(Profile("p", "title", (step,)), wire, JausID.parse(target), began=0.0, settings=Settings(**settings))
+    link = ScriptedLink("101.1.1", lambda _: answers)
+    return run(Profile("p", "title", (step,)), link, JausID.parse(target), began=0.0, settings=Settings(**settings))
 
 
 @pytest.mark.parametrize(
@@ -79,9 +79,9 @@ def test_late_answer_is_not_used_for_the_next_query(delay):
     def script(payload: bytes) -> list[tuple[float, bytes]]:
         return [(delays.pop() if delays else delay, READY)] if payload[:2] == b"\x02\x20" else []
 
-    wire = ScriptedWire("101.1.1", script)
+    link = ScriptedLink("101.1.1", script)
     steps = tuple(Step(str(number), "ready", ASK.run) for number in range(6))
-    report = run(Profile("p", "t", steps), wire, wire.id, began=0.0)
+    report = run(Profile("p", "t", steps), link, link.id, began=0.0)
     assert [each.verdict for each in report.results[:2]] == [
         Verdict.PASS,
         Verdict.LATE if delay < 3.0 else Verdict.SILENT,
@@ -157,17 +157,17 @@ def test_generated_step_ids_contain_states():
 
 
 def test_missing_feature_skips_a_step():
-    wire = ScriptedWire("101.1.1", lambda _: [(0.1, READY)])
-    wire.features = ()
+    link = ScriptedLink("101.1.1", lambda _: [(0.1, READY)])
+    link.features = ()
     steps = (Step("0", "x", ASK.run, wants=frozenset({"raw"})), ASK)
-    report = run(Profile("p", "t", steps), wire, wire.id, began=0.0)
+    report = run(Profile("p", "t", steps), link, link.id, began=0.0)
     assert [each.verdict for each in report.results] == [Verdict.SKIPPED, Verdict.PASS]
     assert "(raw)" in report.results[0].reason
 
 
 def test_duplicate_step_ids_are_rejected():
-    wire = ScriptedWire("101.1.1", lambda _: [(0.1, READY)])
-    report = run(Profile("mine", "t", (ASK, ASK)), wire, wire.id, began=0.0)
+    link = ScriptedLink("101.1.1", lambda _: [(0.1, READY)])
+    report = run(Profile("mine", "t", (ASK, ASK)), link, link.id, began=0.0)
     assert report.status == 2
     assert report.problem == "conformance profile 'mine' has two steps '1'; ids must be unique"
 

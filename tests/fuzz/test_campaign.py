@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from jauspy.codec.message import Message
-from jauspy.codec.wire import SIZES
+from jauspy.codec.scalars import SIZES
 from jauspy.errors import ConfigError, DecodeError
 from jauspy.fuzz.campaign import CampaignPlan, fuzzer, run
 from jauspy.fuzz.checks import difference

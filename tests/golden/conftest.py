@@ -179,7 +179,7 @@ def vectors() -> ModuleType:
 
 
 @pytest.fixture(scope="session")
-def models() -> dict[tuple[str, str, str], m.Message]:
+def models() -> dict[tuple[str, str, str], m.MessageDefinition]:
     """The model of every message by service, version and name."""
     services = load_builtin().services
     return {

@@ -50,13 +50,15 @@ def test_slow_path_agrees_with_straight_line_code(rows: list[Any], vectors: Modu
             assert slow_path.encode(message, clamp=True, strict=False) == row.right
 
 
-def test_reference_agrees(rows: list[Any], vectors: ModuleType, models: dict[tuple[str, str, str], m.Message]) -> None:
+def test_reference_agrees(
+    rows: list[Any], vectors: ModuleType, models: dict[tuple[str, str, str], m.MessageDefinition]
+) -> None:
     for row in rows:
         with row.named():
             check_reference(vectors.find(registry, row), row.right, models)
 
 
-def check_reference(cls: type[Message], data: bytes, models: dict[tuple[str, str, str], m.Message]) -> None:
+def check_reference(cls: type[Message], data: bytes, models: dict[tuple[str, str, str], m.MessageDefinition]) -> None:
     model = models[cls.SERVICE, cls.VERSION, cls.NAME]
     values = reference.parse(model, data)
     assert close(plain(cls.decode(data).to_dict()), values)

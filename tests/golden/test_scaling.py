@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 import pytest
 
-from jauspy.codec.wire import NEAR_TIE, Scaling, exact_raw, nearest_raw
+from jauspy.codec.scalars import NEAR_TIE, Scaling, exact_raw, nearest_raw
 
 HERE = Path(__file__).parent
 FULL = Path(__file__).parents[2].parent / "shared" / "vectors" / "scaling.jsonl"

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field, replace
 
 from jauspy.backends.kinematic import KinematicJoints
 from jauspy.geometry.poses import ORIGIN, Pose, Twist
-from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
-from jauspy.platform.description import Gains, RobotModel
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.description import RobotModel
+from jauspy.platform.drives import FixedBase
+from jauspy.platform.joints import ControlMode, Gains, Target
 from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmState
 from jauspy.platform.modular.cell import (
     Car,

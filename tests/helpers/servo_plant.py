@@ -12,24 +12,26 @@ import pinocchio as pin
 
 from jauspy.geometry.poses import IDENTITY, Pose, Transform
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.description import Gains
+from jauspy.platform.joints import Gains
 from jauspy.platform.modular.assembled_arm import AssembledArm
+from jauspy.platform.modular.assembly import ArmAssembly
 from jauspy.platform.modular.connector import ConnectorState, VacuumConnector
+from jauspy.platform.modular.control_laws import JointMeasurements
 from jauspy.platform.modular.dynamics import ArmModel
 from jauspy.platform.modular.graph import attachments, find_chain
-from jauspy.platform.modular.parts import CellSetup, PartKind, PartType, PlacedPart, ServoData, Shape, Solid
+from jauspy.platform.modular.parts import CellSetup, PartKind, PartSolid, PartType, PlacedPart, ServoData, Shape
 from jauspy.platform.modular.servo import ServoReading
 
 STEP = 0.00025
 PERIOD = 0.002
 
 
-def cylinder(mass: float, radius: float, length: float, z: float) -> Solid:
-    return Solid(Shape.CYLINDER, (radius, radius, length), mass, Transform(position=(0.0, 0.0, z)))
+def cylinder(mass: float, radius: float, length: float, z: float) -> PartSolid:
+    return PartSolid(Shape.CYLINDER, (radius, radius, length), mass, Transform(position=(0.0, 0.0, z)))
 
 
-def cuboid(mass: float, size: Vector, z: float) -> Solid:
-    return Solid(Shape.CUBOID, size, mass, Transform(position=(0.0, 0.0, z)))
+def cuboid(mass: float, size: Vector, z: float) -> PartSolid:
+    return PartSolid(Shape.CUBOID, size, mass, Transform(position=(0.0, 0.0, z)))
 
 
 def along_z(z: float) -> Transform:
@@ -206,6 +208,18 @@ class ServoPlant:
         """Its controller."""
         connectors = list(self.connectors.values())
         return AssembledArm("arm", self.cell, self.servos, connectors, revision=lambda: self.revision, **arguments)
+
+    def assembly(self) -> ArmAssembly:
+        """The arm as it is assembled now, for its controller."""
+        connected = attachments((name, connector.current) for name, connector in self.connectors.items())
+        poses = {part.name: part.pose for part in self.cell.parts}
+        chain = find_chain(self.cell, connected, self.chain.base)
+        return ArmAssembly(self.cell, chain, self.servos, poses.__getitem__, connected)
+
+    def measured(self) -> JointMeasurements:
+        """What its modules measure while it stands."""
+        springs = np.array([servo.spring for servo in self.order])
+        return JointMeasurements(np.array(self.positions), np.array(self.velocities), springs, np.zeros(len(springs)))
 
     def settle(self, positions: Sequence[float]) -> None:
         """Set the positions, at rest under gravity."""

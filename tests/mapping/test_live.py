@@ -39,7 +39,7 @@ def walled(monkeypatch: pytest.MonkeyPatch) -> None:
             y = pose.y - 0.2 * math.sin(pose.yaw)  # the lidar sits 0.2 m behind the middle
             return [(WALL - y) / s if (s := math.sin(angle + pose.yaw)) > 1e-9 else math.inf for angle in angles]
 
-        self._lidars = {name: Scanner(lidar.setup, measure) for name, lidar in self._lidars.items()}
+        self.lidars = {name: Scanner(lidar.setup, measure) for name, lidar in self.lidars.items()}
         self._measure()
 
     monkeypatch.setattr(kinematic.KinematicRobot, "__init__", init)

@@ -9,8 +9,9 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import RobotDescription, parse_urdf
-from jauspy.platform.chassis import chassis_of, clamp, measure, mix
+from jauspy.platform.chassis import chassis_of, measure
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
+from jauspy.platform.drives import clamp, mix
 from jauspy.robot.robot_files import load, robot_model
 
 URDF = """

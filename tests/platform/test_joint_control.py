@@ -5,9 +5,8 @@ from itertools import pairwise
 import pytest
 
 from jauspy.geometry.urdf import Joint, JointKind
-from jauspy.platform.description import Gains
 from jauspy.platform.joint_control import Pid, SetpointGenerator
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.joints import ControlMode, Gains, Target
 
 
 def settle(pid: Pid, load: float, seconds: float, dt: float = 0.002) -> tuple[float, float]:

@@ -6,7 +6,7 @@ from itertools import pairwise
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.platform.video_settings import LEVELS, H264Settings, Profile, VideoSettings
+from jauspy.platform.video_settings import LEVELS, H264Profile, H264Settings, VideoSettings
 
 NAMES = [level.name for level in LEVELS]
 
@@ -21,7 +21,7 @@ NAMES = [level.name for level in LEVELS]
         (VideoSettings(640, 480, 30, 2_000_000), "3"),
         (VideoSettings(1280, 720, 30, 2_000_000), "3.1"),
         (VideoSettings(1280, 720, 30, 17_000_000), "3.2"),
-        (VideoSettings(1280, 720, 30, 17_000_000, coding=H264Settings(Profile.HIGH)), "3.1"),
+        (VideoSettings(1280, 720, 30, 17_000_000, coding=H264Settings(H264Profile.HIGH)), "3.1"),
         (VideoSettings(1920, 1080, 30, 8_000_000), "4"),
         (VideoSettings(1920, 1080, 60, 8_000_000), "4.2"),
         (VideoSettings(7680, 16, 15, 2_000_000), "5.1"),

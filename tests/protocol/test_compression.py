@@ -199,7 +199,7 @@ def test_templates_and_peers_are_bounded() -> None:
 
 
 def test_numbers_are_reused_only_after_a_delay() -> None:
-    offers = templates.Offers()
+    offers = templates.OfferedTemplates()
     first = [offers.offer_for(bytes([n]) * 9, 0.0) for n in range(templates.MAX_OFFERS)]
     assert {each.number for each in first if each} == set(range(1, templates.MAX_OFFERS + 1))
     assert offers.offer_for(b"x" * 9, templates.REUSE_DELAY - 1) is None

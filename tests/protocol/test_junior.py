@@ -19,7 +19,7 @@ SEEN = {
 def test_control_messages_have_the_captured_bytes(kind: junior.ControlKind) -> None:
     make = {"CONNECT": junior.connect, "ACCEPT": junior.accept, "CANCEL": junior.cancel}[kind.name]
     assert make(ID).hex() == SEEN[kind]
-    assert junior.parse(make(ID)) == junior.Control(kind, ID)
+    assert junior.parse(make(ID)) == junior.ControlMessage(kind, ID)
 
 
 @given(st.binary(max_size=40))

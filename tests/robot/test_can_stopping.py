@@ -11,7 +11,7 @@ from tests.robot.test_stopping import ENDS, Cell, tell
 pytest.importorskip("canopen", reason="canopen is not installed")
 
 from jauspy.backends.can import pdo
-from jauspy.backends.can.cia402 import Control
+from jauspy.backends.can.cia402 import Controlword
 from jauspy.backends.can.robot import CanRobot
 from jauspy.messages.core import Standby
 from jauspy.messages.mobility import SetWrenchEffort
@@ -33,16 +33,16 @@ def test_tracks_get_a_quick_stop_within_50_ms(end: Callable[[Cell], None]) -> No
     cell = Cell("can", "inc1", 102)
     robot = cell.robot
     assert isinstance(robot, CanRobot)
-    assert robot.wire is not None
+    assert robot.virtual_bus is not None
     cell.obey(SetWrenchEffort(propulsive_linear_effort_x=60.0), 0.5)
     stopped: set[int] = set()
 
     def watch(message: can.Message, from_robot: bool) -> None:
         node = message.arbitration_id & 0x7F
-        if from_robot and message.arbitration_id - node in COMMANDS and message.data[0] == Control.QUICK_STOP:
+        if from_robot and message.arbitration_id - node in COMMANDS and message.data[0] == Controlword.QUICK_STOP:
             stopped.add(node)
 
-    robot.wire.watch = watch
+    robot.virtual_bus.watch = watch
     end(cell)
     begin = cell.now
     while cell.now < begin + LIMIT:

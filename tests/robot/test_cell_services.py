@@ -28,8 +28,7 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.platform.description import Gains
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.joints import ControlMode, Gains, Target
 from jauspy.platform.modular.arm import ArmController
 from jauspy.robot.config import AccessControlConfig
 from jauspy.robot.hosts import host_of

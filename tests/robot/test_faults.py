@@ -20,9 +20,9 @@ from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.service import ServiceClient
-from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.commands import CHASSIS
 from jauspy.platform.description import RobotModel
+from jauspy.platform.drives import SkidSteerDrive
 from jauspy.platform.joints import JointState
 from jauspy.robot.realtime import SLOW_STEP, WARNING_INTERVAL, WHOLE_ROBOT, RealTime
 from jauspy.robot.robot_files import load

@@ -11,7 +11,7 @@ from jauspy.messages.environment_sensing.v1_0.types import (
     H264VideoEncodingErrorRec,
     SensorIdRec,
 )
-from jauspy.platform.video_settings import LEVELS, H264Settings, Preset, Profile, VideoSettings
+from jauspy.platform.video_settings import LEVELS, H264Profile, H264Settings, Preset, VideoSettings
 
 Wanted = m.SetH264VideoEncodingConfiguration
 Code = H264VideoEncodingErrorRec.H264VideoEncodingErrorCode
@@ -56,13 +56,13 @@ def test_settings_take_effect_and_are_reported(module):
     values = {"profile": Wanted.Profile.HIGH, "level": Wanted.Level.LEVEL_31, "preset": Wanted.Preset.BEST_QUALITY}
     assert confirmed(module.ask(setting(**values, group_of_pictures=60))) == SensorIdRec(1)
     level = next(number for number, each in enumerate(LEVELS) if each.name == "3.1")
-    coding = H264Settings(Profile.HIGH, level, Preset.BEST_QUALITY)
+    coding = H264Settings(H264Profile.HIGH, level, Preset.BEST_QUALITY)
     assert module.video.settings == VideoSettings(gop=60, coding=coding)
     record = configuration(module).h264_configuration_rec
     assert {name: getattr(record, name) for name in values} == values
     assert record.group_of_pictures == 60
     assert confirmed(module.ask(setting(preset=Wanted.Preset.SLOW_COMMS))) == SensorIdRec(1)
-    assert module.video.settings.coding.profile is Profile.HIGH
+    assert module.video.settings.coding.profile is H264Profile.HIGH
 
 
 def test_gradual_refresh(module):

@@ -16,8 +16,8 @@ from jauspy.messages import registry
 from jauspy.messages.core import RequestControl, Resume, SetEmergency, Standby
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.messages.ugv import QueryParkingBrake, ReportParkingBrake, SetParkingBrake
-from jauspy.platform.chassis import ParkingBrake
 from jauspy.platform.contract import RobotParts
+from jauspy.platform.drives import ParkingBrake
 from jauspy.robot import robot_files
 from jauspy.robot.config import ModuleConfig
 from jauspy.robot.hosts import host_of

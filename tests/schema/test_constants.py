@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from jauspy.schema.library import MAX_LENGTH, ExpressionError, evaluate
+from jauspy.schema.library import MAX_LENGTH, ConstantExpressionError, evaluate
 
 NAMES = {"PI": math.pi, "basic.PI": math.pi, "two": 2}
 
@@ -33,7 +33,7 @@ def test_whole_numbers_stay_whole():
 
 def lookup(name):
     if name not in NAMES:
-        raise ExpressionError(name)
+        raise ConstantExpressionError(name)
     return NAMES[name]
 
 
@@ -57,5 +57,5 @@ def lookup(name):
     ],
 )
 def test_invalid_expressions_are_rejected(text):
-    with pytest.raises(ExpressionError):
+    with pytest.raises(ConstantExpressionError):
         evaluate(text, lookup)

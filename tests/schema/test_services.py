@@ -59,7 +59,7 @@ def test_behavior(jsidl):
     lines = path.read_text().splitlines()
 
     def at(text):
-        return m.Location(str(path), next(number for number, line in enumerate(lines, 1) if text in line))
+        return m.SourceLocation(str(path), next(number for number, line in enumerate(lines, 1) if text in line))
 
     assert behavior.stateless is False
     assert behavior.start == (m.Start("M", "A.B", at("<start ")),)
@@ -67,8 +67,8 @@ def test_behavior(jsidl):
     assert machine.default_transitions == (m.Transition(trigger="E", kind="internal", where=at('name="E"')),)
     (state,) = machine.states
     assert (state.name, state.initial, state.where) == ("A", "B", at('<state name="A"'))
-    assert state.entry == (m.Action("hello"),)
-    assert state.exit == (m.Action("Send", ("'Bye'", "who")),)
+    assert state.entry == (m.ActionCall("hello"),)
+    assert state.exit == (m.ActionCall("Send", ("'Bye'", "who")),)
     assert state.transitions == (
         m.Transition(
             trigger="t.Receive",
@@ -76,7 +76,7 @@ def test_behavior(jsidl):
             parameters=(m.Parameter("Msg", "msg"),),
             guard="ok( msg ) && x",
             end_state="A.C",
-            actions=(m.Action("go"),),
+            actions=(m.ActionCall("go"),),
             where=at("t.Receive"),
         ),
         m.Transition(trigger="", kind="internal", where=at("<default_transition>")),

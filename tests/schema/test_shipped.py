@@ -48,12 +48,12 @@ def nodes(node: m.Composite | m.Field | None) -> Iterator[m.Node]:
         yield from nodes(part)
 
 
-def contents(service: m.Service) -> Iterator[m.Node]:
+def contents(service: m.ServiceDefinition) -> Iterator[m.Node]:
     for part in (*service.messages, *service.internal_events):
         yield from nodes(part.body)
 
 
-def value_sets(service: m.Service) -> Iterator[tuple[str, m.ValueSet]]:
+def value_sets(service: m.ServiceDefinition) -> Iterator[tuple[str, m.ValueSet]]:
     for node in contents(service):
         for holder in (node, *getattr(node, "subfields", ()), *getattr(node, "choices", ())):
             values = getattr(holder, "values", None)
@@ -141,7 +141,7 @@ def test_sent_messages_and_constants_exist(service):
         assert quoted <= enums | {"currentTime"}, (message.name, quoted)
 
 
-def actions(service: m.Service) -> Iterator[m.Action]:
+def actions(service: m.ServiceDefinition) -> Iterator[m.ActionCall]:
     waiting = [state for machine in service.behavior.machines for state in machine.states]
     for state in waiting:
         waiting += state.states

@@ -8,9 +8,9 @@ from jauspy.services.definitions import definitions_of
 from jauspy.services.service import Service
 
 
-def definition(name: str, version: str, parent: tuple[str, str] | None = None) -> model.Service:
+def definition(name: str, version: str, parent: tuple[str, str] | None = None) -> model.ServiceDefinition:
     reference = model.Reference("parent", *parent) if parent else None
-    return model.Service(name=name, id=name, version=version, jsidl="1.1", inherits_from=reference)
+    return model.ServiceDefinition(name=name, id=name, version=version, jsidl="1.1", inherits_from=reference)
 
 
 SCHEMA = model.Schema(

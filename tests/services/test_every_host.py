@@ -34,18 +34,18 @@ class Bare(Service):
     """Has no method of its own."""
 
 
-def lineage(definition: model.Service) -> list[model.Service]:
+def lineage(definition: model.ServiceDefinition) -> list[model.ServiceDefinition]:
     found = [definition]
     while (parent := found[-1].inherits_from) is not None:
         found.append(SCHEMA.service(parent.id, parent.version))
     return found
 
 
-def instance(kind: type[Service], definition: model.Service) -> Service:
+def instance(kind: type[Service], definition: model.ServiceDefinition) -> Service:
     return type(definition.name, (kind,), {}, urn=definition.id, version=definition.version)()
 
 
-def named(definition: model.Service) -> Iterator[tuple[str, str]]:
+def named(definition: model.ServiceDefinition) -> Iterator[tuple[str, str]]:
     """(state, method) for everything that the behaviour of a definition asks for."""
     waiting = [(state, state.name) for machine in definition.behavior.machines for state in machine.states]
     while waiting:

@@ -58,7 +58,7 @@ class Willing(Service):
         return None
 
 
-def lineage(definition: model.Service) -> list[model.Service]:
+def lineage(definition: model.ServiceDefinition) -> list[model.ServiceDefinition]:
     """The definition and its ancestors."""
     found = [definition]
     while (parent := found[-1].inherits_from) is not None:
@@ -73,7 +73,7 @@ def lineage(definition: model.Service) -> list[model.Service]:
 class Plain:
     """A state machine as the definitions have it, state by state, without merging or compiling anything."""
 
-    definitions: list[model.Service]
+    definitions: list[model.ServiceDefinition]
     name: str
     script: Script
     active: str = ""
@@ -163,7 +163,7 @@ def _value(guard: behavior.Guard, truth: Callable[[behavior.Call], bool]) -> boo
             return any(_value(each, truth) for each in operands)
 
 
-def _method(action: model.Action) -> str:
+def _method(action: model.ActionCall) -> str:
     name = action.name.rpartition(".")[2]
     if name == "Send":
         name = next(argument.strip("'\"") for argument in action.arguments)
@@ -176,7 +176,7 @@ def _method(action: model.Action) -> str:
 class Pair:
     """The engine and the plain reading of the same service."""
 
-    def __init__(self, definition: model.Service, name: str) -> None:
+    def __init__(self, definition: model.ServiceDefinition, name: str) -> None:
         self.engine_script, self.plain_script = Script(), Script()
         definitions = lineage(definition)
         services = {
@@ -259,7 +259,7 @@ def _predicate(call: behavior.Call) -> str:
 
 
 @pytest.mark.parametrize("definition", sampled(SERVICES, 50), ids=IDS)
-def test_engine_matches_a_simple_interpreter(definition: model.Service) -> None:
+def test_engine_matches_a_simple_interpreter(definition: model.ServiceDefinition) -> None:
     """In every state that can be reached: every input, with all that the predicates may say about it."""
     pair = Pair(definition, "ReceiveFSM")
     inputs = pair.inputs()

@@ -7,7 +7,7 @@ import pytest
 from jauspy.schema.differences import compare_bodies
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.loader import load_builtin
-from jauspy.schema.model import Message
+from jauspy.schema.model import MessageDefinition
 from jauspy.services.definitions import (
     OLDER_SERVICES,
     OLDER_VERSION,
@@ -35,7 +35,7 @@ HARMLESS = (
 )
 
 
-def messages(urn: str, version: str) -> dict[int, Message]:
+def messages(urn: str, version: str) -> dict[int, MessageDefinition]:
     line = lineage(SCHEMA.service(urn, version), PARENT_OF)
     return {message.code: message for each in line for message in (*each.inputs, *each.outputs)}
 
@@ -51,7 +51,7 @@ def ancestors(*urns: str) -> set[str]:
 
 @pytest.mark.parametrize("urn", OLDER_SERVICES)
 def test_messages_of_both_versions_are_the_same_on_the_wire(urn: str) -> None:
-    newest: dict[int, Message] = {}
+    newest: dict[int, MessageDefinition] = {}
     for service in SCHEMA.services:
         if service.version != OLDER_VERSION and ":" in service.id:
             newest |= {message.code: message for message in (*service.inputs, *service.outputs)}

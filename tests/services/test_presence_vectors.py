@@ -9,7 +9,7 @@ from hypothesis import given, strategies as st
 
 from jauspy.codec.layout import Composite, Repeat, Slot
 from jauspy.codec.message import Message
-from jauspy.fuzz.messages import MessageMaker, Style, Target, targets
+from jauspy.fuzz.messages import FuzzTarget, MessageMaker, Style, targets
 from jauspy.messages import registry
 from jauspy.messages.core import QueryStatus, ReportStatus
 from jauspy.messages.mobility import (
@@ -82,7 +82,7 @@ def vectors(query: type[Message]) -> list[str]:
     return [slot.name for slot in TARGETS[query].layout.slots if slot.name.endswith("presence_vector")]
 
 
-def made(target: Target) -> Message:
+def made(target: FuzzTarget) -> Message:
     return target.cls.decode(MessageMaker(Random(target.cls.CODE), Style.FULL).message(target))
 
 

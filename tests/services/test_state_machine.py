@@ -31,24 +31,24 @@ def on(
         kind=kind,
         end_state=end,
         guard=guard,
-        actions=tuple(model.Action(name) for name in do.split()),
+        actions=tuple(model.ActionCall(name) for name in do.split()),
     )
 
 
 def state(name: str, *states: model.State, **more) -> model.State:
-    more = {k: tuple(model.Action(a) for a in v.split()) if k in ("entry", "exit") else v for k, v in more.items()}
+    more = {k: tuple(model.ActionCall(a) for a in v.split()) if k in ("entry", "exit") else v for k, v in more.items()}
     return model.State(name=name, states=states, **more)
 
 
-def definition(name: str, *states: model.State, start: str, parent: str | None = None) -> model.Service:
+def definition(name: str, *states: model.State, start: str, parent: str | None = None) -> model.ServiceDefinition:
     prefix = f"{parent}." if parent else ""
-    return model.Service(
+    return model.ServiceDefinition(
         name=name,
         id=name,
         version="1.0",
         jsidl="1.1",
         inherits_from=model.Reference(parent, parent, "1.0") if parent else None,
-        inputs=tuple(model.Message(name=n, code=c, is_command=True, body=None) for n, c in CODES.items()),
+        inputs=tuple(model.MessageDefinition(name=n, code=c, is_command=True, body=None) for n, c in CODES.items()),
         behavior=model.Behavior(
             machines=(model.StateMachine(name=f"{prefix}ReceiveFSM", states=states),),
             start=(model.Start(f"{prefix}ReceiveFSM", start),),
@@ -81,7 +81,7 @@ for _name in ("a", "b", "c", "in_top", "out_top", "in_a", "out_a", "in_b", "out_
 
 
 class Rig:
-    def __init__(self, *definitions: model.Service, **services: Service) -> None:
+    def __init__(self, *definitions: model.ServiceDefinition, **services: Service) -> None:
         self.counters = Counters(logging.getLogger("test"))
         self.sent: list[tuple[object, bool]] = []
         self.service = Actions()
@@ -110,7 +110,7 @@ class Rig:
         return taken
 
 
-def two_states(*, a=(), b=(), top=(), defaults=(), start="Top.A") -> model.Service:
+def two_states(*, a=(), b=(), top=(), defaults=(), start="Top.A") -> model.ServiceDefinition:
     return definition(
         "S",
         state(
@@ -179,7 +179,7 @@ def test_internal_transition_without_actions_ignores_the_trigger() -> None:
 
 
 def test_receive_without_parameters_matches_any_message_last() -> None:
-    rest = model.Transition(trigger="Receive", kind="internal", actions=(model.Action("c"),))
+    rest = model.Transition(trigger="Receive", kind="internal", actions=(model.ActionCall("c"),))
     rig = Rig(two_states(a=(on("Ask", do="a"),), top=(rest,)))
     rig.get("Ask")
     rig.get("Other")
@@ -261,7 +261,7 @@ def test_ask_does_not_change_the_state() -> None:
 # --- several services
 
 
-def child(*, start: str = "Top.A.Inner") -> model.Service:
+def child(*, start: str = "Top.A.Inner") -> model.ServiceDefinition:
     top = state(
         "Top",
         state("A", state("Inner", transitions=(on("Ask", do="b"),)), initial="Inner", exit="b", entry="b"),
@@ -358,12 +358,12 @@ class Sends(Service):
     async def report_later(self) -> None: ...
 
 
-def sending(*arguments: str) -> model.Service:
+def sending(*arguments: str) -> model.ServiceDefinition:
     transition = model.Transition(
         trigger="Receive",
         parameters=(model.Parameter("Ask", "msg"),),
         kind="internal",
-        actions=(model.Action("transport.Send", arguments),),
+        actions=(model.ActionCall("transport.Send", arguments),),
     )
     return definition("S", state("Top", transitions=(transition,)), start="Top")
 

@@ -17,7 +17,7 @@ from tests.helpers.memory_cell import MemoryBackend
 from jauspy.codec.items import Bits, Choice, Formatted, Item, Number, Values
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Message
-from jauspy.codec.wire import FLOATS, limits
+from jauspy.codec.scalars import FLOATS, limits
 from jauspy.fuzz.messages import MessageMaker, Style, targets
 from jauspy.ids import JausID
 from jauspy.messages import registry

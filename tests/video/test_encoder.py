@@ -8,7 +8,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import numpy as np
 
 from jauspy.errors import ConfigError
-from jauspy.platform.video_settings import H264Settings, Preset, Profile, VideoSettings
+from jauspy.platform.video_settings import H264Profile, H264Settings, Preset, VideoSettings
 from jauspy.video import h264_payload
 from jauspy.video.h264 import H264Decoder, H264Encoder
 from jauspy.video.h264_payload import MAX_PAYLOAD, Picture
@@ -95,7 +95,9 @@ def test_undecodable_data_is_counted():
 # --- as H264VideoEncoding sets it
 
 
-@pytest.mark.parametrize(("profile", "number"), [(Profile.BASELINE, 66), (Profile.MAIN, 77), (Profile.HIGH, 100)])
+@pytest.mark.parametrize(
+    ("profile", "number"), [(H264Profile.BASELINE, 66), (H264Profile.MAIN, 77), (H264Profile.HIGH, 100)]
+)
 @pytest.mark.parametrize("preset", Preset)
 def test_profile_and_level_are_those_of_the_stream(scene, profile, number, preset):
     for level, reported in ((None, 22), (9, 31)):

@@ -13,7 +13,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 import numpy as np
 
-from jauspy.platform.video_settings import H264Settings, Preset, Profile, VideoSettings
+from jauspy.platform.video_settings import H264Profile, H264Settings, Preset, VideoSettings
 from jauspy.video.h264 import H264Encoder
 from jauspy.video.imaging import read_numbers
 from jauspy.video.receiver import RtpReceiver
@@ -26,8 +26,8 @@ PICTURES = 3 * RATE
 STREAMS = {
     "640x480": VideoSettings(640, 480, RATE),
     "1280x720": VideoSettings(1280, 720, RATE),
-    "main": VideoSettings(coding=H264Settings(Profile.MAIN, preset=Preset.SLOW_COMMS), rate=RATE),
-    "high": VideoSettings(coding=H264Settings(Profile.HIGH, level=9), rate=RATE),
+    "main": VideoSettings(coding=H264Settings(H264Profile.MAIN, preset=Preset.SLOW_COMMS), rate=RATE),
+    "high": VideoSettings(coding=H264Settings(H264Profile.HIGH, level=9), rate=RATE),
     "gradual": VideoSettings(coding=H264Settings(gradual=True), rate=RATE),
 }
 

@@ -10,7 +10,7 @@ import pytest
 cv2 = pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 np = pytest.importorskip("numpy", reason="the extra 'video' is not installed")
 
-from jauspy.platform.camera import CameraSetup, Frame  # noqa: E402
+from jauspy.platform.camera import CameraFrame, CameraSetup  # noqa: E402
 from jauspy.platform.imaging_settings import (  # noqa: E402
     ExposureMode,
     FocusMode,
@@ -39,7 +39,7 @@ class Scene:
         )
         image = np.repeat(self._paint(x, y).astype(np.uint8)[..., None], 3, axis=2)
         far = np.full((height, width), self.distance, np.float32) if distances else None
-        return Frame(image, 0.0, self.light, far)
+        return CameraFrame(image, 0.0, self.light, far)
 
 
 def grey(level):

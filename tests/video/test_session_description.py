@@ -14,7 +14,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 import av
 
-from jauspy.platform.video_settings import H264Settings, Profile, VideoSettings
+from jauspy.platform.video_settings import H264Profile, H264Settings, VideoSettings
 from jauspy.video.h264 import H264Encoder
 from jauspy.video.h264_payload import IDR, PPS, SPS, nal_type
 from jauspy.video.receiver import RtpReceiver
@@ -32,7 +32,7 @@ def sets_of(picture):
 
 
 def test_description_has_profile_level_and_parameter_sets(scene):
-    (picture,) = encoded(VideoSettings(coding=H264Settings(Profile.HIGH, level=9)), scene, 1)
+    (picture,) = encoded(VideoSettings(coding=H264Settings(H264Profile.HIGH, level=9)), scene, 1)
     text = session_description("front", "127.0.0.1", 5004, sets_of(picture))
     found = re.search(r"profile-level-id=(\w{6});sprop-parameter-sets=([^,]+),(\S+)\r\n", text)
     assert [base64.b64decode(each) for each in found.groups()[1:]] == sets_of(picture)

@@ -15,8 +15,8 @@ from collections.abc import Iterator
 from typing import Final
 
 from jauspy.backends import find
+from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.robot import CanRobot
-from jauspy.backends.can.setup import DriveFault
 from jauspy.cli.options import on_bus
 from jauspy.logs import LIMIT
 from jauspy.robot.robot_files import load, robot_model

@@ -63,7 +63,17 @@ class _Arm(ModularArm):
 
     def state(self) -> ModularArmState:
         zeros = (0.0,) * len(PAYLOADS)
-        return ModularArmState(IMAGE, IMAGE, PAYLOADS, PAYLOADS, zeros, zeros, zeros, zeros, error=PAYLOADS[0])
+        return ModularArmState(
+            base=IMAGE,
+            tip=IMAGE,
+            joints=PAYLOADS,
+            parts=PAYLOADS,
+            positions=zeros,
+            velocities=zeros,
+            efforts=zeros,
+            targets=zeros,
+            error=PAYLOADS[0],
+        )
 
     def move(self, positions: Sequence[float], duration: float) -> None:
         """Nothing moves."""

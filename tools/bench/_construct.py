@@ -27,7 +27,7 @@ from construct import (
 )
 
 from jauspy.codec.names import attributes, members
-from jauspy.codec.wire import CODES, SIZES, limits
+from jauspy.codec.scalars import CODES, SIZES, limits
 from jauspy.schema import model as m
 
 FORMATS = {"u32": "L", "i32": "l"}
@@ -110,7 +110,7 @@ class Trees:
         return Struct(*subcons)
 
 
-def compiled(message: m.Message, *, values: bool) -> Construct:
+def compiled(message: m.MessageDefinition, *, values: bool) -> Construct:
     """The compiled construct of a message."""
     body = Pass if message.body is None else Trees(values=values).tree(message.body)
     return Struct("id" / Const(message.code, Int16ul), "body" / body).compile()

@@ -41,9 +41,9 @@ ODOMETRY = record(
 )
 
 
-def message(name: str, code: int, body: m.Composite) -> m.Message:
+def message(name: str, code: int, body: m.Composite) -> m.MessageDefinition:
     """A report."""
-    return m.Message(name=name, code=code, is_command=False, body=body)
+    return m.MessageDefinition(name=name, code=code, is_command=False, body=body)
 
 
 def registry() -> Registry:
@@ -54,5 +54,7 @@ def registry() -> Registry:
         message("Attitude", 0xF00A, ATTITUDE),
         message("Odometry", 0xF00B, ODOMETRY),
     )
-    service = m.Service(name="Bench", id="urn:jauspy:bench:Bench", version="1.0", jsidl="1.1", outputs=messages)
+    service = m.ServiceDefinition(
+        name="Bench", id="urn:jauspy:bench:Bench", version="1.0", jsidl="1.1", outputs=messages
+    )
     return load_schema(m.Schema(services=(service,)))

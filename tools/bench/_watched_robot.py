@@ -45,11 +45,7 @@ class Watch(RealTime):
         self.commands, self.reads = [], []
 
         self._applied: list[tuple[float, float, float]] = []
-
-    @property
-    def drive(self) -> DriveProxy:
-        """The chassis, watched."""
-        return _WatchedDrive(self)
+        self.drive = _WatchedDrive(self)
 
     def _make_step(self) -> None:
         super()._make_step()

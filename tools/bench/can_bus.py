@@ -19,7 +19,7 @@ from tempfile import TemporaryDirectory
 
 from jauspy.backends import find
 from jauspy.backends.can.robot import CanRobot
-from jauspy.backends.can.setup import CanSetup
+from jauspy.platform.servo_drives import CanSetup
 from jauspy.robot.robot_files import load, robot_model
 
 

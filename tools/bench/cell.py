@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.cell.modular_arm import FIVE_JOINTS
-from jauspy.platform.camera import Camera
+from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import Snapshot
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.arm import ModularArm
@@ -129,7 +129,7 @@ class Recording:
         return data
 
 
-def film(camera: Camera, path: Path, ready: Event, stop: Event) -> None:
+def film(camera: CameraSource, path: Path, ready: Event, stop: Event) -> None:
     """Film in a process of its own until `stop`; then append the number of pictures to the file's name."""
     import av  # noqa: PLC0415 - of the extra video
 

@@ -161,7 +161,16 @@ def measure(count: int, seconds: float, *, direct: bool) -> Result:
         lateness, lost, number = judge(arrivals)
         each = (before - few) / max(1, count - 1)
         subscription = (child.memory_info().rss - before) / (count * len(QUERIES))
-        return Result(count, number / took, lost, used, node_used, lateness, each, subscription)
+        return Result(
+            count=count,
+            events=number / took,
+            lost=lost,
+            cpu=used,
+            node_cpu=node_used,
+            lateness=lateness,
+            per_component=each,
+            per_subscription=subscription,
+        )
 
 
 def memory(count: int, root: Path, subscriber: Subscriber) -> int:

@@ -149,7 +149,15 @@ def measure(backend: str, options: argparse.Namespace) -> Run:
     commands = [Sample(*each) for each in announced["commands"]]
     rows, unseen = split(seen, commands, [(at, speed) for at, speed in announced["reads"]])
     counters = announced["counters"]
-    return Run(rows, unseen, idle, driven, counters["late"], counters["steps"], pictures)
+    return Run(
+        rows=rows,
+        unseen=unseen,
+        idle=idle,
+        driven=driven,
+        late=counters["late"],
+        steps=counters["steps"],
+        pictures=pictures,
+    )
 
 
 def _cores(process: subprocess.Popen[bytes], do: Callable[[], T]) -> tuple[float, T]:

@@ -14,7 +14,8 @@ from typing import Final, cast
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Acceleration, Pose, Twist
-from jauspy.platform.contract import Backend, DriveBase, Robot, Snapshot
+from jauspy.platform.backend import Backend
+from jauspy.platform.contract import DriveBase, Robot, Snapshot
 from jauspy.platform.joints import JointGroup, JointState
 
 GROUP: Final = "jauspy.backends"

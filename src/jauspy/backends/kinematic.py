@@ -12,10 +12,10 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.frames import gravity_wrench
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint, RobotDescription
-from jauspy.platform.camera import Camera
-from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, SkidSteerDrive
+from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
+from jauspy.platform.drives import SLIP_FACTOR, FixedBase, SkidSteerDrive
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.joint_control import SetpointGenerator
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
@@ -58,51 +58,37 @@ class KinematicRobot:
         self._tracked = KinematicDrive(skid_steer_parameters(robot.description, tracks)) if tracks else None
         self._wheels = KinematicWheels(robot.wheels) if robot.wheels else None
         self._rolling = self._tracked or self._wheels
-        self._drive = self._rolling or FixedBase()
+        self.drive: KinematicDrive | KinematicWheels | FixedBase = self._rolling or FixedBase()
+        """The chassis."""
         self._localizer: Localizer | None = None
         if self._rolling is not None and not robot.localization.is_exact(default=True):
             self._localizer = Localizer(robot.localization, self._rolling)
-        self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
-        self._cameras = KinematicCameras(robot, self._drive, self._groups)
+        self.groups: Mapping[str, KinematicJoints] = {
+            name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()
+        }
+        """Its other joints, by the names that its description gives them."""
+        self._cameras = KinematicCameras(robot, self.drive, self.groups)
         self._lamps = switched_lamps(robot.lamps)
-        self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
-        self._force_torque = {
+        self.lidars: Mapping[str, Scanner] = {setup.name: Scanner(setup) for setup in robot.lidars}
+        """Its lidars, by name."""
+        self.force_torque: Mapping[str, SampledForceTorque] = {
             setup.name: SampledForceTorque(setup, gravity_wrench(robot.description, setup.link, self._positions))
             for setup in robot.force_torque
         }
+        """Its force-torque sensors, by name: they measure the weight of the links beyond them, without noise."""
         self._time = 0.0
         self._measure()
 
     @property
-    def drive(self) -> KinematicDrive | KinematicWheels | FixedBase:
-        """The chassis."""
-        return self._drive
-
-    @property
-    def groups(self) -> Mapping[str, KinematicJoints]:
-        """Its other joints, by the names that its description gives them."""
-        return self._groups
-
-    @property
-    def cameras(self) -> Mapping[str, Camera]:
+    def cameras(self) -> Mapping[str, CameraSource]:
         """Its cameras, which show sky and floor."""
         return self._cameras.cameras
 
     @property
-    def lidars(self) -> Mapping[str, Scanner]:
-        """Its lidars, by name."""
-        return self._lidars
-
-    @property
-    def force_torque(self) -> Mapping[str, SampledForceTorque]:
-        """Its force-torque sensors, by name: they measure the weight of the links beyond them, without noise."""
-        return self._force_torque
-
-    @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """Those of the chassis, the localisation unless exact, and the lamps, whose light its cameras do not show."""
+        """Parts of the chassis, the localisation unless exact, and the lamps, whose light its cameras do not show."""
         located = () if self._localizer is None else (self._localizer,)
-        return (*self._drive.optional_parts, *located, *self._lamps)
+        return (*self.drive.optional_parts, *located, *self._lamps)
 
     @property
     def time(self) -> float:
@@ -113,12 +99,12 @@ class KinematicRobot:
         """Advance by exactly `dt` seconds, in equal steps of at most `MAX_STEP`."""
         if not 0.0 <= dt < math.inf:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
-        before = self._drive.twist()
+        before = self.drive.twist()
         steps = math.ceil(dt / MAX_STEP)
         for number in range(steps):
             if self._rolling is not None:
                 self._rolling.step(dt / steps)
-            for group in self._groups.values():
+            for group in self.groups.values():
                 group.step(dt / steps)
             if self._localizer is not None:
                 self._localizer.step(self._time + (number + 1) * dt / steps)
@@ -129,18 +115,18 @@ class KinematicRobot:
         self._cameras.update()
 
     def _measure(self) -> None:
-        for lidar in self._lidars.values():
+        for lidar in self.lidars.values():
             lidar.step(self._time)
-        for sensor in self._force_torque.values():
+        for sensor in self.force_torque.values():
             sensor.step(self._time)
 
     def _positions(self) -> Mapping[str, float]:
-        return joint_positions(self._groups.values())
+        return joint_positions(self.groups.values())
 
     def close(self) -> None:
         """Stop, and release the shared states of the cameras."""
-        self._drive.stop()
-        for group in self._groups.values():
+        self.drive.stop()
+        for group in self.groups.values():
             group.hold()
         self._cameras.close()
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform
-from jauspy.platform.camera import CameraSetup, DepthFrame, Frame, OutsideView, looking
+from jauspy.platform.camera import CameraFrame, CameraSetup, DepthFrame, OutsideView, looking
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup, joint_positions
@@ -87,10 +87,10 @@ class FloorCameraSession:
         thoroughly: bool = False,  # noqa: ARG002 - it always does
         fov: float | None = None,
         distances: bool = False,
-    ) -> Frame:
+    ) -> CameraFrame:
         """Return an image of shape (height, width, 3)."""
         taken, image, far = self._see(width, height, fov)
-        return Frame(image, taken, distances=far if distances else None)
+        return CameraFrame(image, taken, distances=far if distances else None)
 
     def measure(self, width: int, height: int) -> DepthFrame:
         """Return an image of shape (height, width, 3) and distances of shape (height, width), in metres."""

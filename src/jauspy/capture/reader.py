@@ -109,7 +109,7 @@ class CaptureReader:
     def __init__(self, file: BufferedReader, *, name: str, port: int | None = JAUS_PORT) -> None:
         self._name = name
         self._port = port
-        self._assembler = Assembler()
+        self._assembler = DatagramAssembler()
         self._file = _CheckedFile(file)
         self._frames = _open(file.peek(4)[:4], self._file, name)
         self._link_type: int = self._frames.datalink()
@@ -228,7 +228,7 @@ class _Parts:
         return bytes(data[: self.total]) if len(data) >= self.total else None
 
 
-class Assembler:
+class DatagramAssembler:
     """Reassembles UDP datagrams from IPv4 packets in the order of the capture; `skipped` counts packets left out."""
 
     def __init__(self) -> None:

@@ -18,7 +18,7 @@ from scipy.optimize import least_squares
 from jauspy.cell.frames import Array, se3
 from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.dynamics import joint_axis, solid_inertia
-from jauspy.platform.modular.graph import Chain
+from jauspy.platform.modular.graph import ArmChain
 from jauspy.platform.modular.parts import CellSetup
 
 ANGLE_WEIGHT: Final = 0.2
@@ -55,7 +55,7 @@ class Parameters:
 class ArmGeometry:
     """Kinematics of an arm as it is assembled, with parameters of its errors; `q` in rad, base to tip."""
 
-    def __init__(self, cell: CellSetup, chain: Chain, base: pin.SE3) -> None:
+    def __init__(self, cell: CellSetup, chain: ArmChain, base: pin.SE3) -> None:
         self.joints = chain.joints
         self._base = base
         self._model, self._tip_joint, self._tip = pin.Model(), 0, pin.SE3.Identity()

@@ -123,7 +123,7 @@ class Handling:
             finally:
                 self.scene.release()
                 self.scene.put(part, pieces, pose)
-            return PickPlan(part, grasp, approach, near, contact, raised)
+            return PickPlan(part=part, grasp=grasp, approach=approach, near=near, contact=contact, lift=raised)
 
         return _first(options[skip:] or options, plan)
 

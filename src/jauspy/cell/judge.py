@@ -12,8 +12,9 @@ from jauspy.cell.frames import offset_between, se3, se3_of_pose, tilt_between
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.camera import Camera
-from jauspy.platform.contract import Backend, Robot
+from jauspy.platform.backend import Backend
+from jauspy.platform.camera import CameraSource
+from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.modular.connector import VacuumConnector
 
@@ -113,7 +114,7 @@ class Judge:
         quarter = 1.5707963267948966
         return Placement(part, distance, tilt, abs(turn - quarter * round(turn / quarter)))
 
-    def camera(self, name: str) -> Camera | None:
+    def camera(self, name: str) -> CameraSource | None:
         """That camera of the cell, for films; the first one if there is none with this name."""
         cameras = self._robot.cameras
         return cameras.get(name) or next(iter(cameras.values()), None)

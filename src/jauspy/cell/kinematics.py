@@ -46,7 +46,7 @@ class URParameters:
     d6: float
 
 
-UR10: Final = URParameters(0.1273, -0.612, -0.5723, 0.163941, 0.1157, 0.0922)
+UR10: Final = URParameters(d1=0.1273, a2=-0.612, a3=-0.5723, d4=0.163941, d5=0.1157, d6=0.0922)
 _TWISTS: Final = (math.pi / 2.0, 0.0, 0.0, math.pi / 2.0, -math.pi / 2.0, 0.0)
 
 

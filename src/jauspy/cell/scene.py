@@ -21,7 +21,7 @@ from jauspy.cell.frames import Array, se3, se3_of_pose, shifted
 from jauspy.cell.kinematics import ArmKinematics
 from jauspy.errors import ConfigError
 from jauspy.platform.description import GroupSetup, RobotModel
-from jauspy.platform.modular.parts import CellSetup, PartType, Shape, Solid
+from jauspy.platform.modular.parts import CellSetup, PartSolid, PartType, Shape
 
 FAR: Final = 1.0
 """Metres beyond which a distance is not computed; what is farther off counts as this far."""
@@ -68,7 +68,7 @@ class Kinematics(Protocol):
     """The number of the tool's frame in the model."""
 
 
-def pieces_of(solids: Iterable[Solid], frame: pin.SE3 | None = None) -> list[Piece]:
+def pieces_of(solids: Iterable[PartSolid], frame: pin.SE3 | None = None) -> list[Piece]:
     """The shapes of solids whose frame is `frame` in that of the thing."""
     frame = frame or pin.SE3.Identity()
     return [Piece(_shape(each), frame * se3(each.pose)) for each in solids]
@@ -101,7 +101,7 @@ def connector_frame(type: PartType, connector: str, position: float = 0.0) -> pi
     return output_frame(type, position) * se3(type.connectors[connector])
 
 
-def _shape(solid: Solid) -> Any:
+def _shape(solid: PartSolid) -> Any:
     x, y, z = solid.size
     return coal.Box(x, y, z) if solid.shape is Shape.CUBOID else coal.Cylinder(x, z)
 

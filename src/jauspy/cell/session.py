@@ -19,7 +19,7 @@ from jauspy.cell.judge import Judge, WatchedBackend
 from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError
 from jauspy.ocu import OCU
-from jauspy.platform.camera import Camera, CameraSession
+from jauspy.platform.camera import CameraSession, CameraSource
 from jauspy.platform.contract import Robot
 from jauspy.robot import robot_files
 from jauspy.robot.config import RobotConfig
@@ -141,7 +141,7 @@ FILM_CODEC: Final = "libx264"
 class Film:
     """`async with Film(path, camera)`: films 25 pictures for each second of the event loop's time."""
 
-    def __init__(self, path: Path, camera: Camera | None, *, size: tuple[int, int] = FILM_SIZE) -> None:
+    def __init__(self, path: Path, camera: CameraSource | None, *, size: tuple[int, int] = FILM_SIZE) -> None:
         if camera is None:
             raise ConfigError("the cell has no camera to film with")
         self.path = path

@@ -93,15 +93,15 @@ def summarised(results: Iterable[Measured]) -> Summary:
     low, high = wilson(len(good), len(found))
     wall = sum(each.wall for each in found)
     return Summary(
-        found[0].task if found else "",
-        len(found),
-        len(good),
-        low,
-        high,
-        median(each.duration for each in good) if good else math.nan,
-        max((each.duration for each in good), default=math.nan),
-        sum(each.duration for each in found) / wall if wall else math.nan,
-        tuple((each.seed, each.failure) for each in found if not each.success),
+        task=found[0].task if found else "",
+        runs=len(found),
+        successes=len(good),
+        low=low,
+        high=high,
+        duration=median(each.duration for each in good) if good else math.nan,
+        longest=max((each.duration for each in good), default=math.nan),
+        speed=sum(each.duration for each in found) / wall if wall else math.nan,
+        failures=tuple((each.seed, each.failure) for each in found if not each.success),
     )
 
 

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 import typer
 
 from jauspy.backends.can.cia402 import LIMIT_ACTIVE, error_text, register_text, state_of
-from jauspy.backends.can.setup import CanSetup, DriveFault
+from jauspy.backends.can.faults import DriveFault
 from jauspy.cli import console
 from jauspy.cli.options import Bus, Json, World, on_bus
 from jauspy.errors import ConfigError
+from jauspy.platform.servo_drives import CanSetup
 from jauspy.robot import robot_files
 
 if TYPE_CHECKING:

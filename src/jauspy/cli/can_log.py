@@ -10,12 +10,12 @@ from pathlib import Path
 from typing import Any, Final
 
 from jauspy.backends.can import pdo
-from jauspy.backends.can.cia402 import Control, Mode, error_text, register_text, state_of
-from jauspy.backends.can.setup import CanSetup, DriveSetup
+from jauspy.backends.can.cia402 import Controlword, Mode, error_text, register_text, state_of
 from jauspy.backends.can.units import DriveUnits
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import JointKind
 from jauspy.platform.description import RobotModel
+from jauspy.platform.servo_drives import CanSetup, DriveSetup
 from jauspy.printable import printable
 
 CANDUMP: Final = re.compile(rb"\(\d+\.\d+\) +\S+ +[0-9A-Fa-f]+#")
@@ -161,7 +161,7 @@ class FrameNames:
             elif index == 0x6041:
                 yield state_of(raw).value
             elif index == 0x6040:
-                yield Control(raw).name.lower() if raw in set(Control) else f"controlword {raw:04X}h"
+                yield Controlword(raw).name.lower() if raw in set(Controlword) else f"controlword {raw:04X}h"
             elif index == 0x603F:
                 yield error_text(raw)
             else:

@@ -23,17 +23,17 @@ from jauspy.cli.processes import stoppable
 from jauspy.cli.schema.ls import find as find_definitions
 from jauspy.codec.registry import Registry
 from jauspy.conformance import reports
+from jauspy.conformance.link import TesterLink, open_link
 from jauspy.conformance.profile import Offers, Profile, Step, find, known
 from jauspy.conformance.reports import explanation, result_json, summary, summary_json, transcript
 from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
 from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_steps, run
-from jauspy.conformance.wire import Wire, open_wire
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.schema import Schema, load_builtin
 from jauspy.schema.inheritance import lineage, parents_among
-from jauspy.schema.model import Service
+from jauspy.schema.model import ServiceDefinition
 
 ProfileName = Annotated[
     str | None,
@@ -263,7 +263,7 @@ def named_offers(names: str | None, target: str | None, own: Schema | None = Non
         raise ConfigError(f"--services names the services of one component, and {id} has wildcards")
     schema = Schema(services=(*(own.services if own else ()), *load_builtin().services))
     parent_of = parents_among(schema.services)
-    found: dict[str, Service] = {}
+    found: dict[str, ServiceDefinition] = {}
     for name in filter(None, (each.strip() for each in names.split(","))):
         services = [match.service for match in find_definitions(schema, name) if match.message is None]
         if len(services) != 1:
@@ -294,8 +294,8 @@ def steps_of(
         raise ConfigError(
             f"the steps of {profile.name} depend on the target's services; add --target, as in --target 101.1.102"
         )
-    with closing(asyncio.run(open_wire(connect))) as wire:
-        return planned_steps(profile, wire, _id(target), offers=offers, timeout=timeout, registry=messages)
+    with closing(asyncio.run(open_link(connect))) as link:
+        return planned_steps(profile, link, _id(target), offers=offers, timeout=timeout, registry=messages)
 
 
 def report_of(
@@ -310,15 +310,15 @@ def report_of(
 ) -> Report:
     """Run a profile; raises `Interrupted`, which has the report so far."""
     id = _id(target)
-    with closing(asyncio.run(open_wire(connect))) as wire:
+    with closing(asyncio.run(open_link(connect))) as link:
         try:
             report = run(
-                profile, wire, id, began=time.time(), offers=offers, settings=settings, registry=messages, watch=watch
+                profile, link, id, began=time.time(), offers=offers, settings=settings, registry=messages, watch=watch
             )
         except Interrupted as stop:
-            stop.report = _with_notes(stop.report, wire)
+            stop.report = _with_notes(stop.report, link)
             raise
-        return _with_notes(report, wire)
+        return _with_notes(report, link)
 
 
 def _id(target: str) -> JausID:
@@ -330,9 +330,9 @@ def _id(target: str) -> JausID:
     return id
 
 
-def _with_notes(report: Report, wire: Wire) -> Report:
+def _with_notes(report: Report, link: TesterLink) -> Report:
     """The report with the notes of the wire."""
-    return replace(report, notes=(*getattr(wire, "notes", ()), *report.notes))
+    return replace(report, notes=(*getattr(link, "notes", ()), *report.notes))
 
 
 _STYLES: Final = {Verdict.PASS: "green", Verdict.SKIPPED: "dim"}

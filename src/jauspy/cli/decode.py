@@ -151,7 +151,7 @@ def _port(text: str) -> int | None:
 _BYTES_SHOWN: Final = 8
 
 
-def explanation(content: Content, model_of: Callable[[type[Message]], model.Message]) -> Iterator[Styled]:
+def explanation(content: Content, model_of: Callable[[type[Message]], model.MessageDefinition]) -> Iterator[Styled]:
     """A table of the fields of a message, a line each, up to the damage; empty if the message is unknown."""
     rows = rows_of(content, model_of)
     if not rows:
@@ -180,7 +180,9 @@ def explanation(content: Content, model_of: Callable[[type[Message]], model.Mess
         ]
 
 
-def rows_of(content: Content, model_of: Callable[[type[Message]], model.Message]) -> list[reference.Row]:
+def rows_of(
+    content: Content, model_of: Callable[[type[Message]], model.MessageDefinition]
+) -> list[reference.ExplainedValue]:
     """The fields of a message, up to the damage; none if the message is unknown."""
     if content.message is None:
         return []
@@ -189,7 +191,7 @@ def rows_of(content: Content, model_of: Callable[[type[Message]], model.Message]
     return reference.explain(model_of(type(content.message)), content.payload)
 
 
-def _problem(row: reference.Row) -> tuple[str, str]:
+def _problem(row: reference.ExplainedValue) -> tuple[str, str]:
     """What the definition says otherwise, behind the value."""
     if not row.problem:
         return ("", "")
@@ -272,7 +274,7 @@ def contents(item: Item) -> list[Content]:
     return [item.bare] if item.bare is not None else []
 
 
-def _row_json(row: reference.Row) -> dict[str, Any]:
+def _row_json(row: reference.ExplainedValue) -> dict[str, Any]:
     raw = row.raw.hex() if isinstance(row.raw, bytes) else row.raw
     shown = {"offset": row.offset, "length": row.length, "field": row.path, "raw": raw, "value": row.value}
     return shown | {"problem": row.problem or None, "damaged": row.damaged}

@@ -43,7 +43,7 @@ class Definitions:
     registry: Registry
     own: Schema | None = None
 
-    def model_of(self, kind: type[Message]) -> model.Message:
+    def model_of(self, kind: type[Message]) -> model.MessageDefinition:
         """The definition of a message class."""
         key = (kind.SERVICE, kind.VERSION)
         services = self.own.services if self.own else ()

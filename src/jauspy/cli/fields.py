@@ -15,7 +15,7 @@ from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.message import Message
 from jauspy.codec.names import members, unit_symbol
 from jauspy.codec.registry import NO_HINTS, Hints, Registry
-from jauspy.codec.wire import FLOATS, limits
+from jauspy.codec.scalars import FLOATS, limits
 from jauspy.errors import ConfigError, EncodeError
 from jauspy.messages import registry as public
 

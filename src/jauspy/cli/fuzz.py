@@ -70,7 +70,13 @@ def codec(
     with _usage_errors():
         payloads = [payload for path in seeds or [] for payload in _payloads(path)]
         plan = CampaignPlan(
-            cases, seed, tuple(dict.fromkeys(payloads)), tuple(message or ()), jobs, tuple(sources or ()), package or ""
+            cases=cases,
+            seed=seed,
+            payloads=tuple(dict.fromkeys(payloads)),
+            only=tuple(message or ()),
+            jobs=jobs,
+            own=tuple(sources or ()),
+            package=package or "",
         )
         with _progress(plan) as show:
             outcome = run(plan, show)

@@ -15,7 +15,7 @@ from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Message
 from jauspy.codec.names import unit_symbol
-from jauspy.codec.wire import FLOATS
+from jauspy.codec.scalars import FLOATS
 
 _PLAIN: Final = re.compile(r"[A-Za-z/][\w./-]*(?::[\w./-]+)*(?: [\w./-]+)*")  # text that needs no quotes in YAML
 _YAML_WORDS: Final = frozenset({"y", "n", "yes", "no", "on", "off", "true", "false", "null"})

@@ -28,7 +28,7 @@ from jauspy.printable import printable
 from jauspy.robot.config import ModuleConfig, RobotConfig
 from jauspy.robot.runner import RobotRunner
 from jauspy.services.core import AccessControl, Events
-from jauspy.services.core.subscriptions import Subscription
+from jauspy.services.core.subscriptions import EventSubscription
 from jauspy.video.camera_process import CameraProcess
 
 RATE_SAMPLES: Final = 9
@@ -111,14 +111,14 @@ class StatusSampler:
         pairs = self.runner.running
         shown = {module.camera: str(each.id) for each, module in pairs}
         return RobotStatus(
-            snapshot,
-            self._rate("time"),
-            {name: counters.get(f"realtime.{name}", 0) for name in ("steps", "late", "skipped")},
-            tuple(self._module(each, module) for each, module in pairs),
-            tuple(self._camera(name, shown[name], camera) for name, camera in self.runner.videos.items()),
-            None if status is None else _node_status(status, self._rate("routed")),
-            self.runner.faults,
-            self.runner.overloads,
+            snapshot=snapshot,
+            factor=self._rate("time"),
+            timing={name: counters.get(f"realtime.{name}", 0) for name in ("steps", "late", "skipped")},
+            modules=tuple(self._module(each, module) for each, module in pairs),
+            cameras=tuple(self._camera(name, shown[name], camera) for name, camera in self.runner.videos.items()),
+            node=None if status is None else _node_status(status, self._rate("routed")),
+            faults=self.runner.faults,
+            overloads=self.runner.overloads,
         )
 
     def _rate(self, name: str) -> float:
@@ -131,29 +131,29 @@ class StatusSampler:
         subscriptions = events.subscriptions.all() if events else []
         return ModuleStatus(
             str(component.id),
-            f"{module.type} {module.part}" if module.part else module.type,
-            host.status.name.lower() if host.status is not None else "",
-            f"{access.controller} ({access.authority})" if access and access.controller else "",
-            len(subscriptions),
-            sum(each.confirmed for each in subscriptions if isinstance(each, Subscription)),
-            self._rate(f"{component.id}.endpoint.received"),
-            self._rate(f"{component.id}.endpoint.sent"),
-            {name: count for name, count in component.counters.items() if count and _is_loss(name)},
+            type=f"{module.type} {module.part}" if module.part else module.type,
+            status=host.status.name.lower() if host.status is not None else "",
+            controller=f"{access.controller} ({access.authority})" if access and access.controller else "",
+            events=len(subscriptions),
+            hertz=sum(each.confirmed for each in subscriptions if isinstance(each, EventSubscription)),
+            received=self._rate(f"{component.id}.endpoint.received"),
+            sent=self._rate(f"{component.id}.endpoint.sent"),
+            dropped={name: count for name, count in component.counters.items() if count and _is_loss(name)},
         )
 
     def _camera(self, name: str, module: str, camera: CameraProcess) -> CameraStatus:
         settings = camera.settings
         return CameraStatus(
             name,
-            module,
-            (settings.width, settings.height),
-            settings.rate,
-            settings.bit_rate,
-            len(camera.receivers),
-            sum(camera.receivers.values()),
-            self._rate(f"camera.{name}.pictures"),
-            self._rate(f"camera.{name}.packets"),
-            camera.counters.get("dropped", 0),
+            module=module,
+            size=(settings.width, settings.height),
+            rate=settings.rate,
+            bit_rate=settings.bit_rate,
+            receivers=len(camera.receivers),
+            playing=sum(camera.receivers.values()),
+            pictures=self._rate(f"camera.{name}.pictures"),
+            packets=self._rate(f"camera.{name}.packets"),
+            dropped=camera.counters.get("dropped", 0),
         )
 
 

@@ -12,7 +12,7 @@ from annotated_types import Interval
 
 from jauspy.cloud.stream import MAX_POINTS, XYZ_RGB, CloudPublisher
 from jauspy.logs import get_logger
-from jauspy.platform.camera import Camera, CameraSession, DepthFrame
+from jauspy.platform.camera import CameraSession, CameraSource, DepthFrame
 from jauspy.platform.tables import Table, check_order
 from jauspy.worker_process import CountersReport, Parent, SupervisedWorker, WorkerReady
 
@@ -43,7 +43,7 @@ class DepthSettings(Table):
 class DepthStream:
     """A camera and the address at which its clouds are published."""
 
-    camera: Camera
+    camera: CameraSource
     settings: DepthSettings
     address: str
 

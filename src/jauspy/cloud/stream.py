@@ -83,7 +83,7 @@ def decode(data: bytes) -> Cloud:
         frame = data[_HEADER.size : start].decode()
     except UnicodeDecodeError as error:
         raise DecodeError("the frame's name is not UTF-8") from error
-    return Cloud(data[start:], frame, time, values, stream, number)
+    return Cloud(points=data[start:], frame=frame, time=time, values=values, stream=stream, number=number)
 
 
 _MAX_COLOUR: Final = 255.0
@@ -188,7 +188,9 @@ class CloudPublisher(_Socket):
 
     def publish(self, points: bytes, frame: str, at: float, values: int = 3) -> None:
         """Send to all subscribers without waiting; `points` and `values` as in `Cloud`, `at` is its time."""
-        self._socket.send(Cloud(points, frame, at, values, self._stream, self._number).encode())
+        self._socket.send(
+            Cloud(points=points, frame=frame, time=at, values=values, stream=self._stream, number=self._number).encode()
+        )
         self._number += 1
 
 

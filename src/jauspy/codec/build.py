@@ -33,13 +33,13 @@ from jauspy.codec.names import (
     version_package,
 )
 from jauspy.codec.registry import MessageEntry, Registry
-from jauspy.codec.wire import CODES, FLOATS, as_sent
+from jauspy.codec.scalars import CODES, FLOATS, as_sent
 from jauspy.errors import SchemaError
 from jauspy.logs import get_logger
 from jauspy.schema import model as m
+from jauspy.schema.digest import digest
 from jauspy.schema.loader import load_own
 from jauspy.schema.model import Schema
-from jauspy.schema.wire import digest
 
 JAUS_MESSAGE: Final = "jaus message"
 """The format of bytes that are a message."""
@@ -59,7 +59,7 @@ _OWN_NAMES: Final = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND
 
 
 @dataclass(slots=True)
-class Module:
+class MessageModule:
     """One module of a package: a service, or the declared types of a set that several messages share."""
 
     name: str
@@ -75,7 +75,7 @@ class Package:
     """The message classes of a schema, and their registry."""
 
     name: str
-    modules: tuple[Module, ...]
+    modules: tuple[MessageModule, ...]
     registry: Registry
 
 
@@ -89,7 +89,9 @@ def build(schema: m.Schema, package: str, base: Registry | None = None) -> Packa
     files = {service.key: service.where.file for service in schema.services if service.where}
     registry = Registry(entries, base, files)
     shared = _SharedTypes(package, {service.id for service in schema.services}, registry)
-    modules = {p.module: Module(p.module, f"{p.service.id} {p.service.version}.", *p.service.key) for p in planned}
+    modules = {
+        p.module: MessageModule(p.module, f"{p.service.id} {p.service.version}.", *p.service.key) for p in planned
+    }
     made: dict[object, type[Message]] = {}
     for one in sorted(planned, key=lambda one: one.module):
         key = _sharing_key(one, shared.services)
@@ -113,15 +115,18 @@ class _Planned:
 
     module: str
     name: str
-    service: m.Service
-    message: m.Message
+    service: m.ServiceDefinition
+    message: m.MessageDefinition
     is_query: bool
     answer: _Planned | None = None
 
     def entry(self, package: str) -> MessageEntry:
         """The entry of the registry."""
         message, module = self.message, f"{package}.{self.module}"
-        return MessageEntry(message.code, message.name, *self.service.key, module, self.name, digest(message.body))
+        service, version = self.service.key
+        return MessageEntry(
+            message.code, message.name, service, version, module, cls=self.name, digest=digest(message.body)
+        )
 
 
 def _planned(schema: m.Schema) -> list[_Planned]:
@@ -145,11 +150,11 @@ def _planned(schema: m.Schema) -> list[_Planned]:
     return found
 
 
-def _module_name(service: m.Service) -> str:
+def _module_name(service: m.ServiceDefinition) -> str:
     return f"{set_package(service.id)}.{version_package(service.version)}.{service_module(service.name)}"
 
 
-def asks(message: m.Message, service: m.Service) -> bool:
+def asks(message: m.MessageDefinition, service: m.ServiceDefinition) -> bool:
     """True for a query: by its id if below 6000h (AS5710), else for an input that is not a command.
 
     Clients of a service have its outputs as inputs, so names such as `Query...` take precedence.
@@ -162,7 +167,7 @@ def asks(message: m.Message, service: m.Service) -> bool:
     return is_input or message.name.startswith("Query")
 
 
-def answers(query: m.Message, report: m.Message) -> bool:
+def answers(query: m.MessageDefinition, report: m.MessageDefinition) -> bool:
     """True for the report on a query of its service: by its id below 6000h (AS5710), else by its name."""
     if query.code in QUERIES:
         return report.code - query.code == REPORTS.start - QUERIES.start
@@ -179,7 +184,7 @@ def _sharing_key(one: _Planned, services: set[str]) -> object:
     return (_message_key(one.message, services), one.is_query, answer)
 
 
-def _message_key(message: m.Message, services: set[str]) -> object:
+def _message_key(message: m.MessageDefinition, services: set[str]) -> object:
     return (message.name, message.code, message.is_command, _without_services(message.body, services))
 
 
@@ -211,7 +216,7 @@ def _derived(original: type[Message], one: _Planned, module: str) -> type[Messag
     return declare.derived(declare.Service(*one.service.key))(type(one.name, (original,), names))
 
 
-def _summary(message: m.Message) -> str:
+def _summary(message: m.MessageDefinition) -> str:
     title = f"{message.name} (0x{message.code:04X})"
     return f"{title}: {message.doc}" if message.doc else f"{title}."
 
@@ -222,7 +227,7 @@ class _SharedTypes:
     def __init__(self, package: str, services: set[str], registry: Registry) -> None:
         self.services = services
         self.registry = registry
-        self.modules: dict[str, Module] = {}
+        self.modules: dict[str, MessageModule] = {}
         self._package = package
         self._classes: dict[m.Node, type[Struct]] = {}
 
@@ -240,7 +245,7 @@ class _SharedTypes:
         assert node.declared is not None
         key = _bare(replace(node, name=node.declared.name))
         name = f"{set_package(node.declared.set_id)}.{version_package(node.declared.version)}.types"
-        module = self.modules.setdefault(name, Module(name, "Declared types that several messages share."))
+        module = self.modules.setdefault(name, MessageModule(name, "Declared types that several messages share."))
         if key not in self._classes:
             taken = {cls.__name__ for cls in module.classes}
             free = unique(class_name(node.declared.name), taken.__contains__)

@@ -20,7 +20,7 @@ from jauspy.codec.items import Bits, Item, Number, Real, Text, Values
 from jauspy.codec.layout import Composite, Grid, Slot
 from jauspy.codec.message import Message, Reject
 from jauspy.codec.names import unique
-from jauspy.codec.wire import FLOATS, SIZES, Scaling, compact, exact_raw, limits
+from jauspy.codec.scalars import FLOATS, SIZES, Scaling, compact, exact_raw, limits
 
 MAX_CACHED_PACKERS: Final = 1024
 """Packers in one cache: a peer that sends all of 2**15 presence vectors must not fill the memory."""

@@ -37,8 +37,8 @@ from jauspy.codec.codegen import (
 )
 from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
-from jauspy.codec.message import Source
-from jauspy.codec.wire import FLOATS, SIZES, limits
+from jauspy.codec.message import NestingSource
+from jauspy.codec.scalars import FLOATS, SIZES, limits
 
 
 def unpack_source(layout: Composite, code: int, namespace: Namespace) -> list[str]:
@@ -414,7 +414,7 @@ class _Decoder:
         chosen = f"format in {self.namespace.indices(layout.nested_formats)}"
         return [*lines, *found, f"self.data = {self._inside(layout.nested, chunk)} if {chosen} else {chunk}"]
 
-    def _inside(self, known: Source, chunk: str) -> str:
+    def _inside(self, known: NestingSource, chunk: str) -> str:
         """Decode a message inside this one by the registry that decodes this one, else by the registry of the class."""
         return f"(nesting or {self.namespace.source(known)}.nesting).message({chunk})"
 

@@ -31,7 +31,7 @@ from jauspy.codec.codegen import (
 )
 from jauspy.codec.items import Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
-from jauspy.codec.wire import FLOATS, NEAR_TIE, SIZES, limits
+from jauspy.codec.scalars import FLOATS, NEAR_TIE, SIZES, limits
 
 
 def pack_source(layout: Composite, code: int, namespace: Namespace) -> list[str]:

@@ -16,9 +16,9 @@ from functools import lru_cache
 from operator import index
 from typing import Any, Final
 
-from jauspy.codec.message import Message, Nesting, Source, Struct, counted
-from jauspy.codec.slow_path import Reader, Writer, codec_of
-from jauspy.codec.wire import FLOATS, SIZES, Rounding, Scaling, exact_raw, limits
+from jauspy.codec.message import Message, Nesting, NestingSource, Struct, counted
+from jauspy.codec.scalars import FLOATS, SIZES, Rounding, Scaling, exact_raw, limits
+from jauspy.codec.slow_path import MessageReader, MessageWriter, codec_of
 from jauspy.errors import EncodeError
 
 MAX_SHOWN: Final = 100
@@ -41,11 +41,11 @@ class Item(ABC):
         """Minimal size in bytes."""
 
     @abstractmethod
-    def read(self, reader: Reader, path: str) -> Any:
+    def read(self, reader: MessageReader, path: str) -> Any:
         """Read the next value; returns a default if the reader has stopped."""
 
     @abstractmethod
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         """Append the value; raises `EncodeError`."""
 
     def to_json(self, value: Any) -> Any:
@@ -214,7 +214,7 @@ class Number(Item):
     def minimum(self) -> int:
         return SIZES[self.code]
 
-    def read(self, reader: Reader, path: str) -> Any:
+    def read(self, reader: MessageReader, path: str) -> Any:
         offset = reader.at
         value = reader.number(self.code, path)
         if value is None:
@@ -227,7 +227,7 @@ class Number(Item):
             reader.report(f"{value} is none of {self.values}", path, offset)
         return self.values.named(value)
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         if self.code in FLOATS:
             writer.number(self.code, self._float(writer, value, path))
         else:
@@ -240,7 +240,7 @@ class Number(Item):
             self._check(writer, number, path)
             writer.number(self.code, number)
 
-    def _float(self, writer: Writer, value: Any, path: str) -> float:
+    def _float(self, writer: MessageWriter, value: Any, path: str) -> float:
         number = number_of(value, path)
         if not math.isfinite(number):
             if writer.strict:
@@ -256,7 +256,7 @@ class Number(Item):
             number = math.copysign(largest, number)
         return number
 
-    def _check(self, writer: Writer, number: float, path: str) -> None:
+    def _check(self, writer: MessageWriter, number: float, path: str) -> None:
         if writer.strict and not self.values.allows(number):
             raise EncodeError(f"{shown(number)} is none of {self.values}", path=path)
 
@@ -284,7 +284,7 @@ class Real(Item):
     def minimum(self) -> int:
         return SIZES[self.code]
 
-    def read(self, reader: Reader, path: str) -> float:
+    def read(self, reader: MessageReader, path: str) -> float:
         offset = reader.at
         raw = reader.count(self.code, path)
         if raw is None:
@@ -293,7 +293,7 @@ class Real(Item):
             reader.report(f"raw value {raw} is below 0", path, offset)
         return self.scaling.real(raw)
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         number = number_of(value, path)
         lower, upper = self.scaling.lower, self.scaling.upper
         if writer.clamp and not math.isnan(number):
@@ -356,7 +356,7 @@ class Bits(Item):
     def minimum(self) -> int:
         return SIZES[self.code]
 
-    def read(self, reader: Reader, path: str) -> Struct:
+    def read(self, reader: MessageReader, path: str) -> Struct:
         offset = reader.at
         raw = reader.count(self.code, path)
         values: dict[str, Any] = {}
@@ -369,7 +369,7 @@ class Bits(Item):
             values["reserved_bits"] = (raw or 0) & self.reserved
         return self.cls(**values)
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         check_class(value, self.cls, path)
         raw = 0
         for bit in self.bits:
@@ -383,7 +383,7 @@ class Bits(Item):
         writer.number(self.code, raw)
 
     @staticmethod
-    def _part(writer: Writer, bit: Bit, value: Any, path: str) -> int:
+    def _part(writer: MessageWriter, bit: Bit, value: Any, path: str) -> int:
         part = integer_of(value, path)
         if writer.clamp:
             part = int(bit.values.clamp(min(max(part, 0), bit.mask)))
@@ -420,7 +420,7 @@ class Choice(Item):
     def minimum(self) -> int:
         return 1 + min((item.minimum for item in self.items.values()), default=0)
 
-    def read(self, reader: Reader, path: str) -> Struct:
+    def read(self, reader: MessageReader, path: str) -> Struct:
         offset = reader.at
         chosen = reader.count("B", path)
         if chosen is not None and chosen not in self.items:
@@ -430,7 +430,7 @@ class Choice(Item):
         value = self.items[chosen].read(reader, join(path, "value"))
         return self.cls(choice=self.index.named(chosen), value=value)  # type: ignore[call-arg]  # generated fields
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         check_class(value, self.cls, path)
         chosen = integer_of(value.choice, join(path, "choice"))
         if chosen not in self.items:
@@ -466,7 +466,7 @@ class Count:
     minimum: int
     maximum: int
 
-    def read(self, reader: Reader, path: str, each: int = 1) -> int:
+    def read(self, reader: MessageReader, path: str, each: int = 1) -> int:
         """The count, checked against its limits and the bytes left; 0 once stopped."""
         offset = reader.at
         count = reader.count(self.code, path)
@@ -480,7 +480,7 @@ class Count:
             )
         return count
 
-    def write(self, writer: Writer, count: int, path: str) -> None:
+    def write(self, writer: MessageWriter, count: int, path: str) -> None:
         """Raises `EncodeError` for a count beyond the limits."""
         _, highest = limits(self.code)
         low, high = (self.minimum, min(self.maximum, highest)) if writer.strict else (0, highest)
@@ -500,12 +500,12 @@ class Text(Item):
     def minimum(self) -> int:
         return SIZES[self.count.code] if self.count else self.length
 
-    def read(self, reader: Reader, path: str) -> str:
+    def read(self, reader: MessageReader, path: str) -> str:
         size = self.count.read(reader, path) if self.count else self.length
         data = reader.take(size, path) or b""
         return (data if self.count else data.rstrip(b"\0")).decode("latin-1")
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         if not isinstance(value, str):
             raise EncodeError(f"{shown(value)} is not a string", path=path)
         try:
@@ -529,17 +529,17 @@ class Blob(Item):
     """Counted bytes; with `nested`, a message where the bytes are one."""
 
     count: Count
-    nested: Source | None = None
+    nested: NestingSource | None = None
 
     @property
     def minimum(self) -> int:
         return SIZES[self.count.code]
 
-    def read(self, reader: Reader, path: str) -> Message | bytes:
+    def read(self, reader: MessageReader, path: str) -> Message | bytes:
         data = reader.take(self.count.read(reader, path), path) or b""
         return (reader.nesting or self.nested.nesting).message(data) if self.nested and not reader.stopped else data
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         data = blob_bytes(writer, value, path, nested=self.nested is not None)
         self.count.write(writer, len(data), path)
         writer.out += data
@@ -558,14 +558,14 @@ class Formatted(Item):
     cls: type[Struct]
     formats: Values
     count: Count
-    nested: Source | None = None
+    nested: NestingSource | None = None
     nested_formats: frozenset[int] = frozenset()
 
     @property
     def minimum(self) -> int:
         return 1 + SIZES[self.count.code]
 
-    def read(self, reader: Reader, path: str) -> Struct:
+    def read(self, reader: MessageReader, path: str) -> Struct:
         offset = reader.at
         chosen = reader.count("B", path)
         if chosen is not None and not self.formats.allows(chosen):
@@ -576,7 +576,7 @@ class Formatted(Item):
             data = (reader.nesting or self.nested.nesting).message(data)
         return self.cls(format=self.formats.named(chosen or 0), data=data)  # type: ignore[call-arg]  # generated fields
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         check_class(value, self.cls, path)
         chosen = integer_of(value.format, join(path, "format"))
         if not 0 <= chosen <= 255 or (writer.strict and not self.formats.allows(chosen)):
@@ -596,15 +596,15 @@ class Formatted(Item):
         return self.cls(format=chosen, data=content)  # type: ignore[call-arg]  # generated fields
 
 
-def inside(known: Source | None, nesting: Nesting | None) -> Nesting | None:
+def inside(known: NestingSource | None, nesting: Nesting | None) -> Nesting | None:
     """The registry for messages inside a field: the one that decodes, else the one that the class belongs to."""
     return (nesting or known.nesting) if known else None
 
 
-def blob_bytes(writer: Writer, value: Any, path: str, *, nested: bool) -> bytes:
+def blob_bytes(writer: MessageWriter, value: Any, path: str, *, nested: bool) -> bytes:
     """The bytes of a field that accepts bytes, or also a message if `nested`."""
     if nested and isinstance(value, Message):
-        inner = Writer(clamp=writer.clamp, strict=writer.strict)
+        inner = MessageWriter(clamp=writer.clamp, strict=writer.strict)
         inner.depth = writer.depth
         inner.message(value, path)
         return bytes(inner.out)

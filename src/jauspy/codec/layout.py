@@ -8,8 +8,8 @@ from typing import Any
 
 from jauspy.codec.items import Count, Item, check_class, cut, integer_of, join, shown
 from jauspy.codec.message import Nesting, Struct, counted
-from jauspy.codec.slow_path import Reader, Writer
-from jauspy.codec.wire import SIZES, limits
+from jauspy.codec.scalars import SIZES, limits
+from jauspy.codec.slow_path import MessageReader, MessageWriter
 from jauspy.errors import EncodeError
 
 # ruff: noqa: D102 - the methods are documented once, in `Item`
@@ -46,7 +46,7 @@ class Composite(Item):
         vector = SIZES[self.presence] if self.presence else 0
         return vector + sum(slot.item.minimum for slot in self.slots if not slot.optional)
 
-    def read(self, reader: Reader, path: str) -> Struct:
+    def read(self, reader: MessageReader, path: str) -> Struct:
         mask = (reader.count(self.presence, join(path, "presence_vector")) or 0) if self.presence else 0
         values: dict[str, Any] = {}
         bit = 1
@@ -60,7 +60,7 @@ class Composite(Item):
             values["reserved_presence"] = mask & self.undefined
         return self.cls(**values)
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         check_class(value, self.cls, path)
         if self.presence:
             writer.number(self.presence, self._mask(value, path))
@@ -139,7 +139,7 @@ class Repeat(Item):
     def minimum(self) -> int:
         return SIZES[self.count.code]
 
-    def read(self, reader: Reader, path: str) -> list[Any]:
+    def read(self, reader: MessageReader, path: str) -> list[Any]:
         values: list[Any] = []
         for number in range(self.count.read(reader, path, self.each)):
             if reader.stopped:
@@ -150,7 +150,7 @@ class Repeat(Item):
             values.append(self.item.read(reader, f"{path}[{number}]"))
         return values
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         if not isinstance(value, (list, tuple)):
             raise EncodeError(f"{shown(value)} is not a list", path=path)
         self.count.write(writer, len(value), path)
@@ -183,7 +183,7 @@ class Union(Item):
     def minimum(self) -> int:
         return SIZES[self.code] + min((arm.minimum for arm in self.arms.values()), default=0)
 
-    def read(self, reader: Reader, path: str) -> Struct:
+    def read(self, reader: MessageReader, path: str) -> Struct:
         offset = reader.at
         tag = reader.count(self.code, path) or 0
         if tag >= len(self.arms):
@@ -192,7 +192,7 @@ class Union(Item):
         name, arm = list(self.arms.items())[tag]
         return arm.read(reader, join(path, name))
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         for tag, (name, arm) in enumerate(self.arms.items()):
             if type(value) is arm.cls:
                 writer.number(self.code, tag)
@@ -228,11 +228,11 @@ class Grid(Item):
     def _inner(self) -> Item:
         return Grid(self.item, self.sizes[1:]) if len(self.sizes) > 1 else self.item
 
-    def read(self, reader: Reader, path: str) -> list[Any]:
+    def read(self, reader: MessageReader, path: str) -> list[Any]:
         inner = self._inner()
         return [inner.read(reader, f"{path}[{number}]") for number in range(self.sizes[0])]
 
-    def write(self, writer: Writer, value: Any, path: str) -> None:
+    def write(self, writer: MessageWriter, value: Any, path: str) -> None:
         if not isinstance(value, (list, tuple)) or len(value) != self.sizes[0]:
             raise EncodeError(f"{shown(value)} is not a list of {self.sizes[0]}", path=path)
         inner = self._inner()

@@ -236,7 +236,7 @@ def check_code(cls: type[Message], data: bytes) -> None:
         raise DecodeError(f"message id 0x{code:04X} is not 0x{cls.CODE:04X} ({cls.NAME})")
 
 
-class Source(Protocol):
+class NestingSource(Protocol):
     """Finds the classes of nested messages: a registry."""
 
     @property
@@ -255,7 +255,7 @@ class Nesting:
 
     __slots__ = ("_inner", "_source")
 
-    def __init__(self, source: Source, depth: int = 0) -> None:
+    def __init__(self, source: NestingSource, depth: int = 0) -> None:
         self._source = source
         self._inner = Nesting(source, depth + 1) if depth < MAX_NESTING else None
 

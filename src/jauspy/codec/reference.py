@@ -1,8 +1,8 @@
 """The reference codec: a construct tree made from the schema model, slow and simple, with the offset of every field.
 
 It explains bytes field by field, up to the damage if there is any, and differential tests compare the other codec with
-it. Neither encoding nor decoding uses it. Values have the form of `Message.to_dict`, except that messages inside
-messages stay bytes.
+it. Neither encoding nor decoding uses it. Values have the form of `codec.message.Message.to_dict`, except that messages
+inside messages stay bytes.
 """
 
 from __future__ import annotations
@@ -33,16 +33,16 @@ from construct import (
 )
 
 from jauspy.codec.names import attributes, members
-from jauspy.codec.wire import CODES, FLOATS, as_sent, limits, nearest_raw
+from jauspy.codec.scalars import CODES, FLOATS, as_sent, limits, nearest_raw
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.schema import model as m
-from jauspy.schema.model import Message
+from jauspy.schema.model import MessageDefinition
 
 Tree: TypeAlias = Construct
 
 
 @lru_cache(maxsize=1024)
-def tree_of(message: m.Message) -> Tree:
+def tree_of(message: m.MessageDefinition) -> Tree:
     """Id, body, end of the data."""
     body = Pass if message.body is None else node_tree(message.body)
     return Struct(
@@ -143,8 +143,8 @@ def _has(bit: int | None) -> Any:
 Number = m.FixedField | m.TypeChoice | m.SubField
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExplainedValue:
     """One number or string on the wire: offset, field, raw form and value."""
 
     offset: int
@@ -163,13 +163,13 @@ class Explainer:
 
     def __init__(self, size: int, *, strict: bool) -> None:
         self.strict = strict
-        self.rows: list[Row] = []
+        self.rows: list[ExplainedValue] = []
         self._size = size
         """Bytes of the message."""
         self._unusual = ""
         """What is wrong with the value of the next row."""
 
-    def message(self, message: m.Message, tree: Container) -> dict[str, Any]:
+    def message(self, message: m.MessageDefinition, tree: Container) -> dict[str, Any]:
         """The values of the body."""
         self._row(tree.id, "message_id", message.name)
         body = message.body
@@ -192,11 +192,17 @@ class Explainer:
             left = max(0, self._size - leaf.offset1)
             reason = f"needs {needed} byte{'s' * (needed != 1)}{kind}, {left} left"
             self._damaged(reason, leaf.offset1, left, path)
-        self.rows.append(Row(leaf.offset1, leaf.length, path, leaf.value, value, self._unusual))
+        self.rows.append(
+            ExplainedValue(
+                offset=leaf.offset1, length=leaf.length, path=path, raw=leaf.value, value=value, problem=self._unusual
+            )
+        )
         self._unusual = ""
 
     def _damaged(self, reason: str, offset: int, length: int, path: str) -> NoReturn:
-        self.rows.append(Row(offset, length, path, b"", None, reason, damaged=True))
+        self.rows.append(
+            ExplainedValue(offset=offset, length=length, path=path, raw=b"", value=None, problem=reason, damaged=True)
+        )
         raise DecodeError(reason, offset=offset, path=path)
 
     def _wrong(self, reason: str, leaf: Container, path: str) -> None:
@@ -363,7 +369,7 @@ def _kind(kind: m.FixedField | m.TypeChoice) -> str:
 class Stacker:
     """Converts values to the objects that construct builds."""
 
-    def message(self, message: m.Message, values: dict[str, Any]) -> dict[str, Any]:
+    def message(self, message: m.MessageDefinition, values: dict[str, Any]) -> dict[str, Any]:
         """The tree of a message."""
         body = message.body
         if body is None:
@@ -515,7 +521,7 @@ def _within(r: m.ValueRange, raw: float, code: str) -> bool:
     return above and below
 
 
-def explain(message: Message, data: bytes) -> list[Row]:
+def explain(message: MessageDefinition, data: bytes) -> list[ExplainedValue]:
     """Every field of a message with its bytes; ids, presence vectors, counts and tags have separate rows.
 
     When the structure cannot be read, the last row is the field at which that begins. Values outside their set are
@@ -529,11 +535,15 @@ def explain(message: Message, data: bytes) -> list[Row]:
     except DecodeError as error:
         if not (explainer.rows and explainer.rows[-1].damaged):
             offset = error.offset or 0
-            explainer.rows.append(Row(offset, 0, error.path, b"", None, error.reason, damaged=True))
+            explainer.rows.append(
+                ExplainedValue(
+                    offset=offset, length=0, path=error.path, raw=b"", value=None, problem=error.reason, damaged=True
+                )
+            )
     return explainer.rows
 
 
-def parse(message: Message, data: bytes) -> dict[str, Any]:
+def parse(message: MessageDefinition, data: bytes) -> dict[str, Any]:
     """The values of a message, strict; raises `DecodeError`."""
     found = _parse(message, io.BytesIO(data))
     explainer = Explainer(len(data), strict=True)
@@ -542,7 +552,7 @@ def parse(message: Message, data: bytes) -> dict[str, Any]:
     return values
 
 
-def build(message: Message, values: dict[str, Any]) -> bytes:
+def build(message: MessageDefinition, values: dict[str, Any]) -> bytes:
     """The inverse of `parse`; raises `EncodeError`."""
     try:
         built = tree_of(message).build(Stacker().message(message, values))
@@ -552,7 +562,7 @@ def build(message: Message, values: dict[str, Any]) -> bytes:
     return built
 
 
-def _parse(message: Message, stream: io.BytesIO) -> Container:
+def _parse(message: MessageDefinition, stream: io.BytesIO) -> Container:
     tree: Tree = tree_of(message)
     try:
         found = tree.parse_stream(stream)

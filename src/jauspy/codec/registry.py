@@ -33,8 +33,8 @@ class MessageEntry:
     version: str
     module: str
     cls: str
-    wire: str = ""
-    """Digest of the body (`jauspy.schema.wire`), equal for bodies that encode equal values to equal bytes."""
+    digest: str = ""
+    """Digest of the body (`jauspy.schema.digest`), equal for bodies that encode equal values to equal bytes."""
 
     def load(self) -> type[Message]:
         """The message class."""
@@ -56,8 +56,8 @@ class MessageEntry:
 
 def entries(module: str, service: str, version: str, *messages: tuple[Any, ...]) -> Iterator[MessageEntry]:
     """The entries of one module: for each message code, name and digest, and its class where that has another name."""
-    for code, name, wire, *cls in messages:
-        yield MessageEntry(code, name, service, version, module, cls[0] if cls else name, wire)
+    for code, name, digest, *cls in messages:
+        yield MessageEntry(code, name, service, version, module, cls=cls[0] if cls else name, digest=digest)
 
 
 class Hints(NamedTuple):
@@ -111,7 +111,7 @@ def meanings(entries: Iterable[MessageEntry]) -> tuple[MessageEntry, ...]:
     """The first entry of each name and body, those of one name together."""
     names: dict[str, dict[str, MessageEntry]] = {}
     for entry in entries:
-        names.setdefault(entry.name, {}).setdefault(entry.wire, entry)
+        names.setdefault(entry.name, {}).setdefault(entry.digest, entry)
     return tuple(entry for same_name in names.values() for entry in same_name.values())
 
 

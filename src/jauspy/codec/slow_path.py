@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import struct
 from functools import lru_cache
-from typing import TYPE_CHECKING, Final, TypeVar
+from typing import Final, TypeVar
 
 from jauspy.codec.message import MAX_NESTING, Deviation, Message, Nesting, check_code, counted
-from jauspy.codec.wire import SIZES
+from jauspy.codec.scalars import SIZES
 from jauspy.errors import DecodeError, EncodeError
-
-if TYPE_CHECKING:
-    from jauspy.codec.message import Nesting
 
 MAX_DEVIATIONS: Final = 1000
 """Deviations that are listed for one message; a hostile one may have one in every byte."""
@@ -23,7 +20,7 @@ def codec_of(code: str) -> struct.Struct:
     return struct.Struct(f"<{code}")
 
 
-class Reader:
+class MessageReader:
     """A position in the bytes of a message, and the deviations so far.
 
     `stopped` is set if the rest cannot be read; all later fields get defaults. `nesting` decodes nested
@@ -114,7 +111,7 @@ class Reader:
         return not self.stopped
 
 
-class Writer:
+class MessageWriter:
     """Collects the bytes of a message."""
 
     __slots__ = ("clamp", "depth", "out", "strict")
@@ -144,24 +141,24 @@ M = TypeVar("M", bound=Message)
 
 def decode(cls: type[M], data: bytes, nesting: Nesting | None = None) -> M:
     """The message; raises `DecodeError` at the first deviation."""
-    return _read(cls, Reader(data, strict=True, nesting=nesting))
+    return _read(cls, MessageReader(data, strict=True, nesting=nesting))
 
 
 def decode_tolerant(cls: type[M], data: bytes, nesting: Nesting | None = None) -> tuple[M, list[Deviation]]:
     """The message as far as it can be read, and all deviations; only a wrong message id raises `DecodeError`."""
-    reader = Reader(data, strict=False, nesting=nesting)
+    reader = MessageReader(data, strict=False, nesting=nesting)
     message = _read(cls, reader)
     return message, reader.deviations()
 
 
 def encode(message: Message, *, clamp: bool, strict: bool) -> bytes:
     """The bytes of a message; raises `EncodeError` at the first value that does not fit."""
-    writer = Writer(clamp=clamp, strict=strict)
+    writer = MessageWriter(clamp=clamp, strict=strict)
     writer.message(message, "")
     return bytes(writer.out)
 
 
-def _read(cls: type[M], reader: Reader) -> M:
+def _read(cls: type[M], reader: MessageReader) -> M:
     check_code(cls, reader.data)
     message = cls.layout().read(reader, "")
     left = len(reader.data) - reader.at

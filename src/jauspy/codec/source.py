@@ -13,7 +13,7 @@ from importlib import import_module
 from types import NoneType, UnionType
 from typing import Any, Final, get_args, get_origin
 
-from jauspy.codec.build import Module, Package, build
+from jauspy.codec.build import MessageModule, Package, build
 from jauspy.codec.codegen import indent, keywords_only
 from jauspy.codec.items import Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
@@ -81,7 +81,7 @@ def _escaped(line: str) -> str:
 class _Writer:
     """Writes one module."""
 
-    def __init__(self, module: Module, package: str) -> None:
+    def __init__(self, module: MessageModule, package: str) -> None:
         self._module = module
         self._package = package
         self._own = f"{package}.{module.name}"
@@ -273,11 +273,11 @@ def _root(package: str, base: str | None) -> str:
 def _table(built: Package, *, with_files: bool) -> str:
     """`_table.py`: code, name, service, version and module of every message; and the file of every service."""
     rows: list[str] = []
-    wires = {(entry.module, entry.cls): entry.wire for entry in built.registry.entries}
+    digests = {(entry.module, entry.cls): entry.digest for entry in built.registry.entries}
     for module in sorted(built.modules, key=lambda module: module.name):
         place = ", ".join(map(quote, (f"{built.name}.{module.name}", module.service, module.version)))
         messages = [
-            _row(cls, wires[cls.__module__, cls.__name__]) for cls in module.classes if issubclass(cls, Message)
+            _row(cls, digests[cls.__module__, cls.__name__]) for cls in module.classes if issubclass(cls, Message)
         ]
         if messages:
             rows += ["*entries(", *indent([f"{place},", *filled(messages)]), "),"]
@@ -302,14 +302,14 @@ def _table(built: Package, *, with_files: bool) -> str:
     )
 
 
-def _row(cls: type[Message], wire: str) -> str:
+def _row(cls: type[Message], digest: str) -> str:
     other = f", {quote(cls.__name__)}" if cls.__name__ != cls.NAME else ""
-    return f"(0x{cls.CODE:04X}, {quote(cls.NAME)}, {quote(wire)}{other}),"
+    return f"(0x{cls.CODE:04X}, {quote(cls.NAME)}, {quote(digest)}{other}),"
 
 
 def _packages(built: Package) -> dict[str, str]:
     """The `__init__.py` of every set and version, by path."""
-    groups: dict[str, list[Module]] = {}
+    groups: dict[str, list[MessageModule]] = {}
     for module in built.modules:
         family, version, _ = module.name.split(".")
         groups.setdefault(family, []).append(module)
@@ -319,7 +319,7 @@ def _packages(built: Package) -> dict[str, str]:
     return {f"{_path(name)}/__init__.py": _lazy(name, found, built.name) for name, found in groups.items()}
 
 
-def _lazy(name: str, modules: Iterable[Module], package: str) -> str:
+def _lazy(name: str, modules: Iterable[MessageModule], package: str) -> str:
     by_module: dict[str, list[str]] = {}
     for cls, module in _exports(modules).items():
         by_module.setdefault(module, []).append(cls)
@@ -358,7 +358,7 @@ def _imports(by_module: Mapping[str, list[str]], package: str) -> list[str]:
     return lines
 
 
-def _exports(modules: Iterable[Module]) -> dict[str, str]:
+def _exports(modules: Iterable[MessageModule]) -> dict[str, str]:
     """Class name to module: the newest version wins, services go before shared types, then by name."""
     found: dict[str, str] = {}
     ordered = sorted(modules, key=lambda module: (module.name.endswith(".types"), module.name))

@@ -20,7 +20,7 @@ from jauspy.arguments import check_text, described
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.component.acknowledgements import Acknowledgements
-from jauspy.component.inbox import Inbox, may_wait
+from jauspy.component.inbox import ClientInbox, may_wait
 from jauspy.errors import ConfigError, ProtocolError, TransportError
 from jauspy.ids import JausID, component_id, message_id
 from jauspy.logs import get_logger
@@ -225,7 +225,7 @@ class Component:
         first = self._options.first_sequence
         start = random.randrange(0x10000) if first is None else first  # noqa: S311 - not a secret
         self._endpoint = Endpoint(self.host.id, first_sequence=start, delivery=self._options.delivery)
-        self._inbox = Inbox(self._endpoint.counters)
+        self._inbox = ClientInbox(self._endpoint.counters)
         self._acknowledgements = Acknowledgements(self._endpoint, self._on_unreachable)
 
     def __repr__(self) -> str:

@@ -20,7 +20,7 @@ _FIRST_QUERY, _LAST_QUERY = 0x2000, 0x3FFF
 _QueueKey: TypeAlias = tuple[int, bool]
 
 
-class Inbox:
+class ClientInbox:
     """One packet of each client in turn, those of one client in their order.
 
     A client's requests for events and its queries are two clients here: the first take longer.

@@ -7,12 +7,12 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from jauspy.conformance.link import TesterLink
 from jauspy.conformance.profile import Offers, Profile, Step, find
 from jauspy.conformance.results import Result, Verdict
 from jauspy.conformance.runner import Settings, restore_target, results
 from jauspy.conformance.tester import Tester
 from jauspy.conformance.virtual_target import VirtualTarget
-from jauspy.conformance.wire import Wire
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -33,7 +33,7 @@ def offers_of(virtual_target: VirtualTarget) -> Offers:
 
 def pytest_steps(
     profile: str | Profile,
-    wire: Callable[[], Wire],
+    link: Callable[[], TesterLink],
     target: str,
     *,
     offers: Offers | None = None,
@@ -41,7 +41,8 @@ def pytest_steps(
 ) -> pytest.MarkDecorator:
     """Parametrise a test with `step`, once for each step of a profile; `step()` passes, fails or skips the test.
 
-    `wire` returns the `Wire` to the target; it is called once, before the first step, and all steps run on it in order.
+    `link` returns the `TesterLink` to the target; it is called once, before the first step, and all steps run on it, in
+    order.
     Profiles whose steps depend on the target need `offers`: its services, by component.
     Raises `ConfigError` for an unknown profile, or if `offers` has no service that it tests.
     """
@@ -50,7 +51,7 @@ def pytest_steps(
     chosen = find(profile) if isinstance(profile, str) else profile
     if chosen.asks_for_services and offers is None:
         raise ConfigError(f"the steps of {chosen.name} depend on the services of the target; pass them as offers=")
-    session = _Session(wire, JausID.parse(target), settings or Settings(), chosen.plan(offers or Offers({})))
+    session = _Session(link, JausID.parse(target), settings or Settings(), chosen.plan(offers or Offers({})))
     tests = [pytest.param(session.test_of(number), id=step.id) for number, step in enumerate(session.steps)]
     return pytest.mark.parametrize("step", tests)
 
@@ -61,9 +62,11 @@ class _Session:
     After the last one, or when the process ends, the target is left in Standby without a controller.
     """
 
-    def __init__(self, wire: Callable[[], Wire], target: JausID, settings: Settings, steps: Sequence[Step]) -> None:
+    def __init__(
+        self, link: Callable[[], TesterLink], target: JausID, settings: Settings, steps: Sequence[Step]
+    ) -> None:
         self.steps = steps
-        self._wire = wire
+        self._link = link
         self._target = target
         self._settings = settings
         self._tester: Tester | None = None
@@ -89,7 +92,7 @@ class _Session:
 
     def _result(self, number: int) -> Result:
         if self._tester is None:
-            self._tester = Tester(self._wire(), self._target, registry=registry, timeout=self._settings.timeout)
+            self._tester = Tester(self._link(), self._target, registry=registry, timeout=self._settings.timeout)
             self._running = results(self.steps, self._tester, self._settings)
             atexit.register(self._close)
         try:
@@ -107,4 +110,4 @@ class _Session:
         if self._tester is not None and not self._closed:
             self._closed = True
             restore_target(self._tester)
-            self._tester.wire.close()
+            self._tester.link.close()

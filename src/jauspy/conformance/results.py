@@ -46,7 +46,7 @@ class CheckResult:
 
 
 @dataclass(frozen=True, slots=True)
-class Transition:
+class TransitionResult:
     """A transition of a state machine of the target: the first step in which it was taken, or why none was."""
 
     name: str
@@ -133,18 +133,18 @@ class Report:
         return sum(each.earned for each in self.results), sum(each.points for each in self.results)
 
     @property
-    def transitions(self) -> tuple[Transition, ...]:
+    def transitions(self) -> tuple[TransitionResult, ...]:
         """All transitions of state machines that the steps may take."""
-        found: dict[str, Transition] = {}
+        found: dict[str, TransitionResult] = {}
         for result in self.results:
             for name in result.taken:
                 if name not in found or not found[name].step:
-                    found[name] = Transition(name, result.id)
+                    found[name] = TransitionResult(name, result.id)
             tried = result.verdict is not Verdict.SKIPPED
             reason = DEPENDS_ON_TARGET if result.verdict is Verdict.PASS else result.reason
             for name in result.transitions:
                 if name not in found or (tried and not found[name].step):
-                    found[name] = Transition(name, reason=reason)
+                    found[name] = TransitionResult(name, reason=reason)
         return tuple(found.values())
 
     @property

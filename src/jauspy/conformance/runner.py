@@ -10,10 +10,10 @@ from typing import Final
 
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
+from jauspy.conformance.link import TesterLink
 from jauspy.conformance.profile import DISCOVERY_CLIENT, Offers, Profile, Step, discover
 from jauspy.conformance.results import Report, Result, StepOutcome, Verdict
 from jauspy.conformance.tester import HARMLESS_QUERIES, TIMEOUT, Tester
-from jauspy.conformance.wire import Wire
 from jauspy.errors import ConfigError, RequestError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages import registry as known_messages
@@ -153,7 +153,7 @@ class Settings:
 
 def run(
     profile: Profile,
-    wire: Wire,
+    link: TesterLink,
     target: JausID,
     *,
     began: float,
@@ -168,7 +168,7 @@ def run(
     Ctrl-C raises `Interrupted`, which has the report of what was done so far.
     """
     settings = settings or Settings()
-    tester = Tester(wire, target, registry=registry, timeout=settings.timeout)
+    tester = Tester(link, target, registry=registry, timeout=settings.timeout)
     results: list[Result] = []
     problem, interrupted = "", False
     try:
@@ -204,7 +204,7 @@ def run(
 
 def planned_steps(
     profile: Profile,
-    wire: Wire,
+    link: TesterLink,
     target: JausID,
     *,
     offers: Offers | None = None,
@@ -212,7 +212,7 @@ def planned_steps(
     registry: Registry = known_messages,
 ) -> tuple[Step, ...]:
     """The steps that a run would have. Raises `ConfigError` if the target does not answer or offers nothing to test."""
-    tester = Tester(wire, target, registry=registry, timeout=timeout)
+    tester = Tester(link, target, registry=registry, timeout=timeout)
     try:
         return profile.plan(_offers(profile, tester, offers))
     except RequestError as error:
@@ -341,7 +341,7 @@ def _where(error: Exception) -> str:
 
 def _obstacle(step: Step, tester: Tester, settings: Settings) -> str:
     """The reason for which a step is skipped; empty if it is run."""
-    missing = step.wants.difference(tester.wire.features)
+    missing = step.wants.difference(tester.link.features)
     if missing:
         return f"this way of connecting cannot do it ({', '.join(sorted(missing))}); use udp://HOST, or multicast"
     return "it moves the robot, and --no-motion was given" if step.moves and not settings.motion else ""

@@ -22,9 +22,9 @@ from jauspy.conformance.steering import (
     MIN_AUTHORITY,
     STOP,
     WAIT_FOR_NOTHING,
-    Goal,
     ObservedState,
     Path,
+    StateGoal,
     Status,
     Steering,
     judged_at_pace,
@@ -96,7 +96,7 @@ ACCEPTED, NOT_AVAILABLE, INSUFFICIENT = ConfirmControl.ResponseCode
 
 
 @dataclass(frozen=True, slots=True)
-class State:
+class TableState:
     """A state as seen from outside, and the messages that lead there from `FREE`."""
 
     name: str
@@ -106,14 +106,16 @@ class State:
     route: Path = ()
 
 
-FREE: Final = State("NotControlled.Standby", Status.STANDBY)
-STANDBY: Final = State("Controlled.Standby", Status.STANDBY, CONTROLLER, (("RequestControl", CONTROLLER),))
-READY: Final = State("Controlled.Ready", Status.READY, CONTROLLER, (*STANDBY.route, ("Resume", CONTROLLER)))
-EMERGENCY: Final = State(
+FREE: Final = TableState("NotControlled.Standby", Status.STANDBY)
+STANDBY: Final = TableState("Controlled.Standby", Status.STANDBY, CONTROLLER, (("RequestControl", CONTROLLER),))
+READY: Final = TableState("Controlled.Ready", Status.READY, CONTROLLER, (*STANDBY.route, ("Resume", CONTROLLER)))
+EMERGENCY: Final = TableState(
     "Controlled.Emergency", Status.EMERGENCY, CONTROLLER, (*STANDBY.route, ("SetEmergency", EMERGENCY_CLIENT))
 )
-FREE_EMERGENCY: Final = State("NotControlled.Emergency", Status.EMERGENCY, None, (("SetEmergency", EMERGENCY_CLIENT),))
-TAKEN_OVER: Final = State("Controlled.Standby by the other client", Status.STANDBY, OTHER)
+FREE_EMERGENCY: Final = TableState(
+    "NotControlled.Emergency", Status.EMERGENCY, None, (("SetEmergency", EMERGENCY_CLIENT),)
+)
+TAKEN_OVER: Final = TableState("Controlled.Standby by the other client", Status.STANDBY, OTHER)
 EVERYWHERE: Final = (FREE, STANDBY, READY, EMERGENCY, FREE_EMERGENCY)
 
 Checks: TypeAlias = tuple[Check, ...]
@@ -137,14 +139,14 @@ class Effect:
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class TableRow:
     """One line of a table. `message` may depend on the authority of the controller."""
 
-    state: State
+    state: TableState
     sender: str
     message: Message | Callable[[int], Message]
     answer: Answer | None
-    next: State
+    next: TableState
     variant: str = ""
     notice: Answer | None = None
     """Answer to the client that was in control."""
@@ -158,7 +160,7 @@ class StateTable:
     service: str
     version: str
     source: str
-    rows: tuple[Row, ...]
+    rows: tuple[TableRow, ...]
 
 
 def answer(kind: type[Message], **fields: object) -> Answer:
@@ -166,14 +168,14 @@ def answer(kind: type[Message], **fields: object) -> Answer:
     return Answer(kind, has(**fields))
 
 
-def everywhere(sender: str, message: Message, right: Answer, variant: str = "") -> Iterator[Row]:
+def everywhere(sender: str, message: Message, right: Answer, variant: str = "") -> Iterator[TableRow]:
     """Rows for a message that has the same answer in every state and changes none."""
-    return (Row(state, sender, message, right, state, variant) for state in EVERYWHERE)
+    return (TableRow(state, sender, message, right, state, variant=variant) for state in EVERYWHERE)
 
 
-def ignored(message: Message, *places: tuple[State, str], variant: str = "") -> Iterator[Row]:
+def ignored(message: Message, *places: tuple[TableState, str], variant: str = "") -> Iterator[TableRow]:
     """Rows for a message without answer or effect in these states, from these senders."""
-    return (Row(state, sender, message, None, state, variant) for state, sender in places)
+    return (TableRow(state, sender, message, None, state, variant=variant) for state, sender in places)
 
 
 # --- AS5710: Management, AccessControl --------------------------------------------------------------------------------
@@ -192,13 +194,13 @@ MANAGEMENT_TABLE: Final = StateTable(
     "1.1",
     "AS5710 rev. A, Management",
     (
-        *(Row(each, OTHER, QueryStatus(), answer(ReportStatus, status=each.status), each) for each in EVERYWHERE),
-        Row(STANDBY, CONTROLLER, Resume(), None, READY),
+        *(TableRow(each, OTHER, QueryStatus(), answer(ReportStatus, status=each.status), each) for each in EVERYWHERE),
+        TableRow(STANDBY, CONTROLLER, Resume(), None, READY),
         *ignored(Resume(), (FREE, OTHER), (STANDBY, OTHER), (READY, CONTROLLER), (EMERGENCY, CONTROLLER)),
-        Row(READY, CONTROLLER, Standby(), None, STANDBY),
+        TableRow(READY, CONTROLLER, Standby(), None, STANDBY),
         *ignored(Standby(), (FREE, OTHER), (STANDBY, CONTROLLER), (READY, OTHER), (EMERGENCY, CONTROLLER)),
-        Row(STANDBY, CONTROLLER, Reset(), RELEASED, FREE),
-        Row(READY, CONTROLLER, Reset(), RELEASED, FREE),
+        TableRow(STANDBY, CONTROLLER, Reset(), RELEASED, FREE),
+        TableRow(READY, CONTROLLER, Reset(), RELEASED, FREE),
         *ignored(Reset(), (FREE, OTHER), (STANDBY, OTHER), (READY, OTHER), (EMERGENCY, CONTROLLER)),
         *ignored(
             Shutdown(),
@@ -208,12 +210,12 @@ MANAGEMENT_TABLE: Final = StateTable(
             (EMERGENCY, CONTROLLER),
             (FREE_EMERGENCY, OTHER),
         ),
-        Row(FREE, EMERGENCY_CLIENT, SetEmergency(STOP), None, FREE_EMERGENCY),
-        Row(STANDBY, EMERGENCY_CLIENT, SetEmergency(STOP), None, EMERGENCY),
-        Row(READY, EMERGENCY_CLIENT, SetEmergency(STOP), None, EMERGENCY),
-        Row(READY, CONTROLLER, SetEmergency(STOP), None, EMERGENCY),
-        Row(FREE_EMERGENCY, EMERGENCY_CLIENT, ClearEmergency(STOP), None, FREE),
-        Row(EMERGENCY, EMERGENCY_CLIENT, ClearEmergency(STOP), None, STANDBY),
+        TableRow(FREE, EMERGENCY_CLIENT, SetEmergency(STOP), None, FREE_EMERGENCY),
+        TableRow(STANDBY, EMERGENCY_CLIENT, SetEmergency(STOP), None, EMERGENCY),
+        TableRow(READY, EMERGENCY_CLIENT, SetEmergency(STOP), None, EMERGENCY),
+        TableRow(READY, CONTROLLER, SetEmergency(STOP), None, EMERGENCY),
+        TableRow(FREE_EMERGENCY, EMERGENCY_CLIENT, ClearEmergency(STOP), None, FREE),
+        TableRow(EMERGENCY, EMERGENCY_CLIENT, ClearEmergency(STOP), None, STANDBY),
         *ignored(ClearEmergency(STOP), (FREE_EMERGENCY, OTHER), (EMERGENCY, CONTROLLER), (EMERGENCY, OTHER)),
     ),
 )
@@ -244,28 +246,28 @@ ACCESS_CONTROL_TABLE: Final = StateTable(
     "1.1",
     "AS5710 rev. A, AccessControl",
     (
-        *(Row(each, OTHER, QueryControl(), _controlled_by(each.controller), each) for each in EVERYWHERE),
+        *(TableRow(each, OTHER, QueryControl(), _controlled_by(each.controller), each) for each in EVERYWHERE),
         *everywhere(OTHER, QueryTimeout(), answer(ReportTimeout)),
         *everywhere(OTHER, QueryAuthority(), answer(ReportAuthority)),
-        Row(FREE, CONTROLLER, RequestControl, _confirm(ACCEPTED), STANDBY, effect=AUTHORITY_KEPT),
-        Row(STANDBY, CONTROLLER, RequestControl, _confirm(ACCEPTED), STANDBY, "again"),
-        Row(READY, CONTROLLER, RequestControl, _confirm(ACCEPTED), READY, "again"),
-        Row(STANDBY, OTHER, _less, _confirm(INSUFFICIENT), STANDBY, "less authority"),
-        Row(READY, OTHER, _less, _confirm(INSUFFICIENT), READY, "less authority"),
-        Row(STANDBY, OTHER, RequestControl, _confirm(INSUFFICIENT), STANDBY, "the same authority"),
-        Row(STANDBY, OTHER, _more, _confirm(ACCEPTED), TAKEN_OVER, "more authority", notice=RELEASED),
-        Row(EMERGENCY, CONTROLLER, RequestControl, _confirm(NOT_AVAILABLE), EMERGENCY),
-        Row(EMERGENCY, OTHER, _more, _confirm(NOT_AVAILABLE), EMERGENCY, "more authority"),
-        Row(FREE_EMERGENCY, OTHER, RequestControl, _confirm(NOT_AVAILABLE), FREE_EMERGENCY),
-        Row(STANDBY, CONTROLLER, ReleaseControl(), RELEASED, FREE),
-        Row(READY, CONTROLLER, ReleaseControl(), RELEASED, FREE),
-        Row(FREE, OTHER, ReleaseControl(), RELEASED, FREE),
-        Row(EMERGENCY, CONTROLLER, ReleaseControl(), NOT_RELEASED, EMERGENCY),
+        TableRow(FREE, CONTROLLER, RequestControl, _confirm(ACCEPTED), STANDBY, effect=AUTHORITY_KEPT),
+        TableRow(STANDBY, CONTROLLER, RequestControl, _confirm(ACCEPTED), STANDBY, variant="again"),
+        TableRow(READY, CONTROLLER, RequestControl, _confirm(ACCEPTED), READY, variant="again"),
+        TableRow(STANDBY, OTHER, _less, _confirm(INSUFFICIENT), STANDBY, variant="less authority"),
+        TableRow(READY, OTHER, _less, _confirm(INSUFFICIENT), READY, variant="less authority"),
+        TableRow(STANDBY, OTHER, RequestControl, _confirm(INSUFFICIENT), STANDBY, variant="the same authority"),
+        TableRow(STANDBY, OTHER, _more, _confirm(ACCEPTED), TAKEN_OVER, variant="more authority", notice=RELEASED),
+        TableRow(EMERGENCY, CONTROLLER, RequestControl, _confirm(NOT_AVAILABLE), EMERGENCY),
+        TableRow(EMERGENCY, OTHER, _more, _confirm(NOT_AVAILABLE), EMERGENCY, variant="more authority"),
+        TableRow(FREE_EMERGENCY, OTHER, RequestControl, _confirm(NOT_AVAILABLE), FREE_EMERGENCY),
+        TableRow(STANDBY, CONTROLLER, ReleaseControl(), RELEASED, FREE),
+        TableRow(READY, CONTROLLER, ReleaseControl(), RELEASED, FREE),
+        TableRow(FREE, OTHER, ReleaseControl(), RELEASED, FREE),
+        TableRow(EMERGENCY, CONTROLLER, ReleaseControl(), NOT_RELEASED, EMERGENCY),
         *ignored(ReleaseControl(), (STANDBY, OTHER), (READY, OTHER)),
-        Row(STANDBY, CONTROLLER, _lowered, None, STANDBY, "less authority", effect=AUTHORITY_LOWERED),
-        Row(READY, CONTROLLER, _lowered, None, READY, "less authority", effect=AUTHORITY_LOWERED),
-        Row(READY, OTHER, _lowered, None, READY, "less authority", effect=AUTHORITY_KEPT),
-        Row(EMERGENCY, CONTROLLER, _lowered, None, EMERGENCY, "less authority", effect=AUTHORITY_KEPT),
+        TableRow(STANDBY, CONTROLLER, _lowered, None, STANDBY, variant="less authority", effect=AUTHORITY_LOWERED),
+        TableRow(READY, CONTROLLER, _lowered, None, READY, variant="less authority", effect=AUTHORITY_LOWERED),
+        TableRow(READY, OTHER, _lowered, None, READY, variant="less authority", effect=AUTHORITY_KEPT),
+        TableRow(EMERGENCY, CONTROLLER, _lowered, None, EMERGENCY, variant="less authority", effect=AUTHORITY_KEPT),
     ),
 )
 
@@ -344,11 +346,11 @@ LIST_TABLE: Final = StateTable(
         *everywhere(OTHER, QueryElementCount(), answer(ReportElementCount)),
         *everywhere(OTHER, QueryElementList(), answer(ReportElementList)),
         *ignored(QueryElement(UNKNOWN_ID), *((each, OTHER) for each in EVERYWHERE), variant="an unknown one"),
-        Row(STANDBY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, STANDBY, "an unknown message"),
-        Row(READY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, READY, "an unknown message"),
+        TableRow(STANDBY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, STANDBY, variant="an unknown message"),
+        TableRow(READY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, READY, variant="an unknown message"),
         *ignored(UNSUPPORTED_ELEMENT, (FREE, OTHER), (STANDBY, OTHER), variant="an unknown message"),
-        Row(STANDBY, CONTROLLER, _delete(UNKNOWN_ID), ELEMENT_REJECTED, STANDBY, "an unknown one"),
-        Row(READY, CONTROLLER, _delete(UNKNOWN_ID), ELEMENT_REJECTED, READY, "an unknown one"),
+        TableRow(STANDBY, CONTROLLER, _delete(UNKNOWN_ID), ELEMENT_REJECTED, STANDBY, variant="an unknown one"),
+        TableRow(READY, CONTROLLER, _delete(UNKNOWN_ID), ELEMENT_REJECTED, READY, variant="an unknown one"),
         *ignored(_delete(UNKNOWN_ID), (FREE, OTHER), (STANDBY, OTHER), variant="an unknown one"),
     ),
 )
@@ -371,11 +373,11 @@ DRIVER_TABLE: Final = StateTable(
     "AS6009 rev. A, PrimitiveDriver",
     (
         *everywhere(OTHER, QueryWrenchEffort(1), answer(ReportWrenchEffort)),
-        Row(READY, CONTROLLER, EFFORT, None, READY, effect=_effort_is(1.0)),
-        Row(READY, OTHER, EFFORT, None, READY, effect=_effort_is(0.0)),
-        Row(STANDBY, CONTROLLER, EFFORT, None, STANDBY, effect=_effort_is(0.0)),
-        Row(EMERGENCY, CONTROLLER, EFFORT, None, EMERGENCY, effect=_effort_is(0.0)),
-        Row(FREE, OTHER, EFFORT, None, FREE, effect=_effort_is(0.0)),
+        TableRow(READY, CONTROLLER, EFFORT, None, READY, effect=_effort_is(1.0)),
+        TableRow(READY, OTHER, EFFORT, None, READY, effect=_effort_is(0.0)),
+        TableRow(STANDBY, CONTROLLER, EFFORT, None, STANDBY, effect=_effort_is(0.0)),
+        TableRow(EMERGENCY, CONTROLLER, EFFORT, None, EMERGENCY, effect=_effort_is(0.0)),
+        TableRow(FREE, OTHER, EFFORT, None, FREE, effect=_effort_is(0.0)),
     ),
 )
 WAYPOINT: Final = SetLocalWaypoint(x=FAR, y=FAR)
@@ -388,7 +390,7 @@ WAYPOINT_TABLE: Final = StateTable(
         *everywhere(OTHER, QueryTravelSpeed(), answer(ReportTravelSpeed)),
         *ignored(WAYPOINT, (FREE, OTHER), (STANDBY, OTHER), (READY, OTHER)),
         *ignored(SetTravelSpeed(0.0), (FREE, OTHER), (STANDBY, CONTROLLER), (READY, OTHER)),
-        Row(STANDBY, CONTROLLER, WAYPOINT, None, STANDBY, effect=WAYPOINT_IS_SET),
+        TableRow(STANDBY, CONTROLLER, WAYPOINT, None, STANDBY, effect=WAYPOINT_IS_SET),
     ),
 )
 TABLES: Final = (
@@ -418,12 +420,12 @@ def table_steps(component: JausID, offered: Iterable[ServiceKey], wanted: Iterab
     ]
 
 
-def _is_possible(state: State, services: frozenset[str]) -> bool:
+def _is_possible(state: TableState, services: frozenset[str]) -> bool:
     needed = {MANAGEMENT} if state.status is not Status.STANDBY else {ACCESS_CONTROL} if state.controller else set()
     return needed <= services
 
 
-def _step(component: JausID, services: frozenset[str], table: StateTable, row: Row) -> Step:
+def _step(component: JausID, services: frozenset[str], table: StateTable, row: TableRow) -> Step:
     example = row.message if isinstance(row.message, Message) else row.message(MIN_AUTHORITY)
     parts = ("table", table.service.rpartition(":")[2], row.state.name, example.NAME, row.sender, row.variant)
     variant = f", {row.variant}" if row.variant else ""
@@ -442,7 +444,7 @@ class RowTest:
 
     component: JausID
     services: frozenset[str]
-    row: Row
+    row: TableRow
 
 
 def _run(test: RowTest, tester: Tester) -> None:
@@ -503,11 +505,11 @@ def _bring(test: RowTest, steering: Steering) -> None:
         notes.clear()
 
 
-def _goal(state: State) -> Goal:
-    return Goal(state.name, lambda seen: _fits(seen, state))
+def _goal(state: TableState) -> StateGoal:
+    return StateGoal(state.name, lambda seen: _fits(seen, state))
 
 
-def _fits(seen: ObservedState, state: State) -> bool:
+def _fits(seen: ObservedState, state: TableState) -> bool:
     """True if this state was observed. A value that is not reported counts as right."""
     controller = JausID.parse(CLIENTS[state.controller]) if state.controller else None
     return seen.status in (None, state.status) and (not seen.is_controller_known or seen.controller == controller)

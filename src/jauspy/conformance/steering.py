@@ -70,7 +70,7 @@ class ObservedState:
 
 
 @dataclass(frozen=True, slots=True)
-class Goal:
+class StateGoal:
     """A state that is to be reached. `name` identifies it in a run; `fits` compares it with what was observed."""
 
     name: Hashable
@@ -111,7 +111,7 @@ class Steering:
         self.timeout = int(timeout.timeout) if timeout else 0
         self.is_measured = True
 
-    def travel(self, start: Goal, path: Path, goal: Goal) -> ObservedState:
+    def travel(self, start: StateGoal, path: Path, goal: StateGoal) -> ObservedState:
         """Go to the start and along the path; if that fails, again at the next paces. Returns the last state."""
         was_reached = goal.name not in self._settled_wrong
         for pace in _paces(self.tester)[: None if was_reached else 1]:
@@ -167,7 +167,7 @@ class Steering:
             status.status if status else None, id if id and int(id) else None, is_controller_known=control is not None
         )
 
-    def settle_on(self, goal: Goal) -> ObservedState:
+    def settle_on(self, goal: StateGoal) -> ObservedState:
         """As `observe`, until the state fits the goal, at most for a timeout.
 
         The services of a component may notify each other asynchronously, and initialization takes time.
@@ -186,7 +186,7 @@ class Steering:
         self._settled_wrong[goal.name] = seen
         return seen
 
-    def return_to(self, start: Goal) -> ObservedState:
+    def return_to(self, start: StateGoal) -> ObservedState:
         """Clear emergencies and release control, to return to the start."""
         if MANAGEMENT in self.services:
             self._send_from_all(ClearEmergency(STOP))

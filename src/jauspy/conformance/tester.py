@@ -11,9 +11,9 @@ from typing import Any, Final, Generic, NamedTuple, TypeAlias, TypeVar
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.checks import Check
+from jauspy.conformance.link import Arrival, TesterLink
 from jauspy.conformance.results import CheckResult, Failed, Late, Malformed, Silent, Skipped, StepOutcome
-from jauspy.conformance.trace import Direction, ReceivedMessage, Trace, TraceEntry, message_name
-from jauspy.conformance.wire import Arrival, Wire
+from jauspy.conformance.trace import DatagramTrace, Direction, ReceivedMessage, TraceEntry, message_name
 from jauspy.errors import ConfigError, DecodeError, TransportError
 from jauspy.ids import EVERYONE, JausID, message_id
 from jauspy.messages.core import (
@@ -196,7 +196,7 @@ class Client:
         """Send from the second UDP port while this is true."""
         self.sent: set[int] = set()
         """The ids of all messages that it has sent."""
-        self._endpoint = Endpoint(id, first_sequence=tester.wire.first_sequence + int(id) % 251)
+        self._endpoint = Endpoint(id, first_sequence=tester.link.first_sequence + int(id) % 251)
 
     def begin(self) -> None:
         """Start a step: discard pending messages."""
@@ -382,14 +382,14 @@ class Tester:
     `timeout`: seconds within which an answer must arrive; the unit of all other waiting times.
     """
 
-    def __init__(self, wire: Wire, target: JausID, *, registry: Registry, timeout: float = TIMEOUT) -> None:
-        self.wire = wire
+    def __init__(self, link: TesterLink, target: JausID, *, registry: Registry, timeout: float = TIMEOUT) -> None:
+        self.link = link
         self.target = target
         self.registry = registry
         self.timeout = timeout
         self.memory: dict[str, Any] = {}
         """Values that steps keep for later steps."""
-        self.record = Trace()
+        self.record = DatagramTrace()
         self.listeners: list[Listener] = []
         """Called with every packet that arrives in this step."""
         self.sent_in_step = False
@@ -414,13 +414,13 @@ class Tester:
         self.pace = 0.0
         """Seconds that pass after a command, at least, before anything else is sent."""
         self._commanded_at = -math.inf
-        self._start = wire.now()
+        self._start = link.now()
         self._clients: dict[JausID, Client] = {}
 
     @property
     def now(self) -> float:
         """Seconds since the run began."""
-        return self.wire.now() - self._start
+        return self.link.now() - self._start
 
     @property
     def component(self) -> JausID:
@@ -441,7 +441,7 @@ class Tester:
         if wanted == self.target:
             raise ConfigError(f"{wanted} is an id that the test itself uses; give the target another one")
         if wanted not in self._clients:
-            self.wire.join(wanted)
+            self.link.join(wanted)
             self._clients[wanted] = Client(self, wanted)
         return self._clients[wanted]
 
@@ -515,7 +515,7 @@ class Tester:
         """
         behind = 0
         while not done():
-            arrival = self.wire.receive(self._start + until)
+            arrival = self.link.receive(self._start + until)
             if arrival is None:
                 return done()
             self._take(arrival)
@@ -528,7 +528,7 @@ class Tester:
         """Send these bytes as they are."""
         self.has_sent = self.sent_in_step = True
         self._record(Direction.SENT, datagram, other_port=other_port)
-        self.wire.send(datagram, source, other_port=other_port)
+        self.link.send(datagram, source, other_port=other_port)
 
     def _take(self, arrival: Arrival) -> None:
         datagram = arrival.data

@@ -92,7 +92,7 @@ MAX_STEP_ENTRIES_WHEN_FULL: Final = 100
 """Datagrams kept of each of these later steps."""
 
 
-class Trace:
+class DatagramTrace:
     """Keeps the first datagrams of each step; the others are counted."""
 
     def __init__(self) -> None:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Collection, Iterable
 from itertools import count
 from typing import Final
 
-from jauspy.conformance.wire import PORTS, RAW, Arrival
+from jauspy.conformance.link import PORTS, RAW, Arrival
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, UdpPort

@@ -181,7 +181,9 @@ async def _read_video(service: ServiceClient, sensor: int) -> list[Setting]:
         found.append(Setting(VIDEO, "frame_size", "size", is_now.frame_size, choices))
     if can.maximum_frame_rate:
         low, high = can.minimum_frame_rate or 1, can.maximum_frame_rate
-        found.append(Setting(VIDEO, "frame_rate", "pictures", is_now.frame_rate, None, low, high, 1, "/s"))
+        found.append(
+            Setting(VIDEO, "frame_rate", "pictures", is_now.frame_rate, None, low=low, high=high, step=1, unit="/s")
+        )
     if can.maximum_bit_rate:
         low, high = can.minimum_bit_rate or 0, can.maximum_bit_rate
         rates = {rate: f"{rate / 1000:g} Mbit/s" for rate in (100, 250, 500, 1000, 2000, 4000, 8000, 16000, 32000)}
@@ -228,17 +230,35 @@ async def _read_lens(service: ServiceClient, sensor: int) -> list[Setting]:
             choices = {number: name for number, name in names.items() if able_to.get(number)}
             found.append(Setting(LENS, field, label, getattr(is_now, field), choices))
     if is_now.zoom_level is not None and is_now.zoom_mode != _Lens.ZoomMode.OFF:
-        found.insert(0, Setting(LENS, "zoom_level", "zoom", is_now.zoom_level, None, 0, 100, 1, "%"))
+        found.insert(0, Setting(LENS, "zoom_level", "zoom", is_now.zoom_level, None, low=0, high=100, step=1, unit="%"))
     if is_now.focus_value is not None and is_now.focus_mode == _Lens.FocusMode.MANUAL_FOCUS:
-        found.append(Setting(LENS, "focus_value", "focus, near to far", is_now.focus_value, None, 0, 100, 1, "%"))
+        found.append(
+            Setting(
+                LENS, "focus_value", "focus, near to far", is_now.focus_value, None, low=0, high=100, step=1, unit="%"
+            )
+        )
     exposure = _Lens.ExposureMode
     if can.maximum_shutter_speed and is_now.exposure_mode in (exposure.MANUAL, exposure.SHUTTER_PRIORITY):
         low, high = can.minimum_shutter_speed or 0.0, can.maximum_shutter_speed
-        found.append(Setting(LENS, "shutter_speed", "exposure time", is_now.shutter_speed, None, low, high, 0.001, "s"))
+        found.append(
+            Setting(
+                LENS,
+                "shutter_speed",
+                "exposure time",
+                is_now.shutter_speed,
+                None,
+                low=low,
+                high=high,
+                step=0.001,
+                unit="s",
+            )
+        )
     if can.maximum_aperture and is_now.exposure_mode in (exposure.MANUAL, exposure.APERTURE_PRIORITY):
         low, high = can.minimum_aperture or 0.0, can.maximum_aperture
         if high > low:
-            found.append(Setting(LENS, "aperture", "aperture", is_now.aperture, None, low, high, 0.1, "f"))
+            found.append(
+                Setting(LENS, "aperture", "aperture", is_now.aperture, None, low=low, high=high, step=0.1, unit="f")
+            )
     return [each for each in found if each.choices is None or len(each.choices) > 1]
 
 
@@ -254,7 +274,7 @@ async def _read_lights(service: ServiceClient, _: int) -> list[Setting]:
         label = each.name.replace("_", " ").replace("light1", "light 1").replace("ir ", "infrared ")
         value = int(getattr(state, each.name))
         if each.name.startswith("variable"):
-            found.append(Setting(LIGHTS, each.name, label, value, None, 0, VARIABLE_LEVELS))
+            found.append(Setting(LIGHTS, each.name, label, value, None, low=0, high=VARIABLE_LEVELS))
         else:
             found.append(Setting(LIGHTS, each.name, label, value, {0: "off", 1: "on"}))
     return found

@@ -18,7 +18,7 @@ from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, nu
 from jauspy.geometry.vectors import X, Z, quaternion, rotation_about, rotation_from_quaternion
 from jauspy.ids import JausID
 from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
-from jauspy.platform.modular.parts import CellSetup, PartKind, PartType, Shape, Solid
+from jauspy.platform.modular.parts import CellSetup, PartKind, PartSolid, PartType, Shape
 from jauspy.printable import printable
 
 MESH_FORMATS: Final = (".obj", ".stl", ".glb", ".gltf")
@@ -204,7 +204,7 @@ def add_surroundings(found: RobotGeometry, cell: CellSetup) -> None:
     for area, height, colour in flat:
         if area is not None:
             middle = Transform(position=(0.0, 0.0, -height / 2.0 if area is cell.conveyor else height / 2.0))
-            solid = Solid(Shape.CUBOID, (area.length, area.width, height), 0.0, middle)
+            solid = PartSolid(Shape.CUBOID, (area.length, area.width, height), 0.0, middle)
             _add_solids(found, found.root, (solid,), colour, Transform.from_pose(area.pose))
 
 
@@ -235,7 +235,11 @@ def add_part(found: RobotGeometry, name: str, type_name: str, kind: PartType | N
     if kind is None:
         round_one = any(word in type_name for word in ("tube", "wheel"))
         half = PART_SIZE / 2.0
-        solid = Solid(Shape.CYLINDER, (half, half, PART_SIZE)) if round_one else Solid(Shape.CUBOID, (PART_SIZE,) * 3)
+        solid = (
+            PartSolid(Shape.CYLINDER, (half, half, PART_SIZE))
+            if round_one
+            else PartSolid(Shape.CUBOID, (PART_SIZE,) * 3)
+        )
         _add_solids(found, link, (solid,), PLAIN)
         found.shapes[-1]["label"] = shown
         return
@@ -254,7 +258,7 @@ def add_part(found: RobotGeometry, name: str, type_name: str, kind: PartType | N
 def _add_solids(
     found: RobotGeometry,
     link: str,
-    solids: Sequence[Solid],
+    solids: Sequence[PartSolid],
     colour: Sequence[float],
     place: Transform = IDENTITY,
 ) -> None:

@@ -79,7 +79,9 @@ class Traffic:
         if code == Event.CODE and len(payload) > _REPORT_AT + 1:
             name = f"{name} {self._name(message_id(payload, _REPORT_AT))}"
         size = len(payload)
-        line = Line(self.total, self._now(), kind, str(source), str(destination), name, size, user, kept)
+        line = Line(
+            self.total, self._now(), kind, str(source), str(destination), name=name, size=size, user=user, payload=kept
+        )
         self._keep(code, line)
 
     def name(self, payload: bytes) -> str:
@@ -88,7 +90,7 @@ class Traffic:
 
     def event(self, text: str, user: str = "") -> None:
         """Keep a sentence of the console, or about what one of its users has done."""
-        self._keep(EVENT, Line(self.total, self._now(), "event", "", "", text, user=user))
+        self._keep(EVENT, Line(self.total, self._now(), "event", "", "", name=text, user=user))
 
     def lines(self, words: str, kind: str = "", *, routine: bool = True, limit: int = 200) -> list[Line]:
         """The newest lines that have all words, and none of those after a minus sign; the newest first."""

@@ -18,7 +18,7 @@ from jauspy.codec.registry import MessageEntry, Registry
 from jauspy.errors import ConfigError
 from jauspy.fuzz.checks import MEMORY_INTERVAL, Checks, CostLimit
 from jauspy.fuzz.findings import MAX_TRIES, FuzzFinding, Problem, minimise
-from jauspy.fuzz.messages import MessageMaker, Style, Target, targets
+from jauspy.fuzz.messages import FuzzTarget, MessageMaker, Style, targets
 from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate, offsets_of
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
@@ -34,7 +34,7 @@ class Case:
     """Bytes to test; `valid` when they are a message by construction."""
 
     number: int
-    target: Target
+    target: FuzzTarget
     data: bytes
     valid: bool
 
@@ -119,13 +119,13 @@ class Fuzzer:
             cls.SERVICE,
             cls.VERSION,
             problem.what,
-            problem.seen,
-            case.data.hex(),
-            self._seed,
-            case.number,
+            seen=problem.seen,
+            hex=case.data.hex(),
+            seed=self._seed,
+            case=case.number,
         )
 
-    def _smallest(self, target: Target, finding: FuzzFinding) -> FuzzFinding:
+    def _smallest(self, target: FuzzTarget, finding: FuzzFinding) -> FuzzFinding:
         if finding.check == "valid":
             return finding  # a shorter message is no longer valid by construction
         slow = finding.check in ("time", "memory")
@@ -290,7 +290,7 @@ def identity_findings(package: Registry, defined: Registry) -> Iterator[FuzzFind
             yield _finding(
                 entry, "id", f"the package has the id {entry.code:04X}h, the definition {right[key].code:04X}h"
             )
-        elif entry.wire != right[key].wire:
+        elif entry.digest != right[key].digest:
             yield _finding(entry, "fields", "the package was generated from other fields: generate it again")
         yield from _class_findings(entry)
 
@@ -323,4 +323,4 @@ def _class_findings(entry: MessageEntry) -> Iterator[FuzzFinding]:
 
 def _finding(entry: MessageEntry, what: str, seen: str) -> FuzzFinding:
     data = entry.code.to_bytes(2, "little")
-    return FuzzFinding(CHECK, entry.name, entry.service, entry.version, what, seen, data.hex(), 0, 0)
+    return FuzzFinding(CHECK, entry.name, entry.service, entry.version, what, seen=seen, hex=data.hex(), seed=0, case=0)

@@ -21,7 +21,7 @@ from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Deviation, Message
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.fuzz.findings import Problem
-from jauspy.fuzz.messages import Target
+from jauspy.fuzz.messages import FuzzTarget
 from jauspy.fuzz.mutation import Seed
 from jauspy.ids import message_id
 
@@ -158,7 +158,7 @@ MAX_PEAK_PER_BYTE = 5000
 class CostLimit:
     """The limit of processor time per input size, derived from seeds. Other load on the machine does not change it."""
 
-    def __init__(self, normal: Iterable[tuple[Target, Seed]]) -> None:
+    def __init__(self, normal: Iterable[tuple[FuzzTarget, Seed]]) -> None:
         samples = sorted(normal, key=lambda pair: len(pair[1].data))[-MAX_SAMPLES:]
         rates = [rate for target, seed in samples for rate in _time_per_byte(target, seed.data)]
         self._rate = max(1.0, statistics.median(rates)) if rates else DEFAULT_RATE
@@ -208,7 +208,7 @@ def memory_problem(size: int, call: Callable[[], object]) -> str | None:
     return None
 
 
-def _time_per_byte(target: Target, data: bytes) -> list[float]:
+def _time_per_byte(target: FuzzTarget, data: bytes) -> list[float]:
     """Nanoseconds per byte; empty for a message that cannot be decoded, which the checks report."""
     try:
         with cpu_limited():
@@ -243,7 +243,7 @@ class Checks:
         self._cost = cost
         self.accepted = 0
 
-    def problem(self, target: Target, data: bytes, *, valid: bool = False, memory: bool = True) -> Problem | None:
+    def problem(self, target: FuzzTarget, data: bytes, *, valid: bool = False, memory: bool = True) -> Problem | None:
         """The first problem with these bytes, or None; `valid` when they are a message by construction."""
         try:
             with cpu_limited():
@@ -254,7 +254,7 @@ class Checks:
             return Problem("time", "", str(error))
         return None
 
-    def _run(self, target: Target, data: bytes, *, valid: bool, memory: bool) -> None:
+    def _run(self, target: FuzzTarget, data: bytes, *, valid: bool, memory: bool) -> None:
         def both() -> tuple[Message | None, TolerantResult]:
             return (
                 _call("decode", (DecodeError,), lambda: target.cls.decode(data)),
@@ -278,7 +278,7 @@ class Checks:
             self._check_reference(target, data, message)
 
     @staticmethod
-    def _check_foreign(target: Target, data: bytes) -> None:
+    def _check_foreign(target: FuzzTarget, data: bytes) -> None:
         """The same bytes with the id of another message are not accepted."""
         for foreign in (bytes([data[0] ^ 1]), bytes([data[0], data[1] ^ 0x40])):
             other = foreign + data[len(foreign) :]
@@ -291,7 +291,7 @@ class Checks:
                     _fail("foreign", path, f"it takes a message with the id {id:04X}h, which is not its own")
 
     @staticmethod
-    def _check_stable(target: Target, data: bytes, message: Message) -> None:
+    def _check_stable(target: FuzzTarget, data: bytes, message: Message) -> None:
         again = _call("encode", (), message.encode)
         if again != data:
             _fail("stable", "bytes", f"decodes to {message!r}, which encodes to {_short(again)}")
@@ -307,7 +307,7 @@ class Checks:
 
     @staticmethod
     def _check_tolerant(
-        target: Target, data: bytes, message: Message | None, tolerant: Message, deviations: list[Deviation]
+        target: FuzzTarget, data: bytes, message: Message | None, tolerant: Message, deviations: list[Deviation]
     ) -> None:
         if (message is None) != bool(deviations):
             _fail("tolerant", "verdict", f"strict says {message!r}, tolerant says {_first_deviation(deviations)}")
@@ -325,7 +325,7 @@ class Checks:
                 _fail("json", "", f"{tolerant!r} becomes {carried!r}")
 
     @staticmethod
-    def _check_reference(target: Target, data: bytes, message: Message | None) -> None:
+    def _check_reference(target: FuzzTarget, data: bytes, message: Message | None) -> None:
         values = _call("reference", (DecodeError,), lambda: reference.parse(target.model, data))
         if (message is None) != (values is None):
             accepts = "the reference codec" if message is None else "generated code"

@@ -12,7 +12,7 @@ from typing import Final
 from jauspy.codec.items import Item
 from jauspy.codec.layout import Repeat
 from jauspy.errors import ConfigError
-from jauspy.fuzz.mutation import Offset, offsets_of
+from jauspy.fuzz.mutation import ByteSpan, offsets_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +121,7 @@ def _without_parts(data: bytes, layout: Item, budget: _Attempts) -> bytes:
     return data
 
 
-def _without(data: bytes, offset: Offset) -> Iterator[bytes]:
+def _without(data: bytes, offset: ByteSpan) -> Iterator[bytes]:
     """The data without some elements of a count, or without a field of a presence vector."""
     number = int.from_bytes(data[offset.at : offset.at + offset.size], "little")
     if offset.kind == "presence":
@@ -138,7 +138,7 @@ def _without(data: bytes, offset: Offset) -> Iterator[bytes]:
         size //= 2
 
 
-def _cut(data: bytes, offset: Offset, number: int, start: int, end: int) -> bytes:
+def _cut(data: bytes, offset: ByteSpan, number: int, start: int, end: int) -> bytes:
     """Replace the number at the offset, and remove the bytes from `start` to `end`."""
     head = data[: offset.at] + number.to_bytes(offset.size, "little") + data[offset.at + offset.size :]
     return head[:start] + head[end:]

@@ -14,17 +14,17 @@ from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Numbe
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.codec.wire import FLOATS, SIZES, limits
+from jauspy.codec.scalars import FLOATS, SIZES, limits
 from jauspy.errors import ConfigError
 from jauspy.schema import model as m
 
 
 @dataclass(frozen=True, slots=True)
-class Target:
+class FuzzTarget:
     """One message of one service version."""
 
     cls: type[Message]
-    model: m.Message
+    model: m.MessageDefinition
     layout: Composite
 
     @property
@@ -38,7 +38,7 @@ class Target:
         return f"{self.cls.SERVICE.removeprefix('urn:jaus:jss:')} {self.cls.VERSION} {self.cls.NAME}"
 
 
-def targets(registry: Registry, schema: m.Schema, names: Iterable[str] = ()) -> tuple[Target, ...]:
+def targets(registry: Registry, schema: m.Schema, names: Iterable[str] = ()) -> tuple[FuzzTarget, ...]:
     """All messages of a registry that the schema has, or those of these names; `ConfigError` for an unknown name."""
     wanted = {registry.by_name(name).NAME for name in names}
     found = []
@@ -49,7 +49,7 @@ def targets(registry: Registry, schema: m.Schema, names: Iterable[str] = ()) -> 
             cls = entry.load()
             layout = cls.layout()
             assert isinstance(layout, Composite)
-            found.append(Target(cls, model, layout))
+            found.append(FuzzTarget(cls, model, layout))
     if not found:
         raise ConfigError("there is no message to test")
     return tuple(found)
@@ -70,7 +70,7 @@ class Style(Enum):
 class MessageMaker:
     """Makes bytes that decode strictly; `inner` are the messages to put into others."""
 
-    def __init__(self, rng: Random, style: Style, inner: Sequence[Target] = ()) -> None:
+    def __init__(self, rng: Random, style: Style, inner: Sequence[FuzzTarget] = ()) -> None:
         self._rng = rng
         self._style = style
         self._inner = inner
@@ -78,7 +78,7 @@ class MessageMaker:
         self._items = 400
         self._out = bytearray()
 
-    def message(self, target: Target) -> bytes:
+    def message(self, target: FuzzTarget) -> bytes:
         """The bytes of one random message, with its id."""
         before, self._out = self._out, bytearray(target.id)
         self._item(target.layout)

@@ -15,9 +15,9 @@ from jauspy.capture.reader import CaptureReader, from_lines, is_capture
 from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Message
-from jauspy.codec.wire import FLOATS, SIZES
+from jauspy.codec.scalars import FLOATS, SIZES
 from jauspy.errors import ConfigError
-from jauspy.fuzz.messages import MessageMaker, Style, Target
+from jauspy.fuzz.messages import FuzzTarget, MessageMaker, Style
 from jauspy.messages import registry
 
 ANY_PER_MESSAGE: Final = 3
@@ -30,7 +30,7 @@ class Seed:
 
     target: int
     data: bytes
-    offsets: tuple[Offset, ...]
+    offsets: tuple[ByteSpan, ...]
 
 
 def file_payloads(path: Path) -> list[bytes]:
@@ -55,7 +55,7 @@ def _of(datagram: bytes) -> list[bytes]:
     return [bytes(part.packet.payload) for part in dissect(datagram, registry).parts]
 
 
-def from_payloads(targets: Sequence[Target], payloads: Iterable[bytes]) -> Iterator[Seed]:
+def from_payloads(targets: Sequence[FuzzTarget], payloads: Iterable[bytes]) -> Iterator[Seed]:
     """A seed for every message that has the id of a payload."""
     for payload in payloads:
         for number, target in enumerate(targets):
@@ -63,7 +63,7 @@ def from_payloads(targets: Sequence[Target], payloads: Iterable[bytes]) -> Itera
                 yield Seed(number, payload, offsets_of(target.layout, payload))
 
 
-def from_schemas(targets: Sequence[Target]) -> Iterator[Seed]:
+def from_schemas(targets: Sequence[FuzzTarget]) -> Iterator[Seed]:
     """Seeds of every message, always the same ones."""
     rng = Random(0)  # noqa: S311 - chance, not secrets
     styles = (Style.SHORTEST, Style.FULL, *(Style.ANY,) * ANY_PER_MESSAGE)
@@ -85,7 +85,7 @@ _DOUBLES: Final = tuple(
     for text in ("7ff0000000000000", "fff0000000000000", "7ff8000000000000", "7fefffffffffffff", "8000000000000000")
 )
 
-Mutation: TypeAlias = "Callable[[Random, bytearray, Offset, Sequence[Seed]], None]"
+Mutation: TypeAlias = "Callable[[Random, bytearray, ByteSpan, Sequence[Seed]], None]"
 
 
 def mutate(rng: Random, seed: Seed, others: Sequence[Seed]) -> bytes:
@@ -103,28 +103,28 @@ def mutate(rng: Random, seed: Seed, others: Sequence[Seed]) -> bytes:
     return bytes(data[:MAX_INPUT_SIZE])
 
 
-def _put(data: bytearray, offset: Offset, value: int) -> None:
+def _put(data: bytearray, offset: ByteSpan, value: int) -> None:
     size = offset.size
     data[offset.at : offset.at + size] = (value & ((1 << 8 * size) - 1)).to_bytes(size, "little")
 
 
-def _get(data: bytearray, offset: Offset) -> int:
+def _get(data: bytearray, offset: ByteSpan) -> int:
     return int.from_bytes(data[offset.at : offset.at + offset.size], "little")
 
 
 # --- numbers ----------------------------------------------------------------------------------------------------------
 
 
-def _edge(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+def _edge(rng: Random, data: bytearray, offset: ByteSpan, _: Sequence[Seed]) -> None:
     top = (1 << 8 * offset.size) - 1
     _put(data, offset, rng.choice((0, 1, top, top - 1, top >> 1, (top >> 1) + 1)))
 
 
-def _step(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+def _step(rng: Random, data: bytearray, offset: ByteSpan, _: Sequence[Seed]) -> None:
     _put(data, offset, _get(data, offset) + rng.choice((-2, -1, 1, 2)))
 
 
-def _limit(rng: Random, data: bytearray, offset: Offset, others: Sequence[Seed]) -> None:
+def _limit(rng: Random, data: bytearray, offset: ByteSpan, others: Sequence[Seed]) -> None:
     """A value next to an allowed one, or a special float."""
     item = offset.item
     if not isinstance(item, Number):
@@ -140,7 +140,7 @@ def _limit(rng: Random, data: bytearray, offset: Offset, others: Sequence[Seed])
 # --- counts -----------------------------------------------------------------------------------------------------------
 
 
-def _wrong_count(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+def _wrong_count(rng: Random, data: bytearray, offset: ByteSpan, _: Sequence[Seed]) -> None:
     """A count that does not match the elements."""
     count, top = _get(data, offset), (1 << 8 * offset.size) - 1
     choices = [0, count + 1, count - 1, top, top >> 1, count << 8]
@@ -149,7 +149,7 @@ def _wrong_count(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]
     _put(data, offset, rng.choice(choices))
 
 
-def _repeat(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+def _repeat(rng: Random, data: bytearray, offset: ByteSpan, _: Sequence[Seed]) -> None:
     """Repeat or remove an element, with the right count."""
     if len(offset.cuts) < 2:
         return
@@ -165,7 +165,7 @@ def _repeat(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> 
         del data[start:end]
 
 
-def _nest(rng: Random, data: bytearray, offset: Offset, others: Sequence[Seed]) -> None:
+def _nest(rng: Random, data: bytearray, offset: ByteSpan, others: Sequence[Seed]) -> None:
     """Put another message, or this one, into a field of bytes, with the right count."""
     if isinstance(offset.item, Repeat) or len(offset.cuts) != 2:
         return
@@ -177,7 +177,7 @@ def _nest(rng: Random, data: bytearray, offset: Offset, others: Sequence[Seed]) 
 # --- tags and presence vectors ----------------------------------------------------------------------------------------
 
 
-def _retag(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+def _retag(rng: Random, data: bytearray, offset: ByteSpan, _: Sequence[Seed]) -> None:
     known = [0]
     if isinstance(offset.item, Union):
         known = [*range(len(offset.item.arms) + 1)]
@@ -188,7 +188,7 @@ def _retag(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> N
     _put(data, offset, rng.choice([*known, 255]))
 
 
-def _presence(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+def _presence(rng: Random, data: bytearray, offset: ByteSpan, _: Sequence[Seed]) -> None:
     mask, top = _get(data, offset), (1 << 8 * offset.size) - 1
     choices = [0, top, mask ^ 1 << rng.randrange(8 * offset.size)]
     if isinstance(offset.item, Composite):
@@ -196,7 +196,7 @@ def _presence(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -
     _put(data, offset, rng.choice(choices))
 
 
-def _cut_here(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+def _cut_here(rng: Random, data: bytearray, offset: ByteSpan, _: Sequence[Seed]) -> None:
     del data[offset.at + rng.randint(0, offset.size) :]
 
 
@@ -261,7 +261,7 @@ OffsetKind = Literal["number", "count", "tag", "presence"]
 
 
 @dataclass(frozen=True, slots=True)
-class Offset:
+class ByteSpan:
     """`size` bytes at `at`.
 
     `cuts` are, for a count, the boundaries of the elements that it counts, both ends included; for a presence vector,
@@ -280,7 +280,7 @@ class _OutOfData(Exception):
     """Raised if the bytes end before the message."""
 
 
-def offsets_of(layout: Item, data: bytes) -> tuple[Offset, ...]:
+def offsets_of(layout: Item, data: bytes) -> tuple[ByteSpan, ...]:
     """The offsets of a message, as far as it can be read, including nested messages."""
     scanner = _Scanner(data)
     with suppress(_OutOfData):
@@ -291,14 +291,14 @@ def offsets_of(layout: Item, data: bytes) -> tuple[Offset, ...]:
 class _Scanner:
     def __init__(self, data: bytes) -> None:
         self.data = data
-        self.offsets: list[Offset] = []
+        self.offsets: list[ByteSpan] = []
 
     def _add(self, kind: OffsetKind, at: int, code: str, item: Item | None = None) -> int:
         """Add the offset of a number; returns its value."""
         size = SIZES[code]
         if at + size > len(self.data):
             raise _OutOfData
-        self.offsets.append(Offset(kind, at, size, item))
+        self.offsets.append(ByteSpan(kind, at, size, item))
         return int.from_bytes(self.data[at : at + size], "little")
 
     def item(self, item: Item, at: int) -> int:
@@ -351,11 +351,13 @@ class _Scanner:
             if slot.optional:
                 cuts += [start, at]
         if item.presence:
-            self.offsets[place] = Offset("presence", vector, SIZES[item.presence], item, tuple(cuts))
+            self.offsets[place] = ByteSpan("presence", vector, SIZES[item.presence], item, tuple(cuts))
         return at
 
     def _counted(self, count: Count, at: int, cuts: list[int], *, nested: bool = False) -> None:
-        self.offsets.append(Offset("count", at, SIZES[count.code], None, tuple(cuts), nested))
+        self.offsets.append(
+            ByteSpan(kind="count", at=at, size=SIZES[count.code], item=None, cuts=tuple(cuts), nested=nested)
+        )
 
     def _bytes(self, count: Count, at: int, *, nested: bool) -> int:
         size = self._add("count", at, count.code)
@@ -376,7 +378,14 @@ class _Scanner:
             for offset in offsets_of(type(found).layout(), self.data[start:end]):
                 cuts = tuple(cut + start for cut in offset.cuts)
                 self.offsets.append(
-                    Offset(offset.kind, offset.at + start, offset.size, offset.item, cuts, offset.nested)
+                    ByteSpan(
+                        kind=offset.kind,
+                        at=offset.at + start,
+                        size=offset.size,
+                        item=offset.item,
+                        cuts=cuts,
+                        nested=offset.nested,
+                    )
                 )
 
     def _repeat(self, item: Repeat, at: int) -> int:
@@ -390,5 +399,5 @@ class _Scanner:
             if at > len(self.data):
                 raise _OutOfData
             cuts.append(at)
-        self.offsets[place] = Offset("count", start, SIZES[item.count.code], item, tuple(cuts))
+        self.offsets[place] = ByteSpan("count", start, SIZES[item.count.code], item, tuple(cuts))
         return at

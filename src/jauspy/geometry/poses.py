@@ -152,18 +152,25 @@ def jaus_frame(frame: Transform) -> Transform:
 
 def jaus_pose(pose: Pose) -> Pose:
     """A pose changed from REP-103's axes to JAUS's; its own inverse."""
-    return Pose(pose.x, -pose.y, -pose.z, wrap_angle(pose.roll), wrap_angle(-pose.pitch), wrap_angle(-pose.yaw))
+    return Pose(
+        x=pose.x,
+        y=-pose.y,
+        z=-pose.z,
+        roll=wrap_angle(pose.roll),
+        pitch=wrap_angle(-pose.pitch),
+        yaw=wrap_angle(-pose.yaw),
+    )
 
 
 def jaus_twist(twist: Twist) -> Twist:
     """A body twist changed from REP-103's axes to JAUS's; its own inverse."""
-    return Twist(twist.vx, -twist.vy, -twist.vz, twist.wx, -twist.wy, -twist.wz)
+    return Twist(vx=twist.vx, vy=-twist.vy, vz=-twist.vz, wx=twist.wx, wy=-twist.wy, wz=-twist.wz)
 
 
 def jaus_acceleration(acceleration: Acceleration) -> Acceleration:
     """A body acceleration changed from REP-103's axes to JAUS's; its own inverse."""
     a = acceleration
-    return Acceleration(a.ax, -a.ay, -a.az, a.wx, -a.wy, -a.wz)
+    return Acceleration(ax=a.ax, ay=-a.ay, az=-a.az, wx=a.wx, wy=-a.wy, wz=-a.wz)
 
 
 def wrap_angle(angle: float) -> float:

@@ -249,11 +249,11 @@ def _joint(element: Element) -> Joint:
     endless = kind is JointKind.CONTINUOUS
     joint = Joint(
         name,
-        kind,
-        _link(element, "parent", name),
-        _link(element, "child", name),
-        origin(element),
-        _axis(element, name),
+        kind=kind,
+        parent=_link(element, "parent", name),
+        child=_link(element, "child", name),
+        origin=origin(element),
+        axis=_axis(element, name),
         lower=-math.inf if endless else _number(limit, "lower"),
         upper=math.inf if endless else _number(limit, "upper"),
         effort=_number(limit, "effort"),
@@ -361,7 +361,7 @@ class CollisionBox:
 def inertials(text: str) -> list[Inertial]:
     """The masses in a URDF that `parse_urdf` accepts. Raises `ConfigError`, which names the link, if malformed."""
     found = []
-    for link in etree.fromstring(text.encode()).findall("link"):
+    for link in parse_tree(text).findall("link"):
         name, inertial = str(link.get("name")), link.find("inertial")
         if inertial is not None:
             mass = inertial.find("mass")
@@ -371,7 +371,7 @@ def inertials(text: str) -> list[Inertial]:
 
 def collision_boxes(text: str) -> list[CollisionBox]:
     """The collision shapes in a URDF that `parse_urdf` accepts, without meshes."""
-    links = etree.fromstring(text.encode()).findall("link")
+    links = parse_tree(text).findall("link")
     pairs = [(str(link.get("name")), collision) for link in links for collision in link.findall("collision")]
     sizes = [(name, _size(shape.find("geometry")), shape) for name, shape in pairs]
     return [

@@ -162,7 +162,12 @@ class NodeManager:
         """The current state, for the status and the metrics."""
         ingress = len(self._ingress or ())
         return NodeState(
-            self.config, self._router, self._networks, self._component_senders.queued, ingress, self._loop.time()
+            config=self.config,
+            router=self._router,
+            networks=self._networks,
+            queued=self._component_senders.queued,
+            ingress=ingress,
+            now=self._loop.time(),
         )
 
     async def open(self) -> None:

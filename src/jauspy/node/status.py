@@ -31,7 +31,7 @@ RATE_INTERVAL: Final = 0.5
 """Seconds between two reads for `with_rates`."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class NodeState:
     """References into a running node manager; `queued` counts datagrams per local socket, `now` is loop time."""
 

@@ -263,7 +263,9 @@ class Arm:
     async def tool(self) -> RobotPose:
         """The present pose of the tool link in the robot's frame, in metres and radians."""
         pose = (await self._tool()).to_pose()
-        return RobotPose(pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw, datetime.now(UTC))
+        return RobotPose(
+            x=pose.x, y=pose.y, z=pose.z, roll=pose.roll, pitch=pose.pitch, yaw=pose.yaw, time=datetime.now(UTC)
+        )
 
     async def stop(self) -> None:
         """Hold the present positions."""

@@ -36,7 +36,7 @@ RATE: Final = 10.0
 VELOCITY, WRENCH = "mobility:VelocityStateDriver", "mobility:PrimitiveDriver"
 X_AND_YAW: Final = 0b100001
 """Presence vector of a velocity: forward and about z."""
-ROUNDING: Final = 1e-3
+VELOCITY_TOLERANCE: Final = 1e-3
 """m/s and rad/s by which a velocity may exceed the limit that the robot reports."""
 PROGRESS_INTERVAL: Final = 0.2
 """Seconds between two queries for the pose on the way to a point."""
@@ -73,7 +73,7 @@ class VelocityLimits:
             ("linear", linear, self.linear, "m/s"),
             ("angular", angular, self.angular, "rad/s"),
         ):
-            if abs(value) > limit + ROUNDING:
+            if abs(value) > limit + VELOCITY_TOLERANCE:
                 raise ConfigError(f"{name}={value:g} is more than the {limit:.4g} {unit} that this robot can drive")
 
 

@@ -27,7 +27,7 @@ STILL_REPORTS: Final = 5
 """Consecutive reports without motion after which the fingers count as stopped."""
 MAX_STEP: Final = 3e-4
 """Metres or radians between two reports up to which a finger counts as stopped."""
-ROUNDING: Final = 1e-6
+WIDTH_TOLERANCE: Final = 1e-6
 """Metres by which a width may lie beyond a limit."""
 BLIND_TIME: Final = 2.0
 """Seconds to wait for a gripper that does not report its fingers."""
@@ -65,7 +65,7 @@ class Gripper:
         """
         check_number(width, "width")
         least, greatest = await self.width_limits()
-        if not least - ROUNDING <= width <= greatest + ROUNDING:
+        if not least - WIDTH_TOLERANCE <= width <= greatest + WIDTH_TOLERANCE:
             raise ConfigError(f"the fingers of {self.info.id} open {least:g}..{greatest:g} m, not {width:g}")
         start = await self.width()
         closes = width < start

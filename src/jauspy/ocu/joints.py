@@ -38,7 +38,7 @@ POSITION_SENSOR: Final = "ManipulatorJointPositionSensor"
 PAN_TILT_SENSOR: Final = "PanTiltJointPositionSensor"
 NAMES: Final = 0b10
 """Presence vector of a specification with the names of the joints."""
-ROUNDING: Final = 1e-6
+POSITION_TOLERANCE: Final = 1e-6
 """Radians or metres by which a position may lie beyond a limit."""
 
 
@@ -111,7 +111,7 @@ class JointTable:
                 raise ConfigError(f"there is no joint {name!r}; there are {', '.join(known)}")
             joint = known[name]
             check_number(value, f"the position of {name}")
-            if not joint.lower - ROUNDING <= value <= joint.upper + ROUNDING:
+            if not joint.lower - POSITION_TOLERANCE <= value <= joint.upper + POSITION_TOLERANCE:
                 raise ConfigError(f"{name} can be {joint.lower:.4g}..{joint.upper:.4g} {joint.unit}, and not {value:g}")
         return {name: float(value) for name, value in positions.items()}
 
@@ -158,14 +158,14 @@ def table_of(report: ReportJointDescription) -> JointTable:
     joints = tuple(
         DescribedJoint(
             each.joint_name,
-            each.joint_type != types.PRISMATIC,
-            -1.0 if each.direction == ReportJointDescription.Direction.REVERSED else 1.0,
-            each.zero_position,
-            -math.inf if each.joint_type == types.CONTINUOUS else each.lower_limit,
-            math.inf if each.joint_type == types.CONTINUOUS else each.upper_limit,
-            each.max_effort,
-            each.max_speed,
-            each.width_rate,
+            is_revolute=each.joint_type != types.PRISMATIC,
+            sign=-1.0 if each.direction == ReportJointDescription.Direction.REVERSED else 1.0,
+            zero=each.zero_position,
+            lower=-math.inf if each.joint_type == types.CONTINUOUS else each.lower_limit,
+            upper=math.inf if each.joint_type == types.CONTINUOUS else each.upper_limit,
+            max_effort=each.max_effort,
+            max_speed=each.max_speed,
+            width_rate=each.width_rate,
         )
         for each in report.joint_list
     )

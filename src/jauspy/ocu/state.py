@@ -57,7 +57,9 @@ def pose_of(report: ReportLocalPose, now: datetime) -> RobotPose:
     pose = jaus_pose(Pose(*(value or 0.0 for value in values)))
     time = None if report.time_stamp is None else datetime_of(report.time_stamp, now)
     # Adding zero removes the sign of a negative zero.
-    return RobotPose(pose.x, pose.y + 0.0, pose.z + 0.0, pose.roll, pose.pitch + 0.0, pose.yaw + 0.0, time)
+    return RobotPose(
+        x=pose.x, y=pose.y + 0.0, z=pose.z + 0.0, roll=pose.roll, pitch=pose.pitch + 0.0, yaw=pose.yaw + 0.0, time=time
+    )
 
 
 def datetime_of(stamp: TimeStamp, now: datetime) -> datetime | None:

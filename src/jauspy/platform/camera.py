@@ -89,7 +89,7 @@ class CameraSetup(Table):
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class CameraFrame:
     """A picture, and its time in seconds of the machine's monotonic clock."""
 
     image: Image
@@ -136,7 +136,7 @@ class CameraSession(Protocol):
         thoroughly: bool = False,
         fov: float | None = None,
         distances: bool = False,
-    ) -> Frame:
+    ) -> CameraFrame:
         """Render the robot's newest state; with `thoroughly` at better quality, in up to half a second.
 
         `fov` is the horizontal field of view in radians, that of the setup by default; `distances` requests depths.
@@ -152,7 +152,7 @@ class CameraSession(Protocol):
         ...
 
 
-class Camera(Protocol):
+class CameraSource(Protocol):
     """Describes how to open a camera; can be pickled and sent to the process that opens it."""
 
     @property

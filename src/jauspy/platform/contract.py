@@ -15,8 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol, Self, runtime_checkable
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 
 if TYPE_CHECKING:
-    from jauspy.platform.camera import Camera
-    from jauspy.platform.description import RobotModel
+    from jauspy.platform.camera import CameraSource
     from jauspy.platform.force_torque import ForceTorqueSensor, Wrench
     from jauspy.platform.joints import JointGroup, JointState
     from jauspy.platform.ranging import RangeFinder, RangeScan
@@ -82,7 +81,7 @@ class Robot(RobotParts, Protocol):
     """One robot of a backend, at rest at the world's origin when opened."""
 
     @property
-    def cameras(self) -> Mapping[str, Camera]:
+    def cameras(self) -> Mapping[str, CameraSource]:
         """Its cameras, by name; each shows the state after the last `advance`."""
         ...
 
@@ -194,7 +193,16 @@ class Snapshot:
         scans = {name: lidar.scan for name, lidar in robot.lidars.items()}
         wrenches = {name: sensor.wrench for name, sensor in robot.force_torque.items()}
         parts = {part.id: part.state() for part in robot.optional_parts}
-        return cls(robot.time, drive.pose(), drive.twist(), drive.acceleration(), joints, scans, wrenches, parts)
+        return cls(
+            time=robot.time,
+            pose=drive.pose(),
+            twist=drive.twist(),
+            acceleration=drive.acceleration(),
+            joints=joints,
+            scans=scans,
+            wrenches=wrenches,
+            parts=parts,
+        )
 
 
 class RobotLink(Protocol):
@@ -207,17 +215,4 @@ class RobotLink(Protocol):
     @property
     def snapshot(self) -> Snapshot:
         """The state after the last step."""
-        ...
-
-
-class Backend(Protocol):
-    """Opens robots: of a simulator, on a bus, or by arithmetic."""
-
-    @property
-    def name(self) -> str:
-        """The name it has in configuration files, e.g. `kinematic`."""
-        ...
-
-    def open(self, robot: RobotModel, world: str) -> Robot:
-        """Open a robot in a world. Raises `ConfigError` with the known worlds for an unknown one."""
         ...

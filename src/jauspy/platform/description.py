@@ -5,26 +5,23 @@ Frames and units are URDF's (REP-103): metres, radians, kilograms; a joint's fra
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import Annotated, Final
 
 from annotated_types import Interval, Len
 
 from jauspy.geometry.urdf import RobotDescription
 from jauspy.platform.camera import CameraSetup, Quality
 from jauspy.platform.force_torque import ForceTorqueSetup
+from jauspy.platform.joints import JointGains
 from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import EXACT, LocalizationSetup
+from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import LidarSetup
-from jauspy.platform.tables import NotNegative, Table, UrdfName
-
-if TYPE_CHECKING:
-    from jauspy.backends.can.setup import CanSetup
-    from jauspy.platform.modular.parts import CellSetup
-    from jauspy.platform.wheels import WheelSetup
-
+from jauspy.platform.servo_drives import CanSetup
+from jauspy.platform.tables import Table, UrdfName
+from jauspy.platform.wheels import WheelSetup
 
 WORLD_SUFFIXES: Final = (".xml", ".mjcf", ".sdf", ".world", ".toml")
 """Suffixes of files with worlds: MJCF, SDF, a list of objects."""
@@ -33,25 +30,6 @@ WORLD_SUFFIXES: Final = (".xml", ".mjcf", ".sdf", ".world", ".toml")
 def is_world_file(world: str) -> bool:
     """True for the path of a world's file, False for the name of a world that a backend includes."""
     return "/" in world or world.lower().endswith(WORLD_SUFFIXES)
-
-
-@dataclass(frozen=True, slots=True)
-class Gains(Table):
-    """A PID controller: effort per error, per integrated error, per change of error."""
-
-    p: NotNegative
-    i: NotNegative = 0.0
-    d: NotNegative = 0.0
-    i_limit: NotNegative = math.inf
-    """Limit of the integral part of the effort."""
-
-
-@dataclass(frozen=True, slots=True)
-class JointGains:
-    """The controllers of one joint. Position: effort per radian or metre; velocity: effort per rad/s or m/s."""
-
-    position: Gains
-    velocity: Gains
 
 
 @dataclass(frozen=True, slots=True)

@@ -183,7 +183,7 @@ class ImagingSetup(Table):
         return max(1.0, exposure * NORMAL_TIME / longest * (number / self.aperture[0]) ** 2)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ImagingSettings:
     """The settings of a client."""
 

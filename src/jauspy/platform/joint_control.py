@@ -7,8 +7,7 @@ from collections.abc import Callable
 from typing import Final, TypeAlias
 
 from jauspy.geometry.urdf import Joint
-from jauspy.platform.description import Gains, JointGains
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.joints import ControlMode, Gains, JointGains, Target
 
 BRAKE_TIME: Final = 0.1
 """Seconds that a joint brakes before it holds its position; adjacent joints come to rest meanwhile."""

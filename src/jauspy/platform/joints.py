@@ -1,13 +1,15 @@
-"""The contract of joint groups: arms, grippers, flippers."""
+"""The contract of joint groups, as of arms, grippers and flippers, and the gains of their controllers."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Protocol
 
 from jauspy.geometry.urdf import Joint
+from jauspy.platform.tables import NotNegative, Table
 
 
 class ControlMode(Enum):
@@ -34,6 +36,25 @@ class Target:
     speed: float | None = None
     acceleration: float | None = None
     deceleration: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Gains(Table):
+    """A PID controller: effort per error, per integrated error, per change of error."""
+
+    p: NotNegative
+    i: NotNegative = 0.0
+    d: NotNegative = 0.0
+    i_limit: NotNegative = math.inf
+    """Limit of the integral part of the effort."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointGains:
+    """The controllers of one joint. Position: effort per radian or metre; velocity: effort per rad/s or m/s."""
+
+    position: Gains
+    velocity: Gains
 
 
 @dataclass(frozen=True, slots=True)

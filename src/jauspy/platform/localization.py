@@ -152,7 +152,7 @@ class PoseEstimate:
 
 
 @final
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LocalizationState:
     """The estimate of a robot's motion. Both poses are in the estimated frame of the world."""
 
@@ -171,7 +171,16 @@ class LocalizationState:
 
 
 AT_ORIGIN: Final = PoseEstimate(ORIGIN, 0.0, 0.0, 0.0)
-UNMOVED: Final = LocalizationState(AT_ORIGIN, AT_ORIGIN, Twist(), 0.0, 0.0, UNACCELERATED, 0.0, 0.0)
+UNMOVED: Final = LocalizationState(
+    local=AT_ORIGIN,
+    globe=AT_ORIGIN,
+    twist=Twist(),
+    velocity_rms=0.0,
+    rate_rms=0.0,
+    acceleration=UNACCELERATED,
+    acceleration_rms=0.0,
+    angular_acceleration_rms=0.0,
+)
 
 
 class Localization(OptionalPart):

@@ -235,20 +235,21 @@ class Localizer(Localization):
         travel, linear, angular, dt = measured
         roll, pitch, yaw = self._angles
         setup, local = self._imu_setup, self._local
-        pose = Pose(self._x, self._y, self._z, roll, pitch, yaw)
+        pose = Pose(self._x, self._y, self._z, roll, pitch, yaw=yaw)
         here = PoseEstimate(pose, *self._errors(local))
         gyro_noise = setup.gyro_noise / math.sqrt(dt)
         bias_rms = math.sqrt(local.covariance[BIAS][BIAS])
         force_noise = setup.acceleration_noise / math.sqrt(dt)
         return LocalizationState(
-            here,
-            here if self._globe is None else self._globe.estimate(pose, self._moved, self._tilt_rms),
-            Twist(travel.forward / dt, travel.left / dt, 0.0, *self._rates),
-            math.hypot(self._scale_error * self._speed, self._resolution / dt),
-            math.sqrt(3.0) * math.hypot(gyro_noise, bias_rms),
-            Acceleration(*linear, *angular),
-            math.sqrt(3.0) * math.hypot(force_noise, setup.acceleration_bias, GRAVITY * self._tilt_rms),
-            math.sqrt(6.0) * gyro_noise / dt,
+            local=here,
+            globe=here if self._globe is None else self._globe.estimate(pose, self._moved, self._tilt_rms),
+            twist=Twist(travel.forward / dt, travel.left / dt, 0.0, *self._rates),
+            velocity_rms=math.hypot(self._scale_error * self._speed, self._resolution / dt),
+            rate_rms=math.sqrt(3.0) * math.hypot(gyro_noise, bias_rms),
+            acceleration=Acceleration(*linear, *angular),
+            acceleration_rms=math.sqrt(3.0)
+            * math.hypot(force_noise, setup.acceleration_bias, GRAVITY * self._tilt_rms),
+            angular_acceleration_rms=math.sqrt(6.0) * gyro_noise / dt,
         )
 
 
@@ -296,17 +297,17 @@ class _Moved:
             x, y, z = self.rates
             self.rates = (x + rates[0] * dt, y + rates[1] * dt, z + rates[2] * dt)
 
-    def motion(self, dt: float, position_noise: float, turn_slip: float, imu: ImuSetup) -> Motion:
+    def motion(self, dt: float, position_noise: float, turn_slip: float, imu: ImuSetup) -> DeadReckonedMotion:
         """What the filters need, in the local frame. At rest the heading does not change."""
         moving = max(0.0, dt - self.at_rest)
-        return Motion(
-            self.x,
-            self.y,
-            self.yaw,
-            moving,
-            position_noise * self.way + turn_slip**2 * self.turned,
-            imu.gyro_noise**2 * moving,
-            imu.gyro_bias_walk**2 * dt,
+        return DeadReckonedMotion(
+            x=self.x,
+            y=self.y,
+            yaw=self.yaw,
+            dt=moving,
+            position_variance=position_noise * self.way + turn_slip**2 * self.turned,
+            yaw_variance=imu.gyro_noise**2 * moving,
+            bias_variance=imu.gyro_bias_walk**2 * dt,
         )
 
 
@@ -344,18 +345,18 @@ class _Globe:
         self._offset += gain * (z - height - self._offset)
         self._offset_variance *= 1.0 - gain
 
-    def move(self, motion: Motion, heading: float, climbed: float) -> None:
+    def move(self, motion: DeadReckonedMotion, heading: float, climbed: float) -> None:
         """Move by dead reckoning, which began with `heading` in the local frame; `climbed` is an error in metres."""
         c, s = self._rotation(heading)
         self._filter.move(
-            Motion(
-                c * motion.x - s * motion.y,
-                s * motion.x + c * motion.y,
-                motion.yaw,
-                motion.dt,
-                motion.position_variance,
-                motion.yaw_variance,
-                motion.bias_variance,
+            DeadReckonedMotion(
+                x=c * motion.x - s * motion.y,
+                y=s * motion.x + c * motion.y,
+                yaw=motion.yaw,
+                dt=motion.dt,
+                position_variance=motion.position_variance,
+                yaw_variance=motion.yaw_variance,
+                bias_variance=motion.bias_variance,
             )
         )
         self._offset_variance += climbed**2
@@ -373,7 +374,7 @@ class _Globe:
         yaw = math.remainder(state[YAW] + moved.yaw, math.tau)
         height_rms = math.hypot(math.sqrt(self._offset_variance), self._setup.vertical * self._setup.drift)
         attitude_rms = math.hypot(tilt_rms, tilt_rms, self._filter.yaw_rms)
-        there = Pose(x, y, pose.z + self._offset, pose.roll, pose.pitch, yaw)
+        there = Pose(x, y, pose.z + self._offset, pose.roll, pose.pitch, yaw=yaw)
         return PoseEstimate(there, self._filter.horizontal_rms, height_rms, attitude_rms)
 
     def _rotation(self, heading: float) -> tuple[float, float]:
@@ -474,8 +475,8 @@ X, Y, YAW, SCALE, BIAS, GAIN, DRIFT_X, DRIFT_Y = range(8)
 STATES: Final = 8
 
 
-@dataclass(frozen=True, slots=True)
-class Motion:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DeadReckonedMotion:
     """A motion by dead reckoning: metres and radians in the frame of the filter, and its duration in seconds."""
 
     x: float
@@ -502,7 +503,7 @@ class PoseFilter:
             for row, deviation in enumerate(deviations)
         ]
 
-    def move(self, motion: Motion) -> None:
+    def move(self, motion: DeadReckonedMotion) -> None:
         """Move by a motion of dead reckoning."""
         state = self.state
         x, y = motion.x * (1.0 + state[SCALE]), motion.y * (1.0 + state[SCALE])
@@ -522,7 +523,7 @@ class PoseFilter:
         rows[BIAS][BIAS] += motion.bias_variance
 
     @staticmethod
-    def _mix(rows: list[Row], motion: Motion, x: float, y: float) -> None:
+    def _mix(rows: list[Row], motion: DeadReckonedMotion, x: float, y: float) -> None:
         yaw, scale, bias, gain = rows[YAW], rows[SCALE], rows[BIAS], rows[GAIN]
         rows[X] = [a - y * b + motion.x * c for a, b, c in zip(rows[X], yaw, scale, strict=True)]
         rows[Y] = [a + x * b + motion.y * c for a, b, c in zip(rows[Y], yaw, scale, strict=True)]

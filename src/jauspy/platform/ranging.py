@@ -259,7 +259,14 @@ class Scanner:
         ranges = _limited(self._measure(self._angles), self._settings.min_range, self._settings.max_range)
         layers = self._setup.layers
         image = b"" if layers == 1 else array("f", ranges * layers).tobytes()
-        self._scan = RangeScan(now, self._setup.link, self._angles, ranges, self._setup.inclinations(), image)
+        self._scan = RangeScan(
+            time=now,
+            frame=self._setup.link,
+            angles=self._angles,
+            ranges=ranges,
+            inclinations=self._setup.inclinations(),
+            layers=image,
+        )
 
 
 def _limited(distances: Sequence[float], min_range: float, max_range: float) -> tuple[float, ...]:

@@ -57,7 +57,7 @@ MAX_IMAGE_REPORT: Final = 8 << 20
 """Bytes of a report with an image; the largest supported frame size fits even without compression."""
 
 
-class Profile(Enum):
+class H264Profile(Enum):
     """Sets of coding tools. Baseline here is constrained baseline, too, which every decoder knows."""
 
     BASELINE = "baseline"
@@ -111,7 +111,7 @@ LEVELS: Final = (
 class H264Settings:
     """The coding of a stream, apart from its size and rates."""
 
-    profile: Profile = Profile.BASELINE
+    profile: H264Profile = H264Profile.BASELINE
     level: int | None = None
     """Index in `LEVELS`; None selects the lowest sufficient level."""
     preset: Preset = Preset.LOW_LATENCY
@@ -176,10 +176,10 @@ def macroblocks(pixels: int) -> int:
     return -(-pixels // MACROBLOCK_SIZE)
 
 
-def level_suffices(level: Level, size: tuple[int, int], rate: int, bit_rate: int, profile: Profile) -> bool:
+def level_suffices(level: Level, size: tuple[int, int], rate: int, bit_rate: int, profile: H264Profile) -> bool:
     """Return True if decoders of the level accept the stream; size in pixels, rates per second."""
     across, down = (macroblocks(pixels) for pixels in size)
-    bits = level.bits_per_second * (5 if profile is Profile.HIGH else 4) // 4
+    bits = level.bits_per_second * (5 if profile is H264Profile.HIGH else 4) // 4
     return (
         across * down <= level.macroblocks
         and max(across, down) ** 2 <= 8 * level.macroblocks

@@ -17,7 +17,7 @@ from annotated_types import Interval, Len, MaxLen
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, collision_boxes
-from jauspy.platform.chassis import GroundDrive, clamp, mix
+from jauspy.platform.drives import GroundDrive, clamp, mix
 from jauspy.platform.tables import Table, UrdfName, check_unique
 
 LEVEL: Final = 0.9
@@ -62,7 +62,7 @@ class Wheel:
 
 
 @dataclass(frozen=True, slots=True)
-class Steering:
+class SteeringJoint:
     """A steering joint, which turns to the left as its position times `sign` grows; its axis is at x, y."""
 
     joint: Joint
@@ -80,7 +80,7 @@ class WheelSetup:
     """Those that are driven."""
     inertia: float
     """Of rotor and gear of each at the wheel, kg m^2."""
-    steering: tuple[Steering, ...] = ()
+    steering: tuple[SteeringJoint, ...] = ()
     axle: float = 0.0
     """x of the wheels that do not steer, of an Ackermann chassis."""
 
@@ -199,7 +199,7 @@ class WheelDrive(GroundDrive):
         self.set_wheel_efforts((0.0,) * len(self.wheels.wheels), None)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class WheelJoints(Table):
     """A chassis on wheels, the table `[wheels]`: the continuous joints of its driven wheels; others roll freely."""
 
@@ -236,13 +236,13 @@ def wheel_setup(description: RobotDescription, joints: WheelJoints) -> WheelSetu
             )
         return Wheel(joint, frame.position[0], frame.position[1], found, math.copysign(1.0, across))
 
-    def steering(name: str) -> Steering:
+    def steering(name: str) -> SteeringJoint:
         joint = _moving(description, "wheels.steered", name, (JointKind.REVOLUTE,))
         frame = frames[joint.child]
         up = frame.rotate(joint.axis)[2]
         if abs(up) < LEVEL or not joint.lower < 0.0 < joint.upper:
             raise ConfigError(f"wheels.steered: {name!r} must turn about z, by limits below and above zero")
-        return Steering(joint, frame.position[0], frame.position[1], math.copysign(1.0, up))
+        return SteeringJoint(joint, frame.position[0], frame.position[1], math.copysign(1.0, up))
 
     sides = {
         "left": [wheel("left", name) for name in joints.left],
@@ -278,7 +278,7 @@ def _radii(description: RobotDescription) -> dict[str, float]:
     return {box.link: box.size[0] / 2.0 for box in reversed(collision_boxes(description.urdf)) if box.is_round}
 
 
-def _fixed_axle(description: RobotDescription, wheels: tuple[Wheel, ...], steering: tuple[Steering, ...]) -> float:
+def _fixed_axle(description: RobotDescription, wheels: tuple[Wheel, ...], steering: tuple[SteeringJoint, ...]) -> float:
     """X of the wheels that no steering joint turns; driven ones if there are, or else the others that roll."""
     frames = FrameTree(description)
     turned = {each.joint.name for each in steering}

@@ -87,7 +87,7 @@ class Offer:
         return now - self.accepted_at >= CONFIRM_INTERVAL and now - self.proposed_at >= PROPOSE_INTERVAL
 
 
-class Offers:
+class OfferedTemplates:
     """Our templates for one peer."""
 
     def __init__(self) -> None:
@@ -158,7 +158,7 @@ class Compression:
         self._send = send
         self._probes = probes
         self._templates = Templates()
-        self._partners: OrderedDict[UdpPort, Offers] = OrderedDict()
+        self._partners: OrderedDict[UdpPort, OfferedTemplates] = OrderedDict()
         self._probed: OrderedDict[UdpPort, tuple[int, float]] = OrderedDict()
 
     # --- receiving ------------------------------------------------------------------------------------------------
@@ -217,11 +217,11 @@ class Compression:
     def _answer(self, number: int, length: int, head: bytes, port: UdpPort) -> None:
         self._send(port, _packed(_ANSWERED, number, length, head + bytes(2)))
 
-    def _partner(self, port: UdpPort) -> Offers:
+    def _partner(self, port: UdpPort) -> OfferedTemplates:
         """The offers for a peer that uses compression."""
         partner = self._partners.get(port)
         if partner is None:
-            partner = self._partners[port] = Offers()
+            partner = self._partners[port] = OfferedTemplates()
             self.is_used = True
             if len(self._partners) > MAX_PARTNERS:
                 self._partners.popitem(last=False)

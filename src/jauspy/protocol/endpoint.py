@@ -66,7 +66,9 @@ class Endpoint:
                 broadcast = Broadcast.GLOBAL
         ticket = None
         if large or ack is Ack.REQUIRED:
-            ticket = self._transfers.start(Packet(self.id, destination, payload, 0, priority, broadcast, ack), now)
+            ticket = self._transfers.start(
+                Packet(self.id, destination, payload, 0, priority, broadcast=broadcast, ack=ack), now
+            )
         else:
             control = priority | broadcast << 2 | ack << 4
             datagram = header.pack_alone(int(self.id), int(destination), control, payload, self._reserve(1))

@@ -32,7 +32,7 @@ class ControlKind(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Control:
+class ControlMessage:
     """A control message, and the component it is about."""
 
     kind: ControlKind
@@ -54,7 +54,7 @@ def cancel(id: JausID) -> bytes:
     return _CONTROL.pack(*_HEAD, ControlKind.CANCEL, 0, int(id), 0, 0)
 
 
-def parse(data: bytes | memoryview) -> Control | None:
+def parse(data: bytes | memoryview) -> ControlMessage | None:
     """The control message in `data`, or None for any other datagram."""
     if len(data) != _CONTROL.size or data[0] != _VERSION:
         return None
@@ -62,4 +62,4 @@ def parse(data: bytes | memoryview) -> Control | None:
     if length != _HEAD[2] or version != _HEAD[4] or size or code not in ControlKind._value2member_map_:
         return None
     kind = ControlKind(code)
-    return Control(kind, JausID.from_int(destination if kind is ControlKind.ACCEPT else source))
+    return ControlMessage(kind, JausID.from_int(destination if kind is ControlKind.ACCEPT else source))

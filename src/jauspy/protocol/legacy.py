@@ -142,7 +142,7 @@ def _parse_ra(body: bytes, outer: LegacyVersion) -> LegacyPacket:
     if len(payload) & _MAX_DATA != size & _MAX_DATA:
         raise ProtocolError("size", f"a data size of {size & _MAX_DATA} with {len(payload)} bytes")
     control = _priority(properties) | (properties >> 4 & 3) << 4 | _flag(size >> 12) << 6
-    raw = RawPacket(0, len(body), RA_SIZE, control, destination, source)
+    raw = RawPacket(0, len(body), RA_SIZE, control, destination, source=source)
     return LegacyPacket(outer, code, raw, body[:RA_SIZE], payload)
 
 

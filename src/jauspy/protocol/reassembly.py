@@ -41,7 +41,16 @@ class FragmentRun:
         """The run of one fragment."""
         flag, payload = packet.data_flag, packet.payload
         begins, ends = flag is DataFlag.FIRST, flag is DataFlag.LAST
-        return cls(packet.sequence, packet.sequence, begins, ends, deque((payload,)), len(payload), now, packet)
+        return cls(
+            packet.sequence,
+            packet.sequence,
+            begins,
+            ends,
+            deque((payload,)),
+            size=len(payload),
+            touched=now,
+            head=packet,
+        )
 
     def __len__(self) -> int:
         return len(self.fragments)
@@ -69,7 +78,9 @@ class FragmentRun:
             self.fragments.extend(after.fragments)
             fragments = self.fragments
         size, touched = self.size + after.size, max(self.touched, after.touched)
-        return FragmentRun(self.first, after.last, self.begins, after.ends, fragments, size, touched, self.head)
+        return FragmentRun(
+            self.first, after.last, self.begins, after.ends, fragments, size=size, touched=touched, head=self.head
+        )
 
 
 @dataclass(slots=True)

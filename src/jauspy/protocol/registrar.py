@@ -57,7 +57,7 @@ class Registrar:
         self._may_connect = may_connect
         self._holder = holder
 
-    def is_local(self, port: UdpPort, control: junior.Control | None) -> bool:
+    def is_local(self, port: UdpPort, control: junior.ControlMessage | None) -> bool:
         """True for a component of this machine that uses UDP, or connects by it."""
         if self._components.has_port(port):
             return True
@@ -103,7 +103,7 @@ class Registrar:
                 self._egress.deliver(port, datagram)
         return True
 
-    def handle_control(self, control: junior.Control, port: ComponentPort, now: float) -> None:
+    def handle_control(self, control: junior.ControlMessage, port: ComponentPort, now: float) -> None:
         """Handle a Connect or a Cancel."""
         id = int(control.id)
         own = self.reply_port(port, id)

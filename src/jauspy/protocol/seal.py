@@ -82,15 +82,15 @@ class OperatorKey:
     ) -> SealedCommand:
         """The command with a seal for this destination. `elapsed`: seconds since the challenge arrived."""
         sealed = SealedCommand(
-            self.public.id,
-            int(destination),
-            int(source),
-            challenge.challenge_time,
-            challenge.challenge_tag,
-            min(int(elapsed * 1000), _MAX_ELAPSED),
-            counter,
-            command.encode(),
-            bytes(SIGNATURE_SIZE),
+            operator_key=self.public.id,
+            destination=int(destination),
+            source=int(source),
+            challenge_time=challenge.challenge_time,
+            challenge_tag=challenge.challenge_tag,
+            elapsed=min(int(elapsed * 1000), _MAX_ELAPSED),
+            counter=counter,
+            command=command.encode(),
+            signature=bytes(SIGNATURE_SIZE),
         )
         return replace(sealed, signature=self._key.sign(_signed_part(sealed.encode())))
 

@@ -6,10 +6,10 @@ import configparser
 from collections.abc import Mapping
 from pathlib import Path
 
-from jauspy.backends.can.setup import CanSetup, CanTable, DriveSetup, DriveTable
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import JointKind, RobotDescription
 from jauspy.platform.description import GroupSetup, TrackSetup
+from jauspy.platform.servo_drives import CanSetup, CanTable, DriveSetup, DriveTable
 from jauspy.platform.tables import values_of
 from jauspy.user_files import read_file
 

@@ -14,7 +14,7 @@ from typing import Final, Protocol
 from jauspy.cloud.depth import DepthProcess, DepthStream
 from jauspy.cloud.stream import CloudPublisher
 from jauspy.errors import ConfigError
-from jauspy.platform.camera import Camera
+from jauspy.platform.camera import CameraSource
 from jauspy.platform.ranging import RangeFinder, RangeScan
 from jauspy.robot.config import RobotConfig
 
@@ -36,7 +36,7 @@ class SensorSource(Protocol):
         ...
 
     @property
-    def cameras(self) -> Mapping[str, Camera]:
+    def cameras(self) -> Mapping[str, CameraSource]:
         """The cameras, by name."""
         ...
 

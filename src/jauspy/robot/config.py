@@ -20,18 +20,19 @@ from pydantic import (
     model_validator,
 )
 
-from jauspy.backends.can.setup import CanTable
 from jauspy.cloud.depth import DepthSettings
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.platform.camera import CameraSetup, Quality
-from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetup
+from jauspy.platform.description import GroupSetup, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.imaging_settings import ImagingSetup
+from jauspy.platform.joints import Gains, JointGains
 from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import GnssSetup, LocalizationSetup
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import LidarSetup
+from jauspy.platform.servo_drives import CanTable
 from jauspy.platform.tables import Name, UrdfName, check_unique, values_of
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.platform.wheels import WheelJoints

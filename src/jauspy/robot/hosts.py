@@ -16,7 +16,16 @@ from jauspy.robot import catalogue
 from jauspy.robot.config import ModuleConfig, RobotConfig
 from jauspy.robot.kinds import Context, ModuleBuild, Stoppable
 from jauspy.services.command_timeout import ContinuousCommands
-from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
+from jauspy.services.core import (
+    AccessControl,
+    Discovery,
+    Events,
+    Identity,
+    Liveness,
+    Management,
+    Time,
+    TransportService,
+)
 from jauspy.services.environment_sensing import VideoSource
 from jauspy.services.host import Host
 from jauspy.services.service import Service
@@ -90,7 +99,7 @@ def module_host(
     """The host of a module whose services are made from `context`, with a watchdog on what it moves."""
     access = config.access_control
     core: list[Service] = [
-        Transport(),
+        TransportService(),
         Events(),
         AccessControl(default_authority=access.default_authority, timeout=access.timeout),
         Management(),
@@ -114,7 +123,7 @@ def module_host(
             service.command_timeout = config.command_timeout_of(service.urn.rpartition(":")[2])
     host = Host(id, [*core, *services], utc_now=utc_now, now=now, older_versions=config.older_versions)
     if context.moving is not None:
-        Watchdog(host, context.moving)
+        ModuleWatchdog(host, context.moving)
     return host
 
 
@@ -124,7 +133,7 @@ def may_move(host: Host) -> bool:
     return any(path[start : start + len(MAY_MOVE)] == MAY_MOVE for start in range(len(path)))
 
 
-class Watchdog:
+class ModuleWatchdog:
     """Stops all motion of a component whenever its state does not allow motion.
 
     This is redundant: the services stop motion themselves, unless they have a bug.

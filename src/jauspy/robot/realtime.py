@@ -14,14 +14,13 @@ from typing import Final, Self
 
 from jauspy.backends import state_problem
 from jauspy.geometry.poses import Acceleration, Pose, Twist
-from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
-from jauspy.platform.camera import Camera
+from jauspy.platform.camera import CameraSource
 from jauspy.platform.commands import CHASSIS, DriveEffort, DriveStop, JointTargets, LidarSettings
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, Snapshot
-from jauspy.platform.force_torque import ForceTorqueSensor, ForceTorqueSetup, Wrench
+from jauspy.platform.force_torque import ForceTorqueSensor, Wrench
 from jauspy.platform.joints import JointGroup, JointState, Target
-from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSettings
+from jauspy.platform.ranging import RangeFinder, RangeScan, ScanSettings
 
 
 class DriveProxy:
@@ -56,28 +55,21 @@ class JointGroupProxy:
 
     def __init__(self, name: str, group: JointGroup, link: RobotLink) -> None:
         self._name = name
-        self._joints, self._chain = group.joints, group.chain
-        self._link = link
-
-    @property
-    def joints(self) -> tuple[Joint, ...]:
+        self.joints = group.joints
         """The joints that move, base to tip."""
-        return self._joints
-
-    @property
-    def chain(self) -> tuple[Joint, ...]:
+        self.chain = group.chain
         """All joints from base to tip, fixed ones included."""
-        return self._chain
+        self._link = link
 
     def command(self, targets: Sequence[Target | None]) -> None:
         """Set the targets of the joints, base to tip; None keeps a joint's target."""
-        if len(targets) != len(self._joints):
-            raise ValueError(f"{len(targets)} targets for the {len(self._joints)} joints of {self._name!r}")
+        if len(targets) != len(self.joints):
+            raise ValueError(f"{len(targets)} targets for the {len(self.joints)} joints of {self._name!r}")
         self._link.submit(JointTargets(self._name, tuple(targets)))
 
     def hold(self) -> None:
         """Stop, and hold the present positions."""
-        self._link.submit(JointTargets(self._name, (None,) * len(self._joints), hold=True))
+        self._link.submit(JointTargets(self._name, (None,) * len(self.joints), hold=True))
 
     def state(self) -> JointState:
         """Positions, velocities and efforts after the last step."""
@@ -89,13 +81,10 @@ class LidarProxy:
 
     def __init__(self, name: str, lidar: RangeFinder, link: RobotLink) -> None:
         self._name = name
-        self._setup, self._settings = lidar.setup, lidar.settings
-        self._link = link
-
-    @property
-    def setup(self) -> LidarSetup:
+        self.setup = lidar.setup
         """Link, rate and limits."""
-        return self._setup
+        self._settings = lidar.settings
+        self._link = link
 
     @property
     def settings(self) -> ScanSettings:
@@ -124,13 +113,10 @@ class ForceTorqueProxy:
     """A `ForceTorqueSensor` of a robot in another thread."""
 
     def __init__(self, name: str, sensor: ForceTorqueSensor, link: RobotLink) -> None:
-        self._name, self._setup = name, sensor.setup
-        self._link = link
-
-    @property
-    def setup(self) -> ForceTorqueSetup:
+        self._name = name
+        self.setup = sensor.setup
         """Link, rate and limits."""
-        return self._setup
+        self._link = link
 
     @property
     def wrench(self) -> Wrench:
@@ -226,39 +212,25 @@ class RealTime:
         self._executor: ThreadPoolExecutor | None = None
         self._ended: Future[None] = Future()
         self._timer = StepTimer(step, max_delay, start=clock())
-        self._drive = DriveProxy(self)
-        self._groups = {name: JointGroupProxy(name, group, self) for name, group in robot.groups.items()}
-        self._lidars = {name: LidarProxy(name, lidar, self) for name, lidar in robot.lidars.items()}
-        self._force_torque = {name: ForceTorqueProxy(name, each, self) for name, each in robot.force_torque.items()}
-        self._optional_parts = tuple(part.proxy(self) for part in robot.optional_parts)
+        self.drive = DriveProxy(self)
+        """The robot's chassis, for any thread, as are the parts that follow."""
+        self.groups: Mapping[str, JointGroupProxy] = {
+            name: JointGroupProxy(name, group, self) for name, group in robot.groups.items()
+        }
+        """The robot's other joints, by name."""
+        self.lidars: Mapping[str, LidarProxy] = {
+            name: LidarProxy(name, lidar, self) for name, lidar in robot.lidars.items()
+        }
+        """The robot's lidars, by name."""
+        self.force_torque: Mapping[str, ForceTorqueProxy] = {
+            name: ForceTorqueProxy(name, sensor, self) for name, sensor in robot.force_torque.items()
+        }
+        """The robot's sensors of force and torque, by name."""
+        self.optional_parts: Sequence[OptionalPart] = tuple(part.proxy(self) for part in robot.optional_parts)
+        """The robot's optional parts."""
 
     @property
-    def drive(self) -> DriveProxy:
-        """The robot's chassis, for any thread."""
-        return self._drive
-
-    @property
-    def groups(self) -> Mapping[str, JointGroupProxy]:
-        """The robot's other joints, for any thread."""
-        return self._groups
-
-    @property
-    def lidars(self) -> Mapping[str, LidarProxy]:
-        """The robot's lidars, for any thread."""
-        return self._lidars
-
-    @property
-    def force_torque(self) -> Mapping[str, ForceTorqueProxy]:
-        """The robot's sensors of force and torque, for any thread."""
-        return self._force_torque
-
-    @property
-    def optional_parts(self) -> Sequence[OptionalPart]:
-        """The robot's optional parts, for any thread."""
-        return self._optional_parts
-
-    @property
-    def cameras(self) -> Mapping[str, Camera]:
+    def cameras(self) -> Mapping[str, CameraSource]:
         """The robot's cameras, for other processes."""
         return self._robot.cameras
 

@@ -14,13 +14,13 @@ from lxml import etree
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from jauspy.backends.can.setup import CanSetup
 from jauspy.config_errors import explain, line_prefix
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
 from jauspy.geometry.vectors import dot
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup, is_world_file
+from jauspy.platform.servo_drives import CanSetup
 from jauspy.platform.wheels import wheel_setup
 from jauspy.robot.audit_files import own_path
 from jauspy.robot.can_drives import can_setup

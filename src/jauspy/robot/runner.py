@@ -17,8 +17,9 @@ from jauspy.component.component import Component, ComponentOptions, Intercept, l
 from jauspy.errors import ConfigError, JausError, TransportError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
-from jauspy.platform.camera import Camera
-from jauspy.platform.contract import Backend, Counting, Robot, Snapshot, Viewable
+from jauspy.platform.backend import Backend
+from jauspy.platform.camera import CameraSource
+from jauspy.platform.contract import Counting, Robot, Snapshot, Viewable
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
@@ -213,7 +214,7 @@ class RobotRunner:
         return self._videos if self._modules else {}
 
     @property
-    def cameras(self) -> Mapping[str, Camera]:
+    def cameras(self) -> Mapping[str, CameraSource]:
         """Its cameras, for other processes; empty when not open."""
         return self._realtime.cameras if self._modules and self._realtime else {}
 

@@ -15,7 +15,7 @@ from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
 from jauspy.schema.document import flag, line_of, location, required, suggestion, wrong
-from jauspy.schema.model import Action, Behavior, Parameter, Start, State, StateMachine, Transition
+from jauspy.schema.model import ActionCall, Behavior, Parameter, Start, State, StateMachine, Transition
 
 Kind = Literal["simple", "internal", "push", "pop"]
 
@@ -110,11 +110,11 @@ def _transition(element: Element) -> Transition:
     )
 
 
-def _actions(parent: Element | None) -> tuple[Action, ...]:
+def _actions(parent: Element | None) -> tuple[ActionCall, ...]:
     if parent is None:
         return ()
     return tuple(
-        Action(required(part, "name"), tuple(required(argument, "value") for argument in part))
+        ActionCall(required(part, "name"), tuple(required(argument, "value") for argument in part))
         for part in parent.iterchildren("action", "send_action")
     )
 

@@ -11,10 +11,10 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
 from jauspy.schema import model as m
-from jauspy.schema.model import Action, Behavior, Message, Schema, Service, State, Transition
+from jauspy.schema.digest import shape, value_shape
+from jauspy.schema.model import ActionCall, Behavior, MessageDefinition, Schema, ServiceDefinition, State, Transition
 from jauspy.schema.services import version_key
 from jauspy.schema.state_tree import short_name
-from jauspy.schema.wire import shape, value_shape
 
 
 @dataclass(frozen=True, slots=True)
@@ -363,7 +363,7 @@ def _effect(transition: Transition) -> str:
     return ", ".join((*_texts(transition.actions), *([goes] if goes else []))) or "nothing"
 
 
-def _texts(actions: Sequence[Action]) -> tuple[str, ...]:
+def _texts(actions: Sequence[ActionCall]) -> tuple[str, ...]:
     return tuple(f"{short_name(action.name)}({', '.join(action.arguments)})" for action in actions)
 
 
@@ -379,8 +379,8 @@ def trigger(transition: Transition) -> str:
 class MessageDiff:
     """A message of both services, and its changes."""
 
-    one: Message
-    other: Message
+    one: MessageDefinition
+    other: MessageDefinition
     changes: tuple[Change, ...]
 
     @property
@@ -393,10 +393,10 @@ class MessageDiff:
 class ServiceDiff:
     """A service of both definitions, or of one; the other is then None."""
 
-    one: Service | None
-    other: Service | None
-    removed: tuple[Message, ...] = ()
-    added: tuple[Message, ...] = ()
+    one: ServiceDefinition | None
+    other: ServiceDefinition | None
+    removed: tuple[MessageDefinition, ...] = ()
+    added: tuple[MessageDefinition, ...] = ()
     messages: tuple[MessageDiff, ...] = ()
     behavior: tuple[Change, ...] = ()
 
@@ -412,7 +412,7 @@ def compare(one: Schema, other: Schema) -> list[ServiceDiff]:
     return [compare_services(a, b) if a and b else ServiceDiff(a, b) for a, b in pairs(one, other)]
 
 
-def pairs(one: Schema, other: Schema) -> Iterator[tuple[Service | None, Service | None]]:
+def pairs(one: Schema, other: Schema) -> Iterator[tuple[ServiceDefinition | None, ServiceDefinition | None]]:
     """Pairs of services with one URN, equal versions first, then the newest; two single services are a pair."""
     left, right = list(one.services), list(other.services)
     if len(left) == len(right) == 1:
@@ -437,7 +437,7 @@ def pairs(one: Schema, other: Schema) -> Iterator[tuple[Service | None, Service 
     yield from ((None, service) for service in right)
 
 
-def compare_services(one: Service, other: Service) -> ServiceDiff:
+def compare_services(one: ServiceDefinition, other: ServiceDefinition) -> ServiceDiff:
     """Compare two services; messages are matched by id, then by name."""
     old, new = list(_once(one.messages)), list(_once(other.messages))
     matched = []
@@ -449,18 +449,22 @@ def compare_services(one: Service, other: Service) -> ServiceDiff:
             old.remove(message)
             new.remove(found)
     behavior = (*_inheritance(one, other), *compare_behavior(one.behavior, other.behavior))
-    return ServiceDiff(one, other, tuple(old), tuple(new), tuple(matched), behavior)
+    return ServiceDiff(
+        one=one, other=other, removed=tuple(old), added=tuple(new), messages=tuple(matched), behavior=behavior
+    )
 
 
-def _once(messages: Sequence[Message]) -> Iterator[Message]:
+def _once(messages: Sequence[MessageDefinition]) -> Iterator[MessageDefinition]:
     """A message that is both input and output counts once."""
-    found: dict[int, Message] = {}
+    found: dict[int, MessageDefinition] = {}
     for message in messages:
         found.setdefault(message.code, message)
     return iter(found.values())
 
 
-def _changes(one: Message, other: Message, before: Service, after: Service) -> Iterator[Change]:
+def _changes(
+    one: MessageDefinition, other: MessageDefinition, before: ServiceDefinition, after: ServiceDefinition
+) -> Iterator[Change]:
     if one.code != other.code:
         yield Change("wire", "", f"message_id {one.code:04X} -> {other.code:04X}")
     if one.name != other.name:
@@ -473,12 +477,12 @@ def _changes(one: Message, other: Message, before: Service, after: Service) -> I
     yield from compare_bodies(one.body, other.body)
 
 
-def _ways(message: Message, service: Service) -> str:
+def _ways(message: MessageDefinition, service: ServiceDefinition) -> str:
     ways = (("input", service.inputs), ("output", service.outputs))
     return " and ".join(way for way, messages in ways if any(each.code == message.code for each in messages))
 
 
-def _inheritance(one: Service, other: Service) -> Iterator[Change]:
+def _inheritance(one: ServiceDefinition, other: ServiceDefinition) -> Iterator[Change]:
     parents = [f"{each.inherits_from.id} {each.inherits_from.version}" if each.inherits_from else "nothing"
                for each in (one, other)]  # fmt: skip
     if parents[0] != parents[1]:

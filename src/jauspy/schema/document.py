@@ -17,7 +17,7 @@ from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
 from jauspy.printable import printable
-from jauspy.schema.model import Location
+from jauspy.schema.model import SourceLocation
 
 Value = TypeVar("Value")
 
@@ -39,9 +39,9 @@ def line_of(element: Element) -> int:
     return line if isinstance(line, int) else 0
 
 
-def location(element: Element) -> Location:
+def location(element: Element) -> SourceLocation:
     """File and line of an element, for the model."""
-    return Location(file_of(element), line_of(element))
+    return SourceLocation(file_of(element), line_of(element))
 
 
 def wrong(element: Element, message: str) -> SchemaError:

@@ -7,8 +7,9 @@ from typing import Final, Literal
 
 from lxml.etree import _Element as Element
 
+from jauspy.schema.digest import sizes
 from jauspy.schema.document import DECLARED, bounded, child, choice, flag, prose, required, whole_number, wrong
-from jauspy.schema.library import Scope, bounded_node
+from jauspy.schema.library import NameScope, bounded_node
 from jauspy.schema.model import (
     Array,
     BitField,
@@ -38,7 +39,6 @@ from jauspy.schema.model import (
     VariableString,
     Variant,
 )
-from jauspy.schema.wire import sizes
 
 UNSIGNED: Mapping[str, Unsigned] = {
     "unsigned byte": "u8",
@@ -75,7 +75,7 @@ def unsigned(element: Element) -> Unsigned:
     return choice(element, "field_type_unsigned", UNSIGNED)
 
 
-def read_count(element: Element, scope: Scope) -> Count:
+def read_count(element: Element, scope: NameScope) -> Count:
     """Read a count or tag field; without limits all values of its type are allowed."""
     kind = unsigned(element)
     largest = 2 ** BITS[kind] - 1
@@ -86,7 +86,7 @@ def read_count(element: Element, scope: Scope) -> Count:
     return Count(kind, minimum, maximum)
 
 
-def read_scale(parent: Element, scope: Scope) -> Scale | None:
+def read_scale(parent: Element, scope: NameScope) -> Scale | None:
     """Read the scale range inside a field, if there is one."""
     element = parent.find("scale_range")
     if element is None:
@@ -97,19 +97,19 @@ def read_scale(parent: Element, scope: Scope) -> Scale | None:
     return Scale(lower, upper, choice(element, "integer_function", _FUNCTIONS))
 
 
-def read_limits(element: Element, scope: Scope) -> tuple[float, float]:
+def read_limits(element: Element, scope: NameScope) -> tuple[float, float]:
     """Read both ends of a scale range, as written."""
     return float(scope.number(element, "real_lower_limit")), float(scope.number(element, "real_upper_limit"))
 
 
-def read_values(parent: Element, scope: Scope) -> ValueSet | None:
+def read_values(parent: Element, scope: NameScope) -> ValueSet | None:
     """Read the value set inside a field, if there is one, written out or declared."""
     for element in parent.iterchildren("value_set", "declared_value_set"):
         return read_value_set(element, scope)
     return None
 
 
-def read_value_set(element: Element, scope: Scope) -> ValueSet:
+def read_value_set(element: Element, scope: NameScope) -> ValueSet:
     """Read a value set, written out or declared."""
     if element.tag == "declared_value_set":
         home, found = scope.find(element)
@@ -130,7 +130,7 @@ def _enum(element: Element) -> ValueEnum:
     return ValueEnum(whole_number(element, "enum_index"), required(element, "enum_const"))
 
 
-def _range(element: Element, scope: Scope) -> ValueRange:
+def _range(element: Element, scope: NameScope) -> ValueRange:
     lower = scope.number(element, "lower_limit")
     upper = scope.number(element, "upper_limit")
     if lower > upper:
@@ -143,7 +143,7 @@ LARGEST: Final = 1 << 20
 """Maximal size of a string or array of fixed size, in bytes; each message contains all of it."""
 
 
-def read_field(element: Element, scope: Scope) -> Field:
+def read_field(element: Element, scope: NameScope) -> Field:
     """Read a field of a record, written out or declared."""
     if element.tag == "array":
         return _array(element, scope)
@@ -152,13 +152,13 @@ def read_field(element: Element, scope: Scope) -> Field:
     return read_simple(element, scope)
 
 
-def read_simple(element: Element, scope: Scope) -> SimpleField:
+def read_simple(element: Element, scope: NameScope) -> SimpleField:
     """Read a field that is not an array, written out or declared."""
     reader = _READERS.get(element.tag)
     return scope.declared(element, read_simple) if reader is None else reader(element, scope)
 
 
-def _fixed_field(element: Element, scope: Scope) -> FixedField:
+def _fixed_field(element: Element, scope: NameScope) -> FixedField:
     return FixedField(
         name=required(element, "name"),
         optional=flag(element, "optional"),
@@ -170,7 +170,7 @@ def _fixed_field(element: Element, scope: Scope) -> FixedField:
     )
 
 
-def _bit_field(element: Element, scope: Scope) -> BitField:
+def _bit_field(element: Element, scope: NameScope) -> BitField:
     kind = unsigned(element)
     return BitField(
         name=required(element, "name"),
@@ -181,21 +181,21 @@ def _bit_field(element: Element, scope: Scope) -> BitField:
     )
 
 
-def _sub_field(element: Element, bits: int, scope: Scope) -> SubField:
+def _sub_field(element: Element, bits: int, scope: NameScope) -> SubField:
     bit_range = child(element, "bit_range")
     first = bounded(bit_range, "from_index", 0, bits - 1)
     last = bounded(bit_range, "to_index", first, bits - 1)
     return SubField(required(element, "name"), first, last, read_values(element, scope), prose(element))
 
 
-def _variable_field(element: Element, scope: Scope) -> VariableField:
+def _variable_field(element: Element, scope: NameScope) -> VariableField:
     choices = tuple(_type_choice(part, scope) for part in child(element, "type_and_units_field"))
     return VariableField(
         name=required(element, "name"), optional=flag(element, "optional"), doc=prose(element), choices=choices
     )
 
 
-def _type_choice(element: Element, scope: Scope) -> TypeChoice:
+def _type_choice(element: Element, scope: NameScope) -> TypeChoice:
     return TypeChoice(
         index=bounded(element, "index", 0, 255),
         type=scalar(element),
@@ -207,7 +207,7 @@ def _type_choice(element: Element, scope: Scope) -> TypeChoice:
     )
 
 
-def _fixed_string(element: Element, scope: Scope) -> FixedString:
+def _fixed_string(element: Element, scope: NameScope) -> FixedString:
     length = scope.integer(element, "string_length")
     if not 1 <= length <= LARGEST:
         raise wrong(element, f"string_length: expected 1 to {LARGEST}, got {length}")
@@ -216,7 +216,7 @@ def _fixed_string(element: Element, scope: Scope) -> FixedString:
     )
 
 
-def _variable_string(element: Element, scope: Scope) -> VariableString:
+def _variable_string(element: Element, scope: NameScope) -> VariableString:
     return VariableString(
         name=required(element, "name"),
         optional=flag(element, "optional"),
@@ -225,7 +225,7 @@ def _variable_string(element: Element, scope: Scope) -> VariableString:
     )
 
 
-def _variable_length_field(element: Element, scope: Scope) -> VariableLengthField:
+def _variable_length_field(element: Element, scope: NameScope) -> VariableLengthField:
     return VariableLengthField(
         name=required(element, "name"),
         optional=flag(element, "optional"),
@@ -235,7 +235,7 @@ def _variable_length_field(element: Element, scope: Scope) -> VariableLengthFiel
     )
 
 
-def _variable_format_field(element: Element, scope: Scope) -> VariableFormatField:
+def _variable_format_field(element: Element, scope: NameScope) -> VariableFormatField:
     formats = child(element, "format_field")
     return VariableFormatField(
         name=required(element, "name"),
@@ -246,7 +246,7 @@ def _variable_format_field(element: Element, scope: Scope) -> VariableFormatFiel
     )
 
 
-def _array(element: Element, scope: Scope) -> Array:
+def _array(element: Element, scope: NameScope) -> Array:
     array = Array(
         name=required(element, "name"),
         optional=flag(element, "optional"),
@@ -260,14 +260,14 @@ def _array(element: Element, scope: Scope) -> Array:
     return array
 
 
-def _dimension(element: Element, scope: Scope) -> Dimension:
+def _dimension(element: Element, scope: NameScope) -> Dimension:
     size = scope.integer(element, "size")
     if size < 1:
         raise wrong(element, f"size: expected at least 1, got {size}")
     return Dimension(required(element, "name"), size)
 
 
-_READERS: Mapping[str, Callable[[Element, Scope], SimpleField]] = {
+_READERS: Mapping[str, Callable[[Element, NameScope], SimpleField]] = {
     "fixed_field": _fixed_field,
     "bit_field": _bit_field,
     "variable_field": _variable_field,
@@ -282,13 +282,13 @@ _AUXILIARY = frozenset(("presence_vector", "count_field", "vtag_field"))
 _MAX_EMPTY_ARMS = 256
 
 
-def read_composite(element: Element, scope: Scope) -> Composite:
+def read_composite(element: Element, scope: NameScope) -> Composite:
     """Read a composite, written out or declared."""
     reader = _COMPOSITE_READERS.get(element.tag)
     return scope.declared(element, read_composite) if reader is None else reader(element, scope)
 
 
-def read_content(part: Element, scope: Scope) -> Composite | None:
+def read_content(part: Element, scope: NameScope) -> Composite | None:
     """Read the content of a header, body or footer, written out or declared; None if it is empty."""
     if part.tag in DECLARED:
         home, found = scope.find(part)
@@ -302,7 +302,7 @@ def _members(element: Element) -> list[Element]:
     return [part for part in element if part.tag not in _AUXILIARY]
 
 
-def _record(element: Element, scope: Scope) -> Record:
+def _record(element: Element, scope: NameScope) -> Record:
     fields = tuple(read_field(member, scope) for member in _members(element))
     return Record(
         name=required(element, "name"),
@@ -313,7 +313,7 @@ def _record(element: Element, scope: Scope) -> Record:
     )
 
 
-def _sequence(element: Element, scope: Scope) -> Sequence:
+def _sequence(element: Element, scope: NameScope) -> Sequence:
     items = tuple(read_composite(member, scope) for member in _members(element))
     return Sequence(
         name=required(element, "name"),
@@ -344,7 +344,7 @@ def _check_names(element: Element, members: Iterable[Node]) -> None:
         seen.add(member.name)
 
 
-def _list(element: Element, scope: Scope) -> List:
+def _list(element: Element, scope: NameScope) -> List:
     return List(
         name=required(element, "name"),
         optional=flag(element, "optional"),
@@ -354,7 +354,7 @@ def _list(element: Element, scope: Scope) -> List:
     )
 
 
-def _variant(element: Element, scope: Scope) -> Variant:
+def _variant(element: Element, scope: NameScope) -> Variant:
     tag = read_count(child(element, "vtag_field"), scope)
     arms = tuple(read_composite(member, scope) for member in _members(element))
     _check_names(element, arms)
@@ -367,7 +367,7 @@ def _variant(element: Element, scope: Scope) -> Variant:
     )
 
 
-_COMPOSITE_READERS: Mapping[str, Callable[[Element, Scope], Composite]] = {
+_COMPOSITE_READERS: Mapping[str, Callable[[Element, NameScope], Composite]] = {
     "record": _record,
     "sequence": _sequence,
     "list": _list,

@@ -10,18 +10,18 @@ from collections.abc import Callable, Iterable
 from typing import TypeAlias, TypeVar
 
 from jauspy.errors import SchemaError
-from jauspy.schema.model import Service
+from jauspy.schema.model import ServiceDefinition
 
 T = TypeVar("T")
 ParentOf: TypeAlias = Callable[[T], T | None]
 """Returns the parent of a service, None when it inherits from nothing."""
 
 
-def parents_among(services: Iterable[Service]) -> ParentOf[Service]:
+def parents_among(services: Iterable[ServiceDefinition]) -> ParentOf[ServiceDefinition]:
     """Parents by id and version; the returned function raises `SchemaError` for a parent that is not in `services`."""
     by_key = {service.key: service for service in services}
 
-    def parent_of(service: Service) -> Service | None:
+    def parent_of(service: ServiceDefinition) -> ServiceDefinition | None:
         reference = service.inherits_from
         if reference is None:
             return None
@@ -40,17 +40,19 @@ def lineage(service: T, parent_of: ParentOf[T]) -> tuple[T, ...]:
     return tuple(line)
 
 
-def is_a(service: Service, urn: str, parent_of: ParentOf[Service]) -> bool:
+def is_a(service: ServiceDefinition, urn: str, parent_of: ParentOf[ServiceDefinition]) -> bool:
     """True when the service has this URN, or inherits from one that has it, whatever its version."""
     return any(each.id == urn for each in lineage(service, parent_of))
 
 
-def most_derived_first(services: Iterable[Service], parent_of: ParentOf[Service]) -> tuple[Service, ...]:
+def most_derived_first(
+    services: Iterable[ServiceDefinition], parent_of: ParentOf[ServiceDefinition]
+) -> tuple[ServiceDefinition, ...]:
     """These services and all their ancestors, one per URN, the longest lineage first: the order of a component.
 
     Where lineages bring different versions of one service, the version that comes first is kept.
     """
-    found: dict[str, tuple[Service, int]] = {}
+    found: dict[str, tuple[ServiceDefinition, int]] = {}
     for service in services:
         line = lineage(service, parent_of)
         for position, each in enumerate(line):

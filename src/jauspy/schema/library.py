@@ -1,6 +1,6 @@
 """All loaded files, the resolution of names between them, and constant expressions (`-10 * basicConsts.PI`).
 
-A `Scope` is one file's names: its constants and declared types, and the other sets it refers to by a local
+A `NameScope` is one file's names: its constants and declared types, and the other sets it refers to by a local
 name. A dotted path walks through those: `core.time.TimeStamp` is the type `TimeStamp` of the set that the
 set `core` calls `time`.
 """
@@ -34,7 +34,7 @@ from jauspy.schema.model import DeclaredType, List, Node, Record, Sequence, Vari
 
 Number = int | float
 Lookup = Callable[[str], Number]
-"""The value of a (dotted) constant name; raises `ExpressionError` when there is none."""
+"""The value of a (dotted) constant name; raises `ConstantExpressionError` when there is none."""
 
 MAX_LENGTH = 200
 """Characters of an expression; bounds the depth of its syntax tree."""
@@ -47,7 +47,7 @@ _BINARY: dict[type[ast.operator], Callable[[Number, Number], Number]] = {
 }
 
 
-class ExpressionError(ValueError):
+class ConstantExpressionError(ValueError):
     """Raised with the reason why a text is not a constant expression."""
 
 
@@ -57,18 +57,18 @@ def evaluate(text: str, lookup: Lookup) -> Number:
     if plain is not None:
         return plain
     if len(text) > MAX_LENGTH:
-        raise ExpressionError(f"expression longer than {MAX_LENGTH} characters")
+        raise ConstantExpressionError(f"expression longer than {MAX_LENGTH} characters")
     try:
         tree = ast.parse(text.strip(), mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
-        raise ExpressionError(f"expected a number or a constant expression, got {text!r}") from error
+        raise ConstantExpressionError(f"expected a number or a constant expression, got {text!r}") from error
     try:
         result = _value(tree.body, lookup)
         finite = math.isfinite(result)
     except (ZeroDivisionError, OverflowError) as error:
-        raise ExpressionError(f"{text!r}: {error}") from error
+        raise ConstantExpressionError(f"{text!r}: {error}") from error
     if not finite:
-        raise ExpressionError(f"{text!r} is not finite")
+        raise ConstantExpressionError(f"{text!r} is not finite")
     return result
 
 
@@ -95,7 +95,7 @@ def _value(node: ast.expr, lookup: Lookup) -> Number:
             return _BINARY[type(node.op)](_value(node.left, lookup), _value(node.right, lookup))
         case ast.Name() | ast.Attribute():
             return lookup(ast.unparse(node))
-    raise ExpressionError(f"expected numbers, constants, + - * / and parentheses, got {ast.unparse(node)!r}")
+    raise ConstantExpressionError(f"expected numbers, constants, + - * / and parentheses, got {ast.unparse(node)!r}")
 
 
 AnyNode = TypeVar("AnyNode", bound=Node)
@@ -107,7 +107,7 @@ Report = Callable[[SchemaError], None]
 
 
 @dataclass(slots=True, eq=False)
-class Scope:
+class NameScope:
     """The names of one file. `set_id` and `version` are those of the type set or service around it."""
 
     set_id: str
@@ -116,8 +116,8 @@ class Scope:
     types: dict[str, Element] = field(default_factory=dict)
     const_sets: dict[str, Element] = field(default_factory=dict)
     type_sets: dict[str, Element] = field(default_factory=dict)
-    linked_consts: dict[str, Scope] = field(default_factory=dict)
-    linked_types: dict[str, Scope] = field(default_factory=dict)
+    linked_consts: dict[str, NameScope] = field(default_factory=dict)
+    linked_types: dict[str, NameScope] = field(default_factory=dict)
     cache: dict[str, object] = field(default_factory=dict)
     open: list[str] = field(default_factory=list)
     unsound: dict[str, SchemaError] = field(default_factory=dict)
@@ -128,7 +128,7 @@ class Scope:
         text = required(element, attribute)
         try:
             return evaluate(text, lambda path: self._constant(path, element))
-        except ExpressionError as error:
+        except ConstantExpressionError as error:
             raise wrong(element, f"{attribute}: {error}") from error
 
     def integer(self, element: Element, attribute: str) -> int:
@@ -145,7 +145,7 @@ class Scope:
             raise wrong(element, f"no constant '{path}'{suggestion(name, home.consts)}")
         return home.once(f"const {name}", definition, lambda: home.number(definition, "const_value"))
 
-    def find(self, element: Element) -> tuple[Scope, Element]:
+    def find(self, element: Element) -> tuple[NameScope, Element]:
         """The definition a `declared_*` element refers to, and the scope it was written in."""
         path = required(element, "declared_type_ref")
         home, name = self._walk(path, element, "linked_types", "type set")
@@ -159,7 +159,7 @@ class Scope:
             raise home.unsound[name]
         return home, found
 
-    def declared(self, element: Element, read: Callable[[Element, Scope], AnyNode]) -> AnyNode:
+    def declared(self, element: Element, read: Callable[[Element, NameScope], AnyNode]) -> AnyNode:
         """The node a `declared_*` element stands for: the definition under the element's own name."""
         home, found = self.find(element)
         node = home.once(required(found, "name"), element, lambda: read(found, home))
@@ -184,13 +184,13 @@ class Scope:
                 self.open.pop()
         return cast("Thing", self.cache[name])  # one name is one definition of one kind
 
-    def _walk(self, path: str, element: Element, links: str, what: str) -> tuple[Scope, str]:
+    def _walk(self, path: str, element: Element, links: str, what: str) -> tuple[NameScope, str]:
         *sets, name = path.split(".")
         scope = self
         for local in sets:
             found = _linked(scope, local, links)
             if found is None:
-                known: dict[str, Scope] = getattr(scope, links)
+                known: dict[str, NameScope] = getattr(scope, links)
                 raise wrong(element, f"'{path}': no {what} is called '{local}' here{suggestion(local, known)}")
             scope = found
         return scope, name
@@ -218,11 +218,11 @@ def bounded_node(node: AnyNode, element: Element) -> AnyNode:
     return node
 
 
-def _linked(scope: Scope, local: str, links: str) -> Scope | None:
+def _linked(scope: NameScope, local: str, links: str) -> NameScope | None:
     """The set with this local name, or else one with this name in a referenced set, which public files rely on."""
     waiting, seen = [scope], {id(scope)}
     for current in waiting:
-        known: dict[str, Scope] = getattr(current, links)
+        known: dict[str, NameScope] = getattr(current, links)
         if local in known:
             return known[local]
         fresh = [other for other in known.values() if id(other) not in seen]
@@ -236,15 +236,15 @@ def refuse(error: SchemaError) -> None:
     raise error
 
 
-def scope_of(root: Element, report: Report = refuse) -> Scope:
+def scope_of(root: Element, report: Report = refuse) -> NameScope:
     """The scope of a `declared_const_set`, a `declared_type_set` or a `service_def`."""
-    scope = Scope(*identity(root))
+    scope = NameScope(*identity(root))
     for part in (root, *root.iterchildren("declared_const_set", "declared_type_set")):
         _collect(part, scope, report)
     return scope
 
 
-def _collect(part: Element, scope: Scope, report: Report) -> None:
+def _collect(part: Element, scope: NameScope, report: Report) -> None:
     if part.tag == "service_def":
         return
     for element in part:
@@ -286,7 +286,7 @@ class Library:
 
     def __init__(self, report: Report = refuse) -> None:
         self.roots: dict[tuple[str, Key], Element] = {}
-        self.scopes: dict[tuple[str, Key], Scope] = {}
+        self.scopes: dict[tuple[str, Key], NameScope] = {}
         self._report = report
 
     def add(self, root: Element) -> bool:
@@ -308,7 +308,7 @@ class Library:
             self._link(scope.const_sets.values(), "declared_const_set", scope.linked_consts, report)
             self._link(scope.type_sets.values(), "declared_type_set", scope.linked_types, report)
 
-    def _link(self, references: Iterable[Element], tag: str, links: dict[str, Scope], report: Report) -> None:
+    def _link(self, references: Iterable[Element], tag: str, links: dict[str, NameScope], report: Report) -> None:
         for reference in references:
             if "id" not in reference.attrib or "version" not in reference.attrib:
                 continue  # violates the grammar

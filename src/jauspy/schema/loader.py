@@ -18,8 +18,8 @@ from lxml.etree import _Element as Element
 from jauspy.errors import ConfigError, SchemaError
 from jauspy.schema.document import DECLARED, identity, is_jsidl, parse, read, wrong
 from jauspy.schema.fields import read_composite, read_content, read_field, read_value_set
-from jauspy.schema.library import Key, Library, Scope
-from jauspy.schema.model import Schema, Service
+from jauspy.schema.library import Key, Library, NameScope
+from jauspy.schema.model import Schema, ServiceDefinition
 from jauspy.schema.services import read_event, read_message, read_service, resolve_parents, version_key
 from jauspy.schema.state_tree import check_behavior
 
@@ -85,11 +85,11 @@ def load_files(paths: Iterable[str | Path], *, base: Schema | None = None, state
     return Schema(services=tuple(sorted((*kept, *resolved), key=_order)))
 
 
-def _order(service: Service) -> tuple[str, tuple[int, ...]]:
+def _order(service: ServiceDefinition) -> tuple[str, tuple[int, ...]]:
     return service.id, version_key(service.version)
 
 
-def _read_all_types(scope: Scope) -> None:
+def _read_all_types(scope: NameScope) -> None:
     """Read all types, including unused ones, so that errors in them are found now."""
     for name, element in scope.types.items():
         try:
@@ -98,13 +98,13 @@ def _read_all_types(scope: Scope) -> None:
             raise wrong(element, f"'{name}' refers to declared types too deeply") from error
 
 
-def _reader(element: Element, scope: Scope) -> Callable[[], object]:
+def _reader(element: Element, scope: NameScope) -> Callable[[], object]:
     kind = DECLARED.get(str(element.tag), str(element.tag))
     read_type = _READERS.get(kind, read_field)
     return lambda: read_type(element, scope)
 
 
-_READERS: Mapping[str, Callable[[Element, Scope], object]] = {
+_READERS: Mapping[str, Callable[[Element, NameScope], object]] = {
     "header": read_content,
     "body": read_content,
     "footer": read_content,

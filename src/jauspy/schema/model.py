@@ -14,7 +14,7 @@ Unsigned: TypeAlias = Literal["u8", "u16", "u32", "u64"]
 
 
 @dataclass(frozen=True, slots=True)
-class Location:
+class SourceLocation:
     """Where something was defined, for error messages."""
 
     file: str
@@ -236,7 +236,7 @@ Composite: TypeAlias = Record | List | Variant | Sequence
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Message:
+class MessageDefinition:
     """A message: two bytes of `code`, then `body` (None if there is no body)."""
 
     name: str
@@ -245,7 +245,7 @@ class Message:
     body: Composite | None
     doc: str = ""
     declared: DeclaredType | None = None
-    where: Location | None = None
+    where: SourceLocation | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -269,7 +269,7 @@ class Parameter:
 
 
 @dataclass(frozen=True, slots=True)
-class Action:
+class ActionCall:
     """A named action with its arguments; a literal keeps its single quotes, as in `'ReportStatus'`."""
 
     name: str
@@ -289,8 +289,8 @@ class Transition:
     parameters: tuple[Parameter, ...] = ()
     guard: str = ""
     end_state: str | None = None
-    actions: tuple[Action, ...] = ()
-    where: Location | None = None
+    actions: tuple[ActionCall, ...] = ()
+    where: SourceLocation | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -299,12 +299,12 @@ class State:
 
     name: str
     initial: str | None = None
-    entry: tuple[Action, ...] = ()
-    exit: tuple[Action, ...] = ()
+    entry: tuple[ActionCall, ...] = ()
+    exit: tuple[ActionCall, ...] = ()
     transitions: tuple[Transition, ...] = ()
     states: tuple[State, ...] = ()
     default_transitions: tuple[Transition, ...] = ()
-    where: Location | None = None
+    where: SourceLocation | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -322,7 +322,7 @@ class Start:
 
     machine: str
     state: str
-    where: Location | None = None
+    where: SourceLocation | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -347,12 +347,12 @@ class Reference:
 
     @property
     def key(self) -> tuple[str, str]:
-        """Id and version, as `Service.key`."""
+        """Id and version, as `ServiceDefinition.key`."""
         return self.id, self.version
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Service:
+class ServiceDefinition:
     """One service definition. `id` is its URN, as in `urn:jaus:jss:mobility:PrimitiveDriver`."""
 
     name: str
@@ -363,11 +363,11 @@ class Service:
     assumptions: str = ""
     inherits_from: Reference | None = None
     client_of: tuple[Reference, ...] = ()
-    inputs: tuple[Message, ...] = ()
-    outputs: tuple[Message, ...] = ()
+    inputs: tuple[MessageDefinition, ...] = ()
+    outputs: tuple[MessageDefinition, ...] = ()
     internal_events: tuple[InternalEvent, ...] = ()
     behavior: Behavior | None = None
-    where: Location | None = None
+    where: SourceLocation | None = None
 
     def __hash__(self) -> int:
         return hash((self.id, self.version))  # a service has thousands of parts
@@ -378,7 +378,7 @@ class Service:
         return self.id, self.version
 
     @property
-    def messages(self) -> tuple[Message, ...]:
+    def messages(self) -> tuple[MessageDefinition, ...]:
         """Inputs, then outputs."""
         return self.inputs + self.outputs
 
@@ -387,9 +387,9 @@ class Service:
 class Schema:
     """All services that were loaded together, in the order of their ids and versions."""
 
-    services: tuple[Service, ...]
+    services: tuple[ServiceDefinition, ...]
 
-    def service(self, id: str, version: str | None = None) -> Service:
+    def service(self, id: str, version: str | None = None) -> ServiceDefinition:
         """The service with this URN (newest when `version` is None); `KeyError` when there is none."""
         found = [s for s in self.services if s.id == id and version in (None, s.version)]
         if not found:

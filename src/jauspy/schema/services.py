@@ -23,19 +23,27 @@ from jauspy.schema.document import (
     wrong,
 )
 from jauspy.schema.fields import read_content
-from jauspy.schema.library import Key, Scope
-from jauspy.schema.model import DeclaredType, FixedField, InternalEvent, Message, Record, Reference, Service
+from jauspy.schema.library import Key, NameScope
+from jauspy.schema.model import (
+    DeclaredType,
+    FixedField,
+    InternalEvent,
+    MessageDefinition,
+    Record,
+    Reference,
+    ServiceDefinition,
+)
 
 _CODE = re.compile(r"[0-9A-Fa-f]{4}")
 
 
-def read_messages(message_set: Element, direction: str, scope: Scope) -> tuple[Message, ...]:
+def read_messages(message_set: Element, direction: str, scope: NameScope) -> tuple[MessageDefinition, ...]:
     """Read the messages of an `input_set` or `output_set`.
 
     Names are unique. Codes are, too, except for messages with the same content, which a public definition has.
     """
     names: dict[str, Element] = {}
-    codes: dict[int, tuple[Message, Element]] = {}
+    codes: dict[int, tuple[MessageDefinition, Element]] = {}
     messages = []
     for element in message_set.iterfind(f"{direction}/*"):
         message = read_message(element, scope)
@@ -49,7 +57,7 @@ def read_messages(message_set: Element, direction: str, scope: Scope) -> tuple[M
     return tuple(messages)
 
 
-def read_message(element: Element, scope: Scope) -> Message:
+def read_message(element: Element, scope: NameScope) -> MessageDefinition:
     """Read a message, written out or declared."""
     if element.tag == "message_def":
         return _message(element, scope)
@@ -64,7 +72,7 @@ def read_message(element: Element, scope: Scope) -> Message:
     )
 
 
-def _message(element: Element, scope: Scope) -> Message:
+def _message(element: Element, scope: NameScope) -> MessageDefinition:
     code = required(element, "message_id")
     if not _CODE.fullmatch(code):
         raise wrong(element, f"message_id: expected four hexadecimal digits, got {code!r}")
@@ -72,7 +80,7 @@ def _message(element: Element, scope: Scope) -> Message:
     _check_header(header, scope)
     if read_content(footer, scope) is not None:
         raise wrong(footer, "a footer with content is not supported; no published message has one")
-    return Message(
+    return MessageDefinition(
         name=required(element, "name"),
         code=int(code, 16),
         is_command=flag(element, "is_command"),
@@ -87,7 +95,7 @@ def _parts(element: Element) -> Iterator[Element]:
         yield from element.iterchildren(part, f"declared_{part}")
 
 
-def _check_header(header: Element, scope: Scope) -> None:
+def _check_header(header: Element, scope: NameScope) -> None:
     """Check that the header contains the message id only."""
     match read_content(header, scope):
         case Record(fields=(FixedField(type="u16", scale=None),), presence=None):
@@ -95,7 +103,7 @@ def _check_header(header: Element, scope: Scope) -> None:
     raise wrong(header, "the header must be a record with the message id (unsigned short integer) alone")
 
 
-def read_events(events: Element | None, scope: Scope) -> tuple[InternalEvent, ...]:
+def read_events(events: Element | None, scope: NameScope) -> tuple[InternalEvent, ...]:
     """Read the internal events of a service."""
     if events is None:
         return ()
@@ -110,7 +118,7 @@ def read_events(events: Element | None, scope: Scope) -> tuple[InternalEvent, ..
     return tuple(found)
 
 
-def read_event(element: Element, scope: Scope) -> InternalEvent:
+def read_event(element: Element, scope: NameScope) -> InternalEvent:
     """Read an internal event, written out or declared."""
     if element.tag == "declared_event_def":
         home, found = scope.find(element)
@@ -130,7 +138,7 @@ def version_key(version: str) -> tuple[int, ...]:
     return tuple(int(part) for part in version.split("."))
 
 
-def read_service(element: Element, jsidl: str, scope: Scope) -> Service:
+def read_service(element: Element, jsidl: str, scope: NameScope) -> ServiceDefinition:
     """Read a service; its `inherits_from` is as written, see `resolve_parents`."""
     urn, version = identity(element)
     if not _VERSION.fullmatch(version):
@@ -139,7 +147,7 @@ def read_service(element: Element, jsidl: str, scope: Scope) -> Service:
     inputs = read_messages(message_set, "input_set", scope)
     outputs = read_messages(message_set, "output_set", scope)
     _check_both_ways(element, inputs, outputs)
-    return Service(
+    return ServiceDefinition(
         name=required(element, "name"),
         id=urn,
         version=version,
@@ -160,7 +168,9 @@ def _reference(element: Element) -> Reference:
     return Reference(required(element, "name"), *identity(element))
 
 
-def _check_both_ways(element: Element, inputs: Sequence[Message], outputs: Sequence[Message]) -> None:
+def _check_both_ways(
+    element: Element, inputs: Sequence[MessageDefinition], outputs: Sequence[MessageDefinition]
+) -> None:
     """A message may be both input and output, but a code must not have two meanings."""
     codes = {message.code: message for message in inputs}
     for message in outputs:
@@ -171,8 +181,8 @@ def _check_both_ways(element: Element, inputs: Sequence[Message], outputs: Seque
 
 
 def resolve_parents(
-    services: Sequence[Service], known: Sequence[Service], roots: Mapping[Key, Element]
-) -> tuple[Service, ...]:
+    services: Sequence[ServiceDefinition], known: Sequence[ServiceDefinition], roots: Mapping[Key, Element]
+) -> tuple[ServiceDefinition, ...]:
     """Check that all parents are known, and replace version patterns such as `1.*` by the newest match."""
     versions: dict[str, list[str]] = {}
     for service in (*services, *known):
@@ -182,7 +192,7 @@ def resolve_parents(
     return resolved
 
 
-def _resolve_parent(service: Service, versions: Mapping[str, list[str]], root: Element) -> Service:
+def _resolve_parent(service: ServiceDefinition, versions: Mapping[str, list[str]], root: Element) -> ServiceDefinition:
     parent = service.inherits_from
     if parent is None:
         return service
@@ -200,7 +210,9 @@ def matches_version(version: str, pattern: str) -> bool:
     return all(want in ("*", have) for have, want in zip(version.split("."), pattern.split("."), strict=False))
 
 
-def _refuse_cycles(services: Sequence[Service], known: Sequence[Service], roots: Mapping[Key, Element]) -> None:
+def _refuse_cycles(
+    services: Sequence[ServiceDefinition], known: Sequence[ServiceDefinition], roots: Mapping[Key, Element]
+) -> None:
     parents = {
         service.key: None if service.inherits_from is None else service.inherits_from.key
         for service in (*services, *known)

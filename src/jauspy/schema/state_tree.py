@@ -16,7 +16,16 @@ from jauspy.errors import ConfigError, SchemaError
 from jauspy.schema import behavior as guards
 from jauspy.schema.document import suggestion
 from jauspy.schema.inheritance import lineage, parents_among
-from jauspy.schema.model import Action, Behavior, Location, Service, Start, State, StateMachine, Transition
+from jauspy.schema.model import (
+    ActionCall,
+    Behavior,
+    ServiceDefinition,
+    SourceLocation,
+    Start,
+    State,
+    StateMachine,
+    Transition,
+)
 
 T_co = TypeVar("T_co", covariant=True)
 
@@ -53,7 +62,7 @@ def transitions_of(behavior: Behavior) -> Iterator[Transition]:
 class Owned(Generic[T_co]):
     """A part of a state machine, and the service definition that it comes from."""
 
-    owner: Service
+    owner: ServiceDefinition
     item: T_co
 
 
@@ -76,12 +85,12 @@ class MergedState:
         return ".".join(self.path)
 
     @property
-    def entry(self) -> tuple[Owned[Action], ...]:
+    def entry(self) -> tuple[Owned[ActionCall], ...]:
         """Entry actions."""
         return tuple(Owned(part.owner, action) for part in self.parts for action in part.item.entry)
 
     @property
-    def exit(self) -> tuple[Owned[Action], ...]:
+    def exit(self) -> tuple[Owned[ActionCall], ...]:
         """Exit actions."""
         return tuple(Owned(part.owner, action) for part in self.parts for action in part.item.exit)
 
@@ -139,7 +148,7 @@ class MergedMachine:
 
     name: str
     root: MergedState
-    starts: tuple[tuple[str, Service], ...]
+    starts: tuple[tuple[str, ServiceDefinition], ...]
     """The states in which definitions start the machine (path to their own innermost state), most derived first."""
 
     def start(self) -> MergedState:
@@ -183,14 +192,14 @@ class MergedMachine:
                 waiting += [end for path in ends if path and fresh and (end := self.root.find(path)) is not None]
         return frozenset(map(str, seen))
 
-    def _deepest(self) -> tuple[str, Service]:
+    def _deepest(self) -> tuple[str, ServiceDefinition]:
         return max(self.starts, key=lambda start: start[0].count("."))
 
 
-def merge_machines(definitions: Iterable[Service]) -> dict[str, MergedMachine]:
+def merge_machines(definitions: Iterable[ServiceDefinition]) -> dict[str, MergedMachine]:
     """Merge the machines; the keys are their short names. `definitions`: most derived first, with all ancestors."""
     parts: dict[str, list[Owned[State]]] = {}
-    starts: dict[str, list[tuple[str, Service]]] = {}
+    starts: dict[str, list[tuple[str, ServiceDefinition]]] = {}
     for owner in definitions:
         for machine in owner.behavior.machines if owner.behavior else ():
             whole = State(name="", states=machine.states, default_transitions=machine.default_transitions)
@@ -233,7 +242,7 @@ def _innermost(machines: Sequence[StateMachine], start: Start) -> str:
 # --- references -------------------------------------------------------------------------------------------------------
 
 
-def check_behavior(services: Sequence[Service], known: Sequence[Service]) -> None:
+def check_behavior(services: Sequence[ServiceDefinition], known: Sequence[ServiceDefinition]) -> None:
     """Check states, triggers and guards of `services`, whose parents are among them or `known`.
 
     Raises `SchemaError` with file and line.
@@ -262,7 +271,7 @@ def _check_states(behavior: Behavior, merged: Mapping[str, MergedMachine]) -> No
                 _check_path(root, transition.end_state, "end state", transition.where)
 
 
-def _check_path(root: MergedState, path: str, what: str, where: Location | None) -> None:
+def _check_path(root: MergedState, path: str, what: str, where: SourceLocation | None) -> None:
     state = root
     for name in path.split("."):
         if name not in state.children:
@@ -287,5 +296,5 @@ def _check_guard(transition: Transition) -> None:
             raise _error(error.reason, transition.where) from None
 
 
-def _error(reason: str, where: Location | None) -> SchemaError:
+def _error(reason: str, where: SourceLocation | None) -> SchemaError:
     return SchemaError(reason, file=where.file if where else None, line=where.line if where else None)

@@ -19,7 +19,7 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.schema import behavior, model
 from jauspy.schema.inheritance import lineage, parents_among
-from jauspy.schema.model import Schema, Service as Definition
+from jauspy.schema.model import Schema, ServiceDefinition as Definition
 from jauspy.schema.state_tree import MergedState, Owned, merge_machines, short_name, walk_states
 from jauspy.services.core import INHERITED_DEFAULTS
 from jauspy.services.deferred import Deferred
@@ -97,7 +97,7 @@ class RequiredMethod:
 
 
 @cache
-def required_methods(definition: model.Service) -> tuple[RequiredMethod, ...]:
+def required_methods(definition: model.ServiceDefinition) -> tuple[RequiredMethod, ...]:
     """The methods that the definition itself calls, in its order, without those that its parents call."""
     found: dict[str, RequiredMethod] = {}
     outputs = {message.name for message in definition.outputs}
@@ -110,14 +110,14 @@ def required_methods(definition: model.Service) -> tuple[RequiredMethod, ...]:
     return tuple(found.values())
 
 
-def required_method(definition: model.Service, name: str) -> RequiredMethod:
+def required_method(definition: model.ServiceDefinition, name: str) -> RequiredMethod:
     """One required method, by the name (dotted or not) in the behaviour that calls it."""
     short = short_name(name)
     return _required_by_name(definition).get(short) or RequiredMethod(short, "action")
 
 
 @cache
-def _required_by_name(definition: model.Service) -> dict[str, RequiredMethod]:
+def _required_by_name(definition: model.ServiceDefinition) -> dict[str, RequiredMethod]:
     return {each.jsidl: each for each in required_methods(definition)}
 
 
@@ -133,7 +133,9 @@ def _add_transition(found: dict[str, RequiredMethod], transition: model.Transiti
             _append_new(each.events, event)
 
 
-def _required_by_action(found: dict[str, RequiredMethod], action: model.Action, outputs: set[str]) -> RequiredMethod:
+def _required_by_action(
+    found: dict[str, RequiredMethod], action: model.ActionCall, outputs: set[str]
+) -> RequiredMethod:
     short, kind = short_name(action.name), "action"
     literals = [text for text in _literals(action.arguments) if text != "transportData"]
     if short == "Send" and literals:
@@ -171,10 +173,10 @@ class Binder:
     """Finds the method for each action, predicate and Send; collects in `problems` what is missing."""
 
     def __init__(
-        self, definitions: Mapping[str, model.Service], services: Mapping[str, Service], reply: SendReply
+        self, definitions: Mapping[str, model.ServiceDefinition], services: Mapping[str, Service], reply: SendReply
     ) -> None:
         self._parent_of = parents_among(definitions.values())
-        self._lineages: dict[model.Service, tuple[model.Service, ...]] = {}
+        self._lineages: dict[model.ServiceDefinition, tuple[model.ServiceDefinition, ...]] = {}
         self._services = services
         self._reply = reply
         self.problems: list[str] = []
@@ -210,13 +212,13 @@ class Binder:
             end=self._end(transition, root, where),
         )
 
-    def _line(self, owner: model.Service) -> tuple[model.Service, ...]:
+    def _line(self, owner: model.ServiceDefinition) -> tuple[model.ServiceDefinition, ...]:
         """The service and its ancestors, looked up once."""
         if owner not in self._lineages:
             self._lineages[owner] = lineage(owner, self._parent_of)
         return self._lineages[owner]
 
-    def _key(self, owner: model.Service, transition: model.Transition, where: str) -> TriggerKey:
+    def _key(self, owner: model.ServiceDefinition, transition: model.Transition, where: str) -> TriggerKey:
         event = short_name(transition.trigger)
         if event != "Receive":
             return event
@@ -252,7 +254,7 @@ class Binder:
 
         return behavior.compile_guard(behavior.parse(owned.item.guard), resolve)
 
-    def _action(self, owned: Owned[model.Action], state: MergedState) -> BoundAction:
+    def _action(self, owned: Owned[model.ActionCall], state: MergedState) -> BoundAction:
         owner, action = owned.owner, owned.item
         where = f"{owner.name}, state {state}"
         if short_name(action.name) == "Send":
@@ -279,7 +281,7 @@ class Binder:
 
         return run
 
-    def _send(self, owned: Owned[model.Action], where: str) -> BoundAction:
+    def _send(self, owned: Owned[model.ActionCall], where: str) -> BoundAction:
         """`Send('Message', ['CODE',] [msg,] [transportData])`; without transportData to the controlling client."""
         arguments = [argument.strip() for argument in owned.item.arguments]
         # One published definition quotes the name of the parameter; it means the same.
@@ -303,7 +305,7 @@ class Binder:
             report=report if to_source else None,
         )
 
-    def _method(self, owner: model.Service, dotted: str, what: str) -> Callable[..., object]:
+    def _method(self, owner: model.ServiceDefinition, dotted: str, what: str) -> Callable[..., object]:
         name = method_name(short_name(dotted))
         for definition in self._line(owner):
             service = self._services[definition.id]
@@ -413,7 +415,14 @@ def bind_services(
     names = {event.name for each in definitions.values() for event in each.internal_events}
     names |= {key for key in events if isinstance(key, str) and key not in (ANY_MESSAGE, ANY_TRIGGER)}
     return BoundServices(
-        all_services, definitions, machines, machines.get("ReceiveFSM"), inputs, events, frozenset(names), queries
+        services=all_services,
+        definitions=definitions,
+        machines=machines,
+        receiver=machines.get("ReceiveFSM"),
+        inputs=inputs,
+        events=events,
+        event_names=frozenset(names),
+        queries=queries,
     )
 
 

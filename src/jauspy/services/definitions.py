@@ -13,7 +13,7 @@ from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.schema.inheritance import ParentOf, lineage, most_derived_first, parents_among
 from jauspy.schema.loader import Wanted, load_needed, versions_of
-from jauspy.schema.model import Schema, Service as Definition
+from jauspy.schema.model import Schema, ServiceDefinition as Definition
 from jauspy.schema.state_tree import check_behavior
 from jauspy.services.service import Service
 

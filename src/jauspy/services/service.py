@@ -20,7 +20,7 @@ from jauspy.protocol.addressing import HERE, Location
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.protocol.seal import Operator
-from jauspy.schema.model import Service as Definition
+from jauspy.schema.model import ServiceDefinition as Definition
 from jauspy.services.deferred import Deferred, DeferredReplies
 from jauspy.services.messaging import InputDecoder, MessageSender, Outgoing, OutputQueue, Reply
 from jauspy.services.presence_vectors import requested_report
@@ -196,7 +196,7 @@ class Service:
         """Called after `leaving`, when the component has its new id, or can be opened again under the same one."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class BoundServices:
     """The services of a component, by URN, with their definitions and state machines."""
 

@@ -9,7 +9,7 @@ from typing import Final, TypeAlias
 
 from jauspy.errors import ConfigError
 from jauspy.logs import get_logger
-from jauspy.platform.camera import Camera, CameraSetup
+from jauspy.platform.camera import CameraSetup, CameraSource
 from jauspy.platform.imaging_settings import ImagingSettings
 from jauspy.platform.video_settings import Still, StillSettings, VideoSettings
 from jauspy.video import need_video
@@ -46,7 +46,7 @@ class CameraProcess(SupervisedWorker):
     Counters: those of the sender; `started` workers, `hung` ones, `stills` taken, and `stills_lost` with a worker.
     """
 
-    def __init__(self, camera: Camera, settings: VideoSettings, *, stamped: bool = False) -> None:
+    def __init__(self, camera: CameraSource, settings: VideoSettings, *, stamped: bool = False) -> None:
         super().__init__("jauspy.video.camera_worker", NICENESS, f"camera {camera.setup.name}", _LOG)
         self._camera, self._settings, self._stamped = camera, settings, stamped
         self._imaging = camera.setup.imaging.initial

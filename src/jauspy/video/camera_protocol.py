@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from jauspy.platform.camera import Camera
+from jauspy.platform.camera import CameraSource
 from jauspy.platform.imaging_settings import ImagingSettings
 from jauspy.platform.video_settings import StillSettings, VideoSettings
 
@@ -17,7 +17,7 @@ Address: TypeAlias = tuple[str, int]
 class StartCamera:
     """The first command. With `stamped`, images show their number and time, as `stamp` draws them."""
 
-    camera: Camera
+    camera: CameraSource
     settings: VideoSettings
     imaging: ImagingSettings
     stamped: bool

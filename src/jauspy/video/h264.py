@@ -16,7 +16,7 @@ from av.video.frame import PictureType
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy.platform.video_settings import LEVELS, Profile, VideoSettings
+from jauspy.platform.video_settings import LEVELS, H264Profile, VideoSettings
 from jauspy.video import h264_payload
 from jauspy.video.h264_payload import MAX_PAYLOAD, Picture
 
@@ -98,8 +98,8 @@ def _parameters(settings: VideoSettings) -> dict[str, object]:
         "vbv-maxrate": rate,
         "vbv-bufsize": round(rate * VBV_BUFFER),
         "scenecut": 0,
-        "cabac": int(profile is not Profile.BASELINE),
-        "8x8dct": int(profile is Profile.HIGH),
+        "cabac": int(profile is not H264Profile.BASELINE),
+        "8x8dct": int(profile is H264Profile.HIGH),
         "intra-refresh": int(settings.coding.gradual),
     }
 

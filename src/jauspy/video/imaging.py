@@ -14,7 +14,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.platform.camera import Frame
+from jauspy.platform.camera import CameraFrame
 from jauspy.platform.imaging_settings import (
     FocusMode,
     ImagingMode,
@@ -83,7 +83,7 @@ class Imaging:
 
     def take(
         self, session: CameraSession, width: int, height: int, *, supersampling: int = 1, thoroughly: bool = False
-    ) -> Frame:
+    ) -> CameraFrame:
         """A picture of that size, reduced from one that is wider and higher by `supersampling`."""
         settings = self.settings
         optical, digital = self._setup.zoom_factors(settings)
@@ -111,7 +111,7 @@ class Imaging:
             image = enlarged(image, digital)
         if settings.imaging_mode is ImagingMode.GREYSCALE:
             image = np.asarray(cv2.cvtColor(cv2.cvtColor(image, cv2.COLOR_RGB2GRAY), cv2.COLOR_GRAY2RGB), np.uint8)
-        return Frame(image, frame.taken)
+        return CameraFrame(image, frame.taken)
 
     def _expose(self, image: Image, light: NDArray[np.float32] | float) -> float:
         """The exposure of this picture, a factor of the normal one."""
@@ -266,14 +266,14 @@ def _blurred(image: Image, circles: NDArray[np.float32]) -> Image:
     return made
 
 
-def _reduced(frame: Frame, width: int, height: int) -> Frame:
+def _reduced(frame: CameraFrame, width: int, height: int) -> CameraFrame:
     image = np.asarray(cv2.resize(frame.image, (width, height), interpolation=cv2.INTER_AREA), np.uint8)
     light, distances = frame.light, frame.distances
     if isinstance(light, np.ndarray):
         light = np.asarray(cv2.resize(light, (width, height), interpolation=cv2.INTER_AREA), np.float32)
     if distances is not None:
         distances = np.asarray(cv2.resize(distances, (width, height), interpolation=cv2.INTER_NEAREST), np.float32)
-    return Frame(image, frame.taken, light, distances)
+    return CameraFrame(image, frame.taken, light, distances)
 
 
 STAMP_BITS: Final = 32

@@ -46,7 +46,14 @@ class RtpPacket:
             raise ProtocolError("not_rtp")
         first, second, sequence, timestamp, ssrc = HEADER.unpack_from(data)
         begin, end = _payload(data, first)
-        return cls(sequence, timestamp, ssrc, data[begin:end], bool(second & _MARKER), second & 0x7F)
+        return cls(
+            sequence=sequence,
+            timestamp=timestamp,
+            ssrc=ssrc,
+            payload=data[begin:end],
+            marker=bool(second & _MARKER),
+            payload_type=second & 0x7F,
+        )
 
 
 def _payload(data: bytes, first: int) -> tuple[int, int]:

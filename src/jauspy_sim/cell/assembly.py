@@ -24,11 +24,11 @@ from jauspy.platform.modular.parts import (
     Fixture,
     Inertia,
     PartKind,
+    PartSolid,
     PartType,
     PlacedPart,
     ServoData,
     Shape,
-    Solid,
     body_inertia,
     output_inertia,
 )
@@ -142,7 +142,7 @@ def set_pose(element: mujoco.MjsBody | mujoco.MjsGeom, pose: Transform) -> None:
 
 
 def add_static(
-    spec: mujoco.MjSpec, name: str, pose: Pose, solids: Sequence[Solid], *, friction: float = PART_FRICTION
+    spec: mujoco.MjSpec, name: str, pose: Pose, solids: Sequence[PartSolid], *, friction: float = PART_FRICTION
 ) -> mujoco.MjsBody:
     """Add a body that is fixed to the world."""
     body = spec.worldbody.add_body(name=name)
@@ -157,7 +157,7 @@ def _fixture(spec: mujoco.MjSpec, fixture: Fixture) -> None:
     add_static(spec, fixture.name, fixture.pose, fixture.solids)
 
 
-def add_solid(body: mujoco.MjsBody, solid: Solid, name: str, friction: float) -> mujoco.MjsGeom:
+def add_solid(body: mujoco.MjsBody, solid: PartSolid, name: str, friction: float) -> mujoco.MjsGeom:
     """Add the collision shape of a solid, without mass."""
     x, y, z = solid.size
     cuboid = solid.shape is Shape.CUBOID
@@ -223,7 +223,7 @@ def _conveyor(spec: mujoco.MjSpec, setup: ConveyorSetup) -> None:
     pose = Transform.from_pose(setup.pose)
     length, width, height = setup.length, setup.width, setup.pose.z
     frame_height = max(0.0, height - BELT_THICKNESS - 0.04)
-    bed = Solid(
+    bed = PartSolid(
         Shape.CUBOID,
         (length, width, frame_height - 0.005),
         0.0,
@@ -234,7 +234,7 @@ def _conveyor(spec: mujoco.MjSpec, setup: ConveyorSetup) -> None:
     set_pose(belt, pose)
     belt.add_joint(name="belt", type=mujoco.mjtJoint.mjJNT_SLIDE, axis=(1.0, 0.0, 0.0))
     belt.sleep = mujoco.mjtSleepPolicy.mjSLEEP_NEVER
-    solid = Solid(
+    solid = PartSolid(
         Shape.CUBOID, (length, width, BELT_THICKNESS), 0.0, Transform(position=(0.0, 0.0, -BELT_THICKNESS / 2.0))
     )
     geom = add_solid(belt, solid, "belt", RUBBER_FRICTION)

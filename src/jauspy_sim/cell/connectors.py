@@ -92,14 +92,15 @@ class SimulatedConnector(VacuumConnector):
             return state
         # written out: `replace` takes five times as long
         self._state = ConnectorState(
-            state.powered,
-            state.enabled,
-            state.attached_to,
-            state.offset,
-            *self.load,
-            state.broken_off,
-            state.error,
-            state.last_error,
+            powered=state.powered,
+            enabled=state.enabled,
+            attached_to=state.attached_to,
+            offset=state.offset,
+            force=self.load[0],
+            moment=self.load[1],
+            broken_off=state.broken_off,
+            error=state.error,
+            last_error=state.last_error,
         )
         return self._state
 

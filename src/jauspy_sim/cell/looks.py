@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import X, quaternion, rotation_about
-from jauspy.platform.modular.parts import BinSetup, CellSetup, ConveyorSetup, PartType, Shape, Solid, TargetArea
+from jauspy.platform.modular.parts import BinSetup, CellSetup, ConveyorSetup, PartSolid, PartType, Shape, TargetArea
 from jauspy_sim.models.groups import VISUAL
 
 Colour: TypeAlias = tuple[float, float, float, float]
@@ -140,7 +140,7 @@ class Dresser:
         mesh.userface = mesh.userfacenormal = triangles.ravel().tolist()
         mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
 
-    def _solid(self, body: mujoco.MjsBody, solid: Solid, material: str) -> None:
+    def _solid(self, body: mujoco.MjsBody, solid: PartSolid, material: str) -> None:
         x, y, z = solid.size
         size = (x, y, z) if solid.shape is Shape.CUBOID else (2.0 * x, 2.0 * x, z)
         self._shape(body, solid.shape, size, solid.pose, material)

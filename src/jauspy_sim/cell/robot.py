@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY
-from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
+from jauspy.platform.drives import FixedBase
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.modular import check_libraries
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import Scanner
-from jauspy_sim.assembly import TIMESTEP, redirect_warnings
+from jauspy_sim.assembly import STEP_TOLERANCE, TIMESTEP, redirect_warnings
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, build_cell
 from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
@@ -96,9 +96,6 @@ CONTROL_EVERY: Final = 2
 
 SHOW_EVERY: Final = 5
 """Physics steps from one state for the cameras to the next: 10 ms."""
-
-ROUNDING: Final = 1e-9
-"""Tolerance for rounding errors of times, as a fraction of a step."""
 
 
 class SimulatedCell:
@@ -215,7 +212,7 @@ class SimulatedCell:
         if not 0.0 <= dt < math.inf:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
         self._owed += dt / TIMESTEP
-        steps = math.floor(self._owed + ROUNDING)
+        steps = math.floor(self._owed + STEP_TOLERANCE)
         if steps:
             self._owed -= steps
             self._run(steps)

@@ -12,9 +12,8 @@ import mujoco
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.geometry.vectors import GRAVITY, Quaternion, Vector
 from jauspy.platform.contract import PartId
-from jauspy.platform.description import Gains, JointGains
 from jauspy.platform.joint_control import JointController
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.joints import ControlMode, Gains, JointGains, Target
 from jauspy.platform.modular.parts import ServoData
 from jauspy.platform.modular.servo import ServoModule, ServoReading, ServoState
 from jauspy_sim.assembly import TIMESTEP, view

@@ -19,7 +19,7 @@ KEYS: Final = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 MIN_INERTIA: Final = 1e-6
 """kg m^2; the least moment of inertia."""
 
-ROUNDING: Final = 1e-9
+MOMENT_TOLERANCE: Final = 1e-9
 """kg m^2; a moment that is negative by less than this is a rounding error, and becomes zero."""
 
 BALL: Final = 0.02
@@ -40,7 +40,7 @@ def checked_inertia(moments: tuple[float, ...], mass: float, where: str) -> NDAr
     Raises `ConfigError`, which begins with `where`, for a negative moment.
     """
     for key, value in zip(KEYS[:3], moments[:3], strict=True):
-        if value < -ROUNDING:
+        if value < -MOMENT_TOLERANCE:
             raise ConfigError(f'{where}: <inertia {key}="{value:g}">: is negative')
     xx, yy, zz, xy, xz, yz = moments
     tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])

@@ -9,10 +9,11 @@ from typing import Final
 import mujoco
 from lxml import etree
 
-from jauspy.geometry.urdf import Element, RobotDescription
+from jauspy.geometry.urdf import Element, RobotDescription, parse_tree
 from jauspy.platform.description import RobotModel
 from jauspy_sim.models.groups import VISUAL
 from jauspy_sim.models.track_visuals import belted_links, mark
+from jauspy_sim.models.urdf import material_colour
 
 GLOSS: Final[Mapping[str, tuple[float, float]]] = {
     "olive": (0.25, 0.3),
@@ -39,7 +40,7 @@ NO_SHADOW_ALPHA: Final = 0.999
 
 def without_visuals(description: RobotDescription) -> RobotDescription:
     """The robot without its visual shapes. Lines keep their numbers, which errors name."""
-    root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
+    root = parse_tree(description.urdf)
     for link in root.findall("link"):
         for visual in link.findall("visual"):
             lines = "\n" * etree.tostring(visual, with_tail=False).count(b"\n")
@@ -56,7 +57,7 @@ def polish(spec: mujoco.MjSpec, robot: RobotModel) -> None:
     """Give the visual shapes of a robot the gloss of their materials, and mark treads to move with their belts."""
     description = robot.description
     belts = belted_links(description, robot.tracks) if robot.tracks else {}
-    root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
+    root = parse_tree(description.urdf)
     for name in GLOSS:
         _add_material(spec, name)
     for link in root.findall("link"):
@@ -79,14 +80,14 @@ def show_solids(spec: mujoco.MjSpec, description: RobotDescription) -> None:
     """Show collision shapes, in the colour of the first visual shape of their link: to cameras that cast rays."""
     for geom in spec.geoms:
         geom.group = VISUAL
-    root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
-    known = {str(each.get("name")): colour for each in root.findall("material") if (colour := _colour(each))}
+    root = parse_tree(description.urdf)
+    known = {str(each.get("name")): colour for each in root.findall("material") if (colour := material_colour(each))}
     for link in root.findall("link"):
         body, visual = spec.body(str(link.get("name"))), link.find("visual")
         if body is None or visual is None:
             continue
         material = visual.find("material")
-        colour = None if material is None else _colour(material) or known.get(str(material.get("name")))
+        colour = None if material is None else material_colour(material) or known.get(str(material.get("name")))
         for geom in body.geoms if colour else ():
             if geom.contype or geom.conaffinity:
                 geom.rgba = colour
@@ -100,8 +101,3 @@ def _add_material(spec: mujoco.MjSpec, name: str) -> None:
 def _material(visual: Element) -> str:
     found = visual.find("material")
     return "" if found is None else str(found.get("name"))
-
-
-def _colour(material: Element) -> tuple[float, ...] | None:
-    colour = material.find("color")
-    return None if colour is None else tuple(float(each) for each in (colour.get("rgba") or "").split())

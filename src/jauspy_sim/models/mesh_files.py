@@ -131,8 +131,8 @@ def joined(parts: tuple[MeshPart, ...]) -> MeshPart:
         faces.astype(np.int32),
         first.colour,
         np.concatenate(texcoords) if len(texcoords) == len(parts) else None,
-        np.concatenate(normals) if len(normals) == len(parts) else None,
-        first.texture,
+        normals=np.concatenate(normals) if len(normals) == len(parts) else None,
+        texture=first.texture,
     )
 
 
@@ -225,7 +225,7 @@ def _of_scene(name: str, frame: NDArray[np.float64], mesh: Any) -> MeshPart:
     normals = None
     if "vertex_normals" in mesh._cache:  # noqa: SLF001 - else trimesh computes them
         normals = np.asarray(mesh.vertex_normals, np.float64) @ np.linalg.inv(frame[:3, :3])
-    return MeshPart(name, vertices, faces, _colour(mesh), texcoords, normals, texture)
+    return MeshPart(name, vertices, faces, _colour(mesh), texcoords, normals=normals, texture=texture)
 
 
 def _of_stl(data: bytes) -> MeshPart:
@@ -282,7 +282,7 @@ def _of_obj(data: bytes) -> MeshPart:
         raise ValueError("a vertex has not three numbers")
     texcoords = np.array(coordinates, np.float64)[texture_at] if (texture_at >= 0).all() else None
     normals = np.array(directions, np.float64)[normal_at] if (normal_at >= 0).all() else None
-    return MeshPart("", vertices, np.array(faces, np.int32).reshape(-1, 3), None, texcoords, normals)
+    return MeshPart("", vertices, np.array(faces, np.int32).reshape(-1, 3), None, texcoords, normals=normals)
 
 
 def _of_plain_obj(data: bytes) -> MeshPart | None:
@@ -356,8 +356,8 @@ def _checked(path: Path, part: MeshPart) -> MeshPart:
         inverse.reshape(-1, 3).astype(np.int32),
         part.colour,
         None if texcoords is None else np.ascontiguousarray(texcoords[used]),
-        None if normals is None else np.ascontiguousarray(normals[used]),
-        part.texture,
+        normals=None if normals is None else np.ascontiguousarray(normals[used]),
+        texture=part.texture,
     )
 
 

@@ -14,11 +14,10 @@ from pathlib import Path
 from typing import Final
 
 import mujoco
-from lxml import etree
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, numbers, origin, place
+from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, numbers, origin, parse_tree, place
 from jauspy.geometry.vectors import quaternion
 from jauspy_sim.models.groups import COLLISION, VISUAL
 from jauspy_sim.models.inertias import KEYS, MIN_INERTIA, checked_inertia, set_inertia
@@ -46,6 +45,15 @@ def urdf_spec(description: RobotDescription) -> mujoco.MjSpec:
         raise ConfigError(f"URDF of {description.name}: {error}") from error
 
 
+def material_colour(material: Element) -> RGBA | None:
+    """The colour that a `<material>` has itself, limited to 0..1; None without one. Raises `ConfigError`."""
+    colour = material.find("color")
+    if colour is None or not colour.get("rgba"):
+        return None
+    red, green, blue, alpha = (min(1.0, max(0.0, value)) for value in numbers(colour, "rgba", 4))
+    return red, green, blue, alpha
+
+
 @dataclass(frozen=True, slots=True)
 class _Material:
     colour: RGBA | None
@@ -55,7 +63,7 @@ class _Material:
 class _Reader:
     def __init__(self, description: RobotDescription) -> None:
         self._description = description
-        self._root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
+        self._root = parse_tree(description.urdf)
         self._links = {str(link.get("name")): link for link in self._root.findall("link")}
         self._spec = mujoco.MjSpec()
         self._spec.modelname = description.name
@@ -156,13 +164,9 @@ class _Reader:
 
     @staticmethod
     def _material_of(element: Element) -> _Material:
-        colour, texture = element.find("color"), element.find("texture")
-        rgba: RGBA | None = None
-        if colour is not None and colour.get("rgba"):
-            red, green, blue, alpha = (min(1.0, max(0.0, each)) for each in numbers(colour, "rgba", 4))
-            rgba = red, green, blue, alpha
+        texture = element.find("texture")
         file = None if texture is None else texture.get("filename")
-        return _Material(rgba, Path(file) if file else None)
+        return _Material(material_colour(element), Path(file) if file else None)
 
     def _add_inertial(self, link: Element, body: mujoco.MjsBody) -> None:
         inertial = link.find("inertial")

@@ -111,7 +111,14 @@ class SimulatedLidar(Scanner):
             return RangeScan(pending.time, setup.link, self._angles, tuple(distances.tolist()))
         image = distances.astype(np.float32).reshape(len(self._inclinations), -1)
         row = tuple(image[nearest_layer(self._inclinations)].tolist())
-        return RangeScan(pending.time, setup.link, self._angles, row, self._inclinations, image.tobytes())
+        return RangeScan(
+            time=pending.time,
+            frame=setup.link,
+            angles=self._angles,
+            ranges=row,
+            inclinations=self._inclinations,
+            layers=image.tobytes(),
+        )
 
     def _unit_vectors(self) -> NDArray[np.float64]:
         """Shape (layers * angles, 3): in the link's frame, layer by layer."""

@@ -12,8 +12,8 @@ import mujoco
 import numpy as np
 
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.description import TrackSetup
+from jauspy.platform.drives import SkidSteerDrive
 from jauspy_sim.assembly import view
 from jauspy_sim.physics.joints import FloatingBase
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.camera import CameraSetup, DepthFrame, Frame, OutsideView, Quality, looking
+from jauspy.platform.camera import CameraFrame, CameraSetup, DepthFrame, OutsideView, Quality, looking
 from jauspy.platform.description import RobotModel
 from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
 from jauspy.platform.shared_state import StateReader, StateWriter
@@ -138,7 +138,7 @@ class SimulatedCameraSession:
         thoroughly: bool = False,
         fov: float | None = None,
         distances: bool = False,
-    ) -> Frame:
+    ) -> CameraFrame:
         """Render the world after the last step of the robot's process."""
         taken = self._update()
         fov = self._fov if fov is None else fov
@@ -148,8 +148,8 @@ class SimulatedCameraSession:
             image, far = self._renderer.measure(self._data, width, height, thoroughly=thoroughly)
             image, far = _in_size(image, far, width, height)
             light = 1.0 if lighting is None else self._light(lighting, far, fov, coarse=not thoroughly)
-            return Frame(image, taken, light, far if distances else None)
-        return Frame(self._renderer.paint(self._data, width, height, thoroughly=thoroughly), taken)
+            return CameraFrame(image, taken, light, far if distances else None)
+        return CameraFrame(self._renderer.paint(self._data, width, height, thoroughly=thoroughly), taken)
 
     def measure(self, width: int, height: int) -> DepthFrame:
         """Render with depths; with ray casting in fewer pixels."""
@@ -284,17 +284,17 @@ class SimulatedCameras:
         shining = tuple(lamp.setup for lamp in lamps)
         self.cameras: Mapping[str, SimulatedCamera] = {
             setup.name: SimulatedCamera(
-                setup,
-                int(model.camera(f"{prefix}{setup.name}").id),
-                state,
-                physics,
-                drawing,
-                prefix,
-                shining,
-                robot.time_of_day,
-                robot.quality,
-                int(model.body(f"{prefix}{body_name(robot.description.root())}").id),
-                drawn,
+                setup=setup,
+                number=int(model.camera(f"{prefix}{setup.name}").id),
+                state=state,
+                physics=physics,
+                drawing=drawing,
+                prefix=prefix,
+                lamps=shining,
+                time_of_day=robot.time_of_day,
+                quality=robot.quality,
+                base=int(model.body(f"{prefix}{body_name(robot.description.root())}").id),
+                drawn=drawn,
             )
             for setup in robot.cameras
         }

@@ -23,7 +23,7 @@ from jauspy_sim.models.groups import COLLISION
 from jauspy_sim.models.shapes import ShapeBuilder, same_shape
 from jauspy_sim.worlds.lighting import add_floor, add_sky, add_sun
 from jauspy_sim.worlds.model_paths import ModelPaths, sdf_of_model
-from jauspy_sim.worlds.sdf_links import LinkBuilder, Names, SdfLink, Skipped
+from jauspy_sim.worlds.sdf_links import LinkBuilder, Names, SdfLink, SkippedElements
 from jauspy_sim.worlds.sdf_poses import MODEL, WORLD, Scope, floats, is_true, line_of, located, raw_pose, words
 
 MAX_DEPTH: Final = 8
@@ -77,7 +77,7 @@ class _Reader:
         self._path, self._paths = path, paths
         self._spec = mujoco.MjSpec()
         self._spec.compiler.degree = False
-        self._skipped, self._names = Skipped(path), Names()
+        self._skipped, self._names = SkippedElements(path), Names()
         shapes = ShapeBuilder(self._spec, visual=0, collision=COLLISION)
         self._links = LinkBuilder(shapes, paths, self._skipped, self._names)
         self._items = 0
@@ -233,7 +233,9 @@ class _Reader:
         x, y, z = turn.rotate((axis[0], axis[1], axis[2]))
         name = f"{prefix}{joint.get('name')}"
         outer = WORLD if parent == WORLD else f"{prefix}{parent}"
-        model.joints.append(_Joint(name, joint, outer, f"{prefix}{child}", pose, (x, y, z)))
+        model.joints.append(
+            _Joint(name, element=joint, parent=outer, child=f"{prefix}{child}", pose=pose, axis=(x, y, z))
+        )
 
     def _add_tree(self, model: _Model, frame: Transform) -> None:
         """Add the links of a model that moves: those that no joint carries are free."""

@@ -92,7 +92,7 @@ class Names:
         return name if count == 1 else self.unique(f"{name}_{count}")
 
 
-class Skipped:
+class SkippedElements:
     """The elements of a world that are not understood."""
 
     def __init__(self, path: Path) -> None:
@@ -119,7 +119,7 @@ class Skipped:
 class LinkBuilder:
     """Adds what links have to the bodies of a model."""
 
-    def __init__(self, shapes: ShapeBuilder, paths: ModelPaths, skipped: Skipped, names: Names) -> None:
+    def __init__(self, shapes: ShapeBuilder, paths: ModelPaths, skipped: SkippedElements, names: Names) -> None:
         self._shapes, self._paths, self._skipped, self._names = shapes, paths, skipped, names
         self.lights = 0
 

@@ -14,8 +14,8 @@ from tests.helpers.robot import described
 
 from jauspy.backends import find
 from jauspy.backends.can.robot import CanRobot
-from jauspy.backends.can.setup import CanSetup
 from jauspy.backends.can.simulated.drive import SimulatedDrive
+from jauspy.platform.servo_drives import CanSetup
 
 OpenCan = Callable[..., CanRobot]
 

@@ -15,8 +15,8 @@ from tests.backends.can.test_failing_drives import CYCLE, set_in_motion
 
 from jauspy.backends.can import pdo
 from jauspy.backends.can.cia402 import STATUS_OF, DriveState
+from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.robot import CanRobot
-from jauspy.backends.can.setup import DriveFault
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot import robot_files
 from jauspy.robot.runner import RobotRunner
@@ -35,10 +35,10 @@ def frame(cob_id: int, data: bytes = b"", **kind: bool) -> can.Message:
 
 def inject(robot: CanRobot, *frames: can.Message) -> None:
     """Send frames that both the robot and the drives receive, as a stranger on the bus does."""
-    assert robot.wire is not None
+    assert robot.virtual_bus is not None
     for each in frames:
-        robot.wire.far.send(each)
-        robot.wire.near.send(each)
+        robot.virtual_bus.far.send(each)
+        robot.virtual_bus.near.send(each)
 
 
 def forever(*frames: can.Message) -> Callable[[random.Random], Iterator[can.Message]]:
@@ -221,7 +221,7 @@ def test_forged_answers_cannot_keep_a_robot_from_ending_its_start(open_can: Open
     simulated(robot, "arm_2").boot()
     with pytest.raises(DriveFault):
         robot.advance(0.1)
-    step, segment = robot.wire.near._send, [0x00]
+    step, segment = robot.virtual_bus.near._send, [0x00]
 
     def with_endless_answers(message: can.Message) -> None:
         """Before the drive answers, a segment of an object that never ends."""
@@ -232,14 +232,14 @@ def test_forged_answers_cannot_keep_a_robot_from_ending_its_start(open_can: Open
             answer = first if message.data[0] == 0x40 else follows
             if message.data[0] == 0x40:
                 segment[0] = 0x00
-            robot.wire.far.send(frame(0x580 + ARM, answer))
+            robot.virtual_bus.far.send(frame(0x580 + ARM, answer))
             return
         step(message)
 
-    robot.wire.near._send = with_endless_answers
+    robot.virtual_bus.near._send = with_endless_answers
     with pytest.raises(DriveFault, match=r"node 5"):
         robot.advance(CYCLE)
-    robot.wire.near._send = step
+    robot.virtual_bus.near._send = step
     assert drives_again(robot)
 
 
@@ -287,15 +287,15 @@ def test_a_drive_that_is_said_to_have_no_power_gets_a_quick_stop(robot: CanRobot
 
 def test_real_drives_that_send_frames_of_another_length_are_silent(robot: CanRobot) -> None:
     set_in_motion(robot)
-    assert robot.wire is not None
-    receive = robot.wire.near_receives
+    assert robot.virtual_bus is not None
+    receive = robot.virtual_bus.near_receives
 
     def shortened(message: can.Message) -> None:
         if message.arbitration_id == pdo.STATUS.cob_id + ARM:
             message = frame(message.arbitration_id, bytes(message.data[:6]))
         receive(message)
 
-    robot.wire.near_receives = shortened
+    robot.virtual_bus.near_receives = shortened
     reasons = attack(robot, iter(()), 0.5)
     assert len(reasons) == 1
     assert "has not answered SYNC" in reasons[0]

@@ -13,8 +13,8 @@ from tests.backends.can.test_failing_drives import CYCLE, advance_until_fault, s
 
 from jauspy.backends.can import pdo
 from jauspy.backends.can.cia402 import DriveState
+from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.robot import CanRobot
-from jauspy.backends.can.setup import DriveFault
 from jauspy.backends.can.simulated import fleet
 from jauspy.backends.can.simulated.axes import MotorAxis
 from jauspy.backends.can.simulated.drive import SimulatedDrive
@@ -24,12 +24,12 @@ from jauspy.robot.can_drives import identity_of
 
 
 def refuse_frames(robot: CanRobot, error: Exception) -> None:
-    assert robot.wire is not None
+    assert robot.virtual_bus is not None
 
     def send(message: can.Message, timeout: float | None = None) -> None:
         raise error
 
-    robot.wire.near.send = send  # type: ignore[method-assign] - the adapter's driver
+    robot.virtual_bus.near.send = send  # type: ignore[method-assign] - the adapter's driver
 
 
 def test_a_bus_that_takes_no_frames_is_too_full(robot: CanRobot) -> None:
@@ -74,8 +74,8 @@ def test_time_in_which_the_robot_sent_no_sync_is_not_the_drives(robot: CanRobot)
 
 def test_lost_sync_stops_the_drives_and_is_named(robot: CanRobot) -> None:
     set_in_motion(robot)
-    assert robot.wire is not None
-    robot.wire.loses = lambda message: message.arbitration_id == pdo.SYNC
+    assert robot.virtual_bus is not None
+    robot.virtual_bus.loses = lambda message: message.arbitration_id == pdo.SYNC
     assert "has not answered SYNC for" in advance_until_fault(robot)
     for _ in range(60):
         robot._ticker.wait_cycle()
@@ -85,20 +85,20 @@ def test_lost_sync_stops_the_drives_and_is_named(robot: CanRobot) -> None:
 
 def test_another_master_stops_the_robot(robot: CanRobot) -> None:
     set_in_motion(robot)
-    assert robot.wire is not None
+    assert robot.virtual_bus is not None
     for _ in range(5):
-        robot.wire.far.send(can.Message(arbitration_id=pdo.SYNC, is_extended_id=False))
+        robot.virtual_bus.far.send(can.Message(arbitration_id=pdo.SYNC, is_extended_id=False))
     assert "another master sends SYNC on virtual:motors: end it" in advance_until_fault(robot)
 
 
 def test_a_robot_does_not_start_beside_another_master(open_can: OpenCan, monkeypatch: pytest.MonkeyPatch) -> None:
-    step = fleet.Fleet.step
+    step = fleet.DriveFleet.step
 
-    def step_with_sync(self: fleet.Fleet, dt: float) -> None:
+    def step_with_sync(self: fleet.DriveFleet, dt: float) -> None:
         self._port.send(can.Message(arbitration_id=pdo.SYNC, is_extended_id=False))
         step(self, dt)
 
-    monkeypatch.setattr(fleet.Fleet, "step", step_with_sync)
+    monkeypatch.setattr(fleet.DriveFleet, "step", step_with_sync)
     with pytest.raises(ConfigError, match="another master sends SYNC on virtual:motors already"):
         open_can()
 

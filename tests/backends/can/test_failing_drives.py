@@ -10,8 +10,8 @@ import pytest
 from tests.backends.can.conftest import OpenCan, simulated
 
 from jauspy.backends.can.cia402 import DriveState
+from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.robot import CanRobot
-from jauspy.backends.can.setup import DriveFault
 from jauspy.backends.can.simulated.drive import FAULTS
 from jauspy.platform.joints import ControlMode, Target
 
@@ -148,8 +148,8 @@ def test_a_blocked_joint_is_a_following_error(robot: CanRobot) -> None:
 @pytest.mark.slow
 def test_a_restart_with_one_percent_of_lost_frames_moves_nothing_unasked(robot: CanRobot) -> None:
     chance = random.Random(2)
-    assert robot.wire is not None
-    robot.wire.loses = lambda message: chance.random() < 0.01
+    assert robot.virtual_bus is not None
+    robot.virtual_bus.loses = lambda message: chance.random() < 0.01
     set_in_motion(robot)
     restart(robot)
     advance_until_fault(robot)
@@ -169,8 +169,8 @@ def test_a_restart_with_one_percent_of_lost_frames_moves_nothing_unasked(robot: 
 def test_one_percent_of_lost_frames_stops_nothing(open_can: OpenCan) -> None:
     robot = open_can()
     chance = random.Random(1)
-    assert robot.wire is not None
-    robot.wire.loses = lambda message: chance.random() < 0.01
+    assert robot.virtual_bus is not None
+    robot.virtual_bus.loses = lambda message: chance.random() < 0.01
     set_in_motion(robot)
     robot.advance(5.0)
     assert robot.drive.twist().vx == pytest.approx(0.5 * 1.9, abs=0.01)

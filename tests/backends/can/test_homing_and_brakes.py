@@ -11,14 +11,15 @@ from tests.backends.can.test_failing_drives import advance_until_fault
 from tests.helpers.robot import described
 
 from jauspy.backends.can.cia402 import DriveState, Mode
+from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.master import Master
 from jauspy.backends.can.robot import CanRobot
-from jauspy.backends.can.setup import DriveFault, Homing
 from jauspy.backends.can.simulated.axes import MotorAxis
 from jauspy.backends.can.simulated.drive import SimulatedDrive
-from jauspy.backends.can.simulated.fleet import Fleet
+from jauspy.backends.can.simulated.fleet import DriveFleet
 from jauspy.errors import ConfigError
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.servo_drives import Homing
 
 WRIST = 4
 HOMING = {"arm_4": {"homing": Homing(method=17, speed=0.5, timeout=10.0)}}
@@ -28,11 +29,11 @@ HOMING = {"arm_4": {"homing": Homing(method=17, speed=0.5, timeout=10.0)}}
 def powered_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """Simulated drives forget their home positions when they start, as on a bus."""
 
-    def forgetful(*arguments: Any, keeps_home: bool) -> Fleet:
+    def forgetful(*arguments: Any, keeps_home: bool) -> DriveFleet:
         assert keeps_home
-        return Fleet(*arguments)
+        return DriveFleet(*arguments)
 
-    monkeypatch.setattr("jauspy.backends.can.robot.Fleet", forgetful)
+    monkeypatch.setattr("jauspy.backends.can.robot.DriveFleet", forgetful)
 
 
 def home(changes: dict[str, Any], announced: list[str]) -> None:

@@ -135,7 +135,7 @@ class TestMotions:
         errors = []
         for _ in range(150):
             plant.run(arm, 0.01)
-            errors.append(np.abs(np.array(plant.positions) - arm._setpoint.q).max())
+            errors.append(np.abs(np.array(plant.positions) - arm._setpoints.setpoint.q).max())
         assert max(errors) < 0.015
 
     def test_hold_brakes_along_the_path_within_200_ms(self, plant: ServoPlant, arm: AssembledArm) -> None:
@@ -347,8 +347,8 @@ class TestAttachments:
         arm = plant.arm()
         plant.run(arm, 0.05)
         upright = max(map(abs, plant.model.gravity(np.zeros(5))))
-        arm._model.set_base(Transform(rotation_about((1.0, 0.0, 0.0), 1.0)))
-        assert max(map(abs, arm._model.gravity(np.array([math.pi / 2, 0.0, 0.0, 0.0, 0.0])))) > upright + 1.0
+        arm._assembly.model.set_base(Transform(rotation_about((1.0, 0.0, 0.0), 1.0)))
+        assert max(map(abs, arm._assembly.model.gravity(np.array([math.pi / 2, 0.0, 0.0, 0.0, 0.0])))) > upright + 1.0
 
 
 class TestPayload:
@@ -392,7 +392,7 @@ class TestSteps:
 
     def step_over(self, plant: ServoPlant, arm: AssembledArm) -> list[list[float]]:
         """Grip platform_2 where the tip is now, then let platform_1 go."""
-        tip = arm._model.tip_pose(np.array(plant.positions))
+        tip = arm._assembly.model.tip_pose(np.array(plant.positions))
         plant.connectors["servo_5/output"].attach("platform_2", tip.inverse() @ Transform(position=(0.6, 0.0, 0.0)))
         torques = plant.run(arm, 0.5)
         plant.connectors["platform_1/top"].release()

@@ -10,7 +10,7 @@ pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", e
 from tests.helpers.servo_plant import FIVE, cell_of, many
 
 from jauspy.geometry.poses import IDENTITY, Transform
-from jauspy.platform.modular.graph import Attachment, Body, Chain, find_chain
+from jauspy.platform.modular.graph import ArmChain, Attachment, Body, find_chain
 
 CELL = cell_of((*FIVE, ("servo_6", "roll"), ("servo_7", "roll"), ("wheel_1", "wheel"), ("bracket_2", "bracket")))
 CONNECTOR = {"bracket": "end", "tube": "end", "servo": "output", "platform": "top"}
@@ -26,16 +26,16 @@ def stack(*names: str) -> list[Attachment]:
     return [Attachment(connector(lower), upper, IDENTITY) for lower, upper in pairwise(names)]
 
 
-def chain_of(attached: Sequence[Attachment], previous: str = "") -> Chain:
+def chain_of(attached: Sequence[Attachment], previous: str = "") -> ArmChain:
     return find_chain(CELL, attached, previous)
 
 
 def test_finds_no_arm_without_attachments() -> None:
-    assert chain_of([]) == Chain()
+    assert chain_of([]) == ArmChain()
 
 
 def test_finds_no_arm_without_a_base() -> None:
-    assert chain_of(stack(*ARM)) == Chain()
+    assert chain_of(stack(*ARM)) == ArmChain()
 
 
 def test_finds_an_arm_without_joints() -> None:
@@ -108,7 +108,7 @@ def test_the_gripper_holds_the_arm() -> None:
 
 
 def test_what_only_the_gripper_holds_is_no_arm() -> None:
-    assert chain_of([*stack("servo_1", "bracket_1"), Attachment("gripper", "servo_1", IDENTITY)]) == Chain()
+    assert chain_of([*stack("servo_1", "bracket_1"), Attachment("gripper", "servo_1", IDENTITY)]) == ArmChain()
 
 
 def test_the_longest_chain_is_the_arm() -> None:
@@ -119,7 +119,7 @@ def test_the_longest_chain_is_the_arm() -> None:
 
 def test_wheels_are_no_arm() -> None:
     attached = [*stack("platform_1", "servo_6", "servo_7"), Attachment("servo_7/output", "wheel_1", IDENTITY)]
-    assert chain_of(attached) == Chain()
+    assert chain_of(attached) == ArmChain()
     assert chain_of([*attached, *stack("platform_2", "servo_1")]).joints == ("servo_1",)
 
 

@@ -7,11 +7,11 @@ import math
 import pytest
 
 from jauspy.geometry.poses import Pose, Transform
-from jauspy.platform.modular.parts import Shape, Solid, combined, inertia
+from jauspy.platform.modular.parts import PartSolid, Shape, combined, inertia
 
 
 def test_cuboid() -> None:
-    found = inertia([Solid(Shape.CUBOID, (0.2, 0.3, 0.5), 6.0, Transform(position=(0.1, -0.2, 0.3)))])
+    found = inertia([PartSolid(Shape.CUBOID, (0.2, 0.3, 0.5), 6.0, Transform(position=(0.1, -0.2, 0.3)))])
     assert found.mass == 6.0
     assert found.center == pytest.approx((0.1, -0.2, 0.3))
     expected = (0.5 * (0.09 + 0.25), 0.5 * (0.04 + 0.25), 0.5 * (0.04 + 0.09))
@@ -21,7 +21,7 @@ def test_cuboid() -> None:
 
 def test_cylinder_that_lies() -> None:
     lying = Transform.from_pose(Pose(roll=math.pi / 2.0))  # its axis is along y
-    found = inertia([Solid(Shape.CYLINDER, (0.1, 0.1, 0.6), 2.0, lying)])
+    found = inertia([PartSolid(Shape.CYLINDER, (0.1, 0.1, 0.6), 2.0, lying)])
     across = 2.0 * (3.0 * 0.01 + 0.36) / 12.0
     assert [found.moments[i][i] for i in range(3)] == pytest.approx((across, 0.01, across))
 
@@ -30,9 +30,10 @@ def test_two_halves_are_a_whole() -> None:
     """Steiner's part: a cuboid cut in two, turned about all axes, has the inertia of the whole."""
     turn = Transform.from_pose(Pose(0.3, 0.1, -0.4, 0.5, -0.7, 1.1))
     halves = [
-        Solid(Shape.CUBOID, (0.2, 0.3, 0.25), 3.0, turn @ Transform(position=(0.0, 0.0, z))) for z in (-0.125, 0.125)
+        PartSolid(Shape.CUBOID, (0.2, 0.3, 0.25), 3.0, turn @ Transform(position=(0.0, 0.0, z)))
+        for z in (-0.125, 0.125)
     ]
-    whole = inertia([Solid(Shape.CUBOID, (0.2, 0.3, 0.5), 6.0, turn)])
+    whole = inertia([PartSolid(Shape.CUBOID, (0.2, 0.3, 0.5), 6.0, turn)])
     found = inertia(halves)
     assert found.center == pytest.approx(whole.center)
     for row, expected in zip(found.moments, whole.moments, strict=True):
@@ -40,10 +41,10 @@ def test_two_halves_are_a_whole() -> None:
 
 
 def test_combined_of_bodies_is_that_of_their_solids() -> None:
-    a = Solid(Shape.CYLINDER, (0.05, 0.05, 0.2), 0.7, Transform(position=(0.0, 0.1, 0.0)))
-    b = Solid(Shape.CUBOID, (0.1, 0.2, 0.3), 1.3)
+    a = PartSolid(Shape.CYLINDER, (0.05, 0.05, 0.2), 0.7, Transform(position=(0.0, 0.1, 0.0)))
+    b = PartSolid(Shape.CUBOID, (0.1, 0.2, 0.3), 1.3)
     at = Transform.from_pose(Pose(0.5, -0.2, 0.1, 0.3, 0.2, -0.9))
-    moved = Solid(b.shape, b.size, b.mass, at @ b.pose)
+    moved = PartSolid(b.shape, b.size, b.mass, at @ b.pose)
     found = combined([(inertia([a]), Transform()), (inertia([b]), at)])
     expected = inertia([a, moved])
     assert found.mass == expected.mass

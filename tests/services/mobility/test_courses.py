@@ -11,7 +11,7 @@ from jauspy.platform.chassis import Chassis
 from jauspy.services.mobility.courses import (
     MAX_DRIVING_ERROR,
     STOP_TOLERANCE,
-    Goal,
+    CourseGoal,
     Leg,
     VectorCourse,
     VelocityCourse,
@@ -141,33 +141,36 @@ LEG = Leg(PlanarPoint(0.0, 0.0), PlanarPoint(10.0, 0.0))
     ],
 )
 def test_waypoint_is_reached_within_its_tolerance(x, y, is_last, reached) -> None:
-    assert is_reached(Goal(PlanarPoint(10.0, 0.0), is_last=is_last), LEG, PlanarPoint(x, y)) == reached
+    assert is_reached(CourseGoal(PlanarPoint(10.0, 0.0), is_last=is_last), LEG, PlanarPoint(x, y)) == reached
 
 
-def course(goal: Goal, speed: float = 1.0) -> WaypointCourse:
+def course(goal: CourseGoal, speed: float = 1.0) -> WaypointCourse:
     return WaypointCourse(lambda: goal, lambda: speed, deceleration=1.5, max_turn_rate=1.2)
 
 
 def test_the_last_metres_are_driven_slower() -> None:
-    last, passing = course(Goal(PlanarPoint(10.0, 0.0))), course(Goal(PlanarPoint(10.0, 0.0), is_last=False))
+    last, passing = (
+        course(CourseGoal(PlanarPoint(10.0, 0.0))),
+        course(CourseGoal(PlanarPoint(10.0, 0.0), is_last=False)),
+    )
     for each in (last, passing):
         assert each.steer(Pose()) == PlanarVelocity(1.0, 0.0)
     assert last.steer(Pose(x=9.8)).speed < passing.steer(Pose(x=9.6)).speed < 1.0
 
 
 def test_zero_speed_waits_even_at_the_goal() -> None:
-    assert course(Goal(PlanarPoint(0.0, 0.0)), speed=0.0).steer(Pose()) == STANDSTILL
+    assert course(CourseGoal(PlanarPoint(0.0, 0.0)), speed=0.0).steer(Pose()) == STANDSTILL
 
 
 def test_reached_waypoint_controls_the_heading_only() -> None:
-    there = course(Goal(PlanarPoint(0.0, 0.0), heading=1.0))
+    there = course(CourseGoal(PlanarPoint(0.0, 0.0), heading=1.0))
     assert there.steer(Pose()) == PlanarVelocity(0.0, 1.2)
     assert there.steer(Pose(x=0.5, yaw=0.9)).speed == 0.0, "turning on the spot drifts; it does not go back for that"
     assert there.steer(Pose(yaw=0.99)) is None
 
 
 def test_driving_backward_steers_the_rear_to_the_goal() -> None:
-    back = course(Goal(PlanarPoint(-5.0, 0.0)), speed=-0.5)
+    back = course(CourseGoal(PlanarPoint(-5.0, 0.0)), speed=-0.5)
     assert back.steer(Pose()) == PlanarVelocity(-0.5, pytest.approx(0.0, abs=1e-9))
 
 

@@ -11,8 +11,7 @@ pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", e
 
 from tests.helpers.cells import build_arm, put_on, small_cell
 
-from jauspy.platform.description import Gains
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.joints import ControlMode, Gains, Target
 from jauspy.platform.modular.cell import ModulePower
 from jauspy.platform.modular.parts import ServoData
 from jauspy_sim.cell.robot import SimulatedCell

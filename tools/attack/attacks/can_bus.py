@@ -176,4 +176,6 @@ def processes(arena: Arena, bus: str) -> Iterator[subprocess.Popen[str]]:
             fleet.kill()
 
 
-ATTACK = Attack("can-bus", Attacker.REMOTE, "frames", run, Bounds(memory=32.0), Layout(Victims.COMMANDS), restarts=True)
+ATTACK = Attack(
+    "can-bus", Attacker.REMOTE, "frames", run, Bounds(memory=32.0), layout=Layout(Victims.COMMANDS), restarts=True
+)

@@ -96,5 +96,5 @@ ATTACK = Attack(
     "files",
     attacked_by(FileKind("decode", ".pcap", HONEST, HOSTILE)),
     Bounds(memory=400.0),
-    Layout(Victims.COMMANDS),
+    layout=Layout(Victims.COMMANDS),
 )

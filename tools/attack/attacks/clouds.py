@@ -90,4 +90,6 @@ def subscriber(arena: Arena, address: str) -> Iterator[subprocess.Popen[str]]:
             process.kill()
 
 
-ATTACK = Attack("clouds", Attacker.REMOTE, "messages", run, Bounds(lost=0.1, memory=300.0), Layout(Victims.COMMANDS))
+ATTACK = Attack(
+    "clouds", Attacker.REMOTE, "messages", run, Bounds(lost=0.1, memory=300.0), layout=Layout(Victims.COMMANDS)
+)

@@ -78,5 +78,5 @@ ATTACK = Attack(
         FileKind("addresses", ".yaml", YAML, HOSTILE_YAML),
     ),
     Bounds(memory=400.0),
-    Layout(Victims.COMMANDS),
+    layout=Layout(Victims.COMMANDS),
 )

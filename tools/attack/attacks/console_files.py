@@ -79,5 +79,5 @@ ATTACK = Attack(
         FileKind("saved", ".json", SAVED, HOSTILE_SAVED),
     ),
     Bounds(memory=400.0),
-    Layout(Victims.COMMANDS),
+    layout=Layout(Victims.COMMANDS),
 )

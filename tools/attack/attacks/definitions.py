@@ -87,5 +87,5 @@ ATTACK = Attack(
     "files",
     attacked_by(FileKind("definition", ".xml", HONEST, HOSTILE)),
     Bounds(memory=400.0),
-    Layout(Victims.COMMANDS),
+    layout=Layout(Victims.COMMANDS),
 )

@@ -95,4 +95,6 @@ def _process(first: str, module: str, *arguments: str) -> Iterator[str]:
             process.terminate()
 
 
-ATTACK: Final = Attack("hostile-texts", Attacker.REMOTE, "texts", run, Bounds(memory=400.0), Layout(Victims.COMMANDS))
+ATTACK: Final = Attack(
+    "hostile-texts", Attacker.REMOTE, "texts", run, Bounds(memory=400.0), layout=Layout(Victims.COMMANDS)
+)

@@ -22,9 +22,9 @@ def random_packet(chance: random.Random, source: JausID = STRANGER, destination:
         chance.randbytes(chance.randrange(80)),
         chance.randrange(65536),
         chance.choice(list(Priority)),
-        chance.choice(list(Broadcast)),
-        chance.choice(list(Ack)),
-        chance.choice(list(DataFlag)),
+        broadcast=chance.choice(list(Broadcast)),
+        ack=chance.choice(list(Ack)),
+        data_flag=chance.choice(list(DataFlag)),
     )
 
 

@@ -146,5 +146,5 @@ ATTACK = Attack(
     "files",
     attacked_by(FileKind("robot", ".toml", TOML, HOSTILE_TOML), FileKind("urdf", ".urdf.xacro", URDF, HOSTILE_URDF)),
     Bounds(memory=400.0),
-    Layout(Victims.COMMANDS),
+    layout=Layout(Victims.COMMANDS),
 )

@@ -41,5 +41,5 @@ ATTACK = Attack(
     "scans",
     attacked_by(FileKind("scan", ".scan", HONEST, HOSTILE)),
     Bounds(memory=400.0),
-    Layout(Victims.COMMANDS),
+    layout=Layout(Victims.COMMANDS),
 )

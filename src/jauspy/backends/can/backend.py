@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib.util import find_spec
 
-from jauspy.backends.can.setup import DriveFault
+from jauspy.backends.can.faults import DriveFault
 from jauspy.errors import ConfigError
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel

@@ -310,7 +310,7 @@ class Port:
         self.periodic.clear()
 
 
-class Wire:
+class VirtualBus:
     """A CAN bus in one process, with two ends: the robot and the simulated drives.
 
     When `send` returns, the other end has received the frame.

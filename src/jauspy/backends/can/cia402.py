@@ -63,7 +63,7 @@ def state_of(statusword: int) -> DriveState:
     return DriveState.NOT_READY
 
 
-class Control(IntEnum):
+class Controlword(IntEnum):
     """Controlwords (6040h)."""
 
     DISABLE_VOLTAGE = 0x00
@@ -85,23 +85,23 @@ class Mode(IntEnum):
     CYCLIC_TORQUE = 10
 
 
-def towards_operation(state: DriveState) -> Control:
+def towards_operation(state: DriveState) -> Controlword:
     """The controlword for the next step to Operation Enabled. A fault is not reset by it."""
     match state:
         case DriveState.SWITCH_ON_DISABLED:
-            return Control.SHUTDOWN
+            return Controlword.SHUTDOWN
         case DriveState.READY_TO_SWITCH_ON:
-            return Control.SWITCH_ON
+            return Controlword.SWITCH_ON
         case DriveState.SWITCHED_ON | DriveState.OPERATION_ENABLED | DriveState.QUICK_STOP_ACTIVE:
-            return Control.ENABLE_OPERATION
+            return Controlword.ENABLE_OPERATION
         case _:
-            return Control.DISABLE_VOLTAGE
+            return Controlword.DISABLE_VOLTAGE
 
 
 def next_state(state: DriveState, control: int, before: int) -> DriveState:
     """The state of a drive after a controlword, `before` being the last one. Quick stop holds (605Ah is 5..8)."""
     if state is DriveState.FAULT:
-        reset = control & Control.FAULT_RESET and not before & Control.FAULT_RESET
+        reset = control & Controlword.FAULT_RESET and not before & Controlword.FAULT_RESET
         return DriveState.SWITCH_ON_DISABLED if reset else state
     if state in {DriveState.NOT_READY, DriveState.FAULT_REACTION_ACTIVE}:
         return state

@@ -12,12 +12,13 @@ from canopen.sdo.exceptions import SdoAbortedError, SdoCommunicationError, SdoEr
 
 from jauspy.backends.can import pdo
 from jauspy.backends.can.bus import describe
-from jauspy.backends.can.cia402 import HOMING_ATTAINED, HOMING_ERROR, Control, Mode
+from jauspy.backends.can.cia402 import HOMING_ATTAINED, HOMING_ERROR, Controlword, Mode
 from jauspy.backends.can.drive import LIMIT_MARGIN, Drive
-from jauspy.backends.can.setup import CanSetup, DriveFault
+from jauspy.backends.can.faults import DriveFault
 from jauspy.geometry.urdf import JointKind
 from jauspy.logs import get_logger
 from jauspy.platform.joint_control import ACCELERATION_TIME
+from jauspy.platform.servo_drives import CanSetup
 
 _LOG: Final = get_logger("jauspy.can")
 
@@ -54,7 +55,7 @@ SIZES: Final = {
 
 
 @dataclass(frozen=True, slots=True)
-class Setting:
+class ObjectSetting:
     """A value that an object of the drive must have."""
 
     index: int
@@ -81,7 +82,7 @@ class Configurator:
             self._network.send_message(0, bytes((0x80, drive.setup.node)))  # NMT: Pre-operational
             check_identity(sdo, drive)
             if _read(sdo, 0x6041, 0) & 0x04:  # enabled by whoever was here before
-                _write(sdo, 0x6040, 0, Control.DISABLE_VOLTAGE, 2)
+                _write(sdo, 0x6040, 0, Controlword.DISABLE_VOLTAGE, 2)
             for setting in self._settings(drive):
                 _set(sdo, setting, drive)
             for wanted in pdo.ALL:
@@ -121,37 +122,39 @@ class Configurator:
         node.sdo.RESPONSE_TIMEOUT, node.sdo.MAX_RETRIES = SDO_TIMEOUT, SDO_TRIES
         return node.sdo
 
-    def _settings(self, drive: Drive) -> Iterator[Setting]:
+    def _settings(self, drive: Drive) -> Iterator[ObjectSetting]:
         setup, units, joint = self._setup, drive.units, drive.joint
         timeout = round(1e3 * setup.heartbeat_timeout)
-        yield Setting(0x1016, 1, setup.node << 16 | timeout)
-        yield Setting(0x1017, 0, round(1e3 * setup.heartbeat_timeout * PRODUCED))
-        yield Setting(0x6007, 0, 1, "a lost heartbeat is a fault")
-        yield Setting(0x605E, 0, 2, "a fault stops by the quick stop ramp")
-        yield Setting(0x605A, 0, 6)  # after a quick stop: stay in Quick Stop Active, and hold
-        yield Setting(0x6085, 0, abs(units.velocity_counts(units.stop_deceleration)))
-        yield Setting(0x60C2, 1, round(1e3 / setup.sync_rate), "interpolation between two SYNCs")
+        yield ObjectSetting(0x1016, 1, setup.node << 16 | timeout)
+        yield ObjectSetting(0x1017, 0, round(1e3 * setup.heartbeat_timeout * PRODUCED))
+        yield ObjectSetting(0x6007, 0, 1, "a lost heartbeat is a fault")
+        yield ObjectSetting(0x605E, 0, 2, "a fault stops by the quick stop ramp")
+        yield ObjectSetting(0x605A, 0, 6)  # after a quick stop: stay in Quick Stop Active, and hold
+        yield ObjectSetting(0x6085, 0, abs(units.velocity_counts(units.stop_deceleration)))
+        yield ObjectSetting(0x60C2, 1, round(1e3 / setup.sync_rate), "interpolation between two SYNCs")
         if drive.setup.track is None:
-            yield Setting(0x6065, 0, units.distance_counts(drive.setup.following_error), "its own following error")
-            yield Setting(0x6066, 0, round(1e3 * drive.setup.following_time), "its own following error")
+            yield ObjectSetting(
+                0x6065, 0, units.distance_counts(drive.setup.following_error), "its own following error"
+            )
+            yield ObjectSetting(0x6066, 0, round(1e3 * drive.setup.following_time), "its own following error")
             if joint.kind in {JointKind.REVOLUTE, JointKind.PRISMATIC}:
                 margin = LIMIT_MARGIN * (joint.upper - joint.lower)
                 ends = sorted((units.counts(joint.lower - margin), units.counts(joint.upper + margin)))
-                yield Setting(0x607D, 1, ends[0], "its own position limits")
-                yield Setting(0x607D, 2, ends[1], "its own position limits")
+                yield ObjectSetting(0x607D, 1, ends[0], "its own position limits")
+                yield ObjectSetting(0x607D, 2, ends[1], "its own position limits")
         if drive.by_profile:
             acceleration = abs(units.velocity_counts(joint.velocity / ACCELERATION_TIME))
-            yield Setting(0x6081, 0, abs(units.velocity_counts(joint.velocity)))
-            yield Setting(0x6083, 0, acceleration)
-            yield Setting(0x6084, 0, acceleration)
+            yield ObjectSetting(0x6081, 0, abs(units.velocity_counts(joint.velocity)))
+            yield ObjectSetting(0x6083, 0, acceleration)
+            yield ObjectSetting(0x6084, 0, acceleration)
         if (homing := drive.setup.homing) is not None:
             speed = abs(units.velocity_counts(homing.speed))
-            yield Setting(0x6098, 0, homing.method)
-            yield Setting(0x6099, 1, speed)
-            yield Setting(0x6099, 2, max(1, speed // 4))
-            yield Setting(0x609A, 0, abs(units.velocity_counts(joint.velocity / ACCELERATION_TIME)))
-            yield Setting(0x607C, 0, 0, "an offset of the home position")
-        yield Setting(0x6072, 0, abs(units.torque(joint.effort)), "its own limit of the torque")
+            yield ObjectSetting(0x6098, 0, homing.method)
+            yield ObjectSetting(0x6099, 1, speed)
+            yield ObjectSetting(0x6099, 2, max(1, speed // 4))
+            yield ObjectSetting(0x609A, 0, abs(units.velocity_counts(joint.velocity / ACCELERATION_TIME)))
+            yield ObjectSetting(0x607C, 0, 0, "an offset of the home position")
+        yield ObjectSetting(0x6072, 0, abs(units.torque(joint.effort)), "its own limit of the torque")
 
 
 def check_identity(sdo: Any, drive: Drive) -> None:
@@ -196,7 +199,7 @@ def is_homed(sdo: Any) -> bool:
     return False
 
 
-def _set(sdo: Any, setting: Setting, drive: Drive) -> None:
+def _set(sdo: Any, setting: ObjectSetting, drive: Drive) -> None:
     """Write an object that differs."""
     size = SIZES.get(setting.index, 4)
     try:

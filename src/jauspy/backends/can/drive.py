@@ -12,7 +12,7 @@ from jauspy.backends.can.cia402 import (
     LIMIT_ACTIVE,
     NEW_SETPOINT,
     TARGET_REACHED,
-    Control,
+    Controlword,
     DriveState,
     Mode,
     error_text,
@@ -21,9 +21,9 @@ from jauspy.backends.can.cia402 import (
     towards_operation,
 )
 from jauspy.backends.can.other_senders import Balance
-from jauspy.backends.can.setup import DriveSetup
 from jauspy.backends.can.units import DriveUnits, unwrapped
 from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.platform.servo_drives import DriveSetup
 
 TRANSITION_TIME: Final = 0.1
 """Seconds that a drive may take to enter Operation Enabled again after a quick stop."""
@@ -41,7 +41,7 @@ LIMIT_MARGIN: Final = 0.02
 """Fraction of a joint's range by which it may be beyond its limits."""
 
 
-class Motion(Protocol):
+class DriveMotion(Protocol):
     """Computes the command of a drive at each SYNC."""
 
     def advance(self, drive: Drive, dt: float) -> tuple[Mode, float] | None:
@@ -72,7 +72,7 @@ OVERLOAD_TIME: Final = 0.2
 class Drive:
     """One drive. `receive_*` may be called by another thread than the other methods."""
 
-    def __init__(self, setup: DriveSetup, joint: Joint, motion: Motion, max_unanswered: int) -> None:
+    def __init__(self, setup: DriveSetup, joint: Joint, motion: DriveMotion, max_unanswered: int) -> None:
         self.setup = setup
         self.joint = joint
         self.units = DriveUnits(setup, joint)
@@ -229,7 +229,7 @@ class Drive:
     def home(self) -> tuple[int, bytes]:
         """COB-ID and bytes of the next command while it searches its home position."""
         is_ready = self.state is DriveState.OPERATION_ENABLED and self.mode_display == Mode.HOMING
-        return self.command(Control.START_HOMING if is_ready else towards_operation(self.state), Mode.HOMING, 0.0)
+        return self.command(Controlword.START_HOMING if is_ready else towards_operation(self.state), Mode.HOMING, 0.0)
 
     def homing(self) -> bool | None:
         """True when it has found its home position, False if it failed, None before."""
@@ -244,7 +244,7 @@ class Drive:
 
         It does not depend on the reported state: a forged one must not take the power of a drive that holds a load.
         """
-        return self.idle(Control.QUICK_STOP)
+        return self.idle(Controlword.QUICK_STOP)
 
     def idle(self, control: int) -> tuple[int, bytes]:
         """COB-ID and bytes of a controlword, with the present position as target."""

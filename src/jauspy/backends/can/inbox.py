@@ -23,7 +23,7 @@ def deviation(message: can.Message) -> str:
     return "fd" if message.is_fd else ""
 
 
-class Inbox:
+class FrameInbox:
     """Takes each received frame. Nothing that a frame contains raises, or is kept."""
 
     def __init__(self) -> None:

@@ -16,14 +16,15 @@ import canopen
 
 from jauspy.backends.can import pdo
 from jauspy.backends.can.bus import hint, split
-from jauspy.backends.can.cia402 import Control, DriveState, towards_operation
+from jauspy.backends.can.cia402 import Controlword, DriveState, towards_operation
 from jauspy.backends.can.configuration import Configurator
 from jauspy.backends.can.drive import LIMIT_MARGIN, OPERATIONAL, Drive
-from jauspy.backends.can.inbox import Inbox
+from jauspy.backends.can.faults import DriveFault
+from jauspy.backends.can.inbox import FrameInbox
 from jauspy.backends.can.other_senders import OtherMasters
-from jauspy.backends.can.setup import CanSetup, DriveFault
 from jauspy.geometry.urdf import JointKind
 from jauspy.logs import get_logger
+from jauspy.platform.servo_drives import CanSetup
 
 _LOG: Final = get_logger("jauspy.can")
 
@@ -104,7 +105,7 @@ class Master:
         self._second = (0.0, 0)
         """The time of the last full second, and the frames that had been ignored then."""
         self._ignored_rate = 0.0
-        self.inbox = Inbox()
+        self.inbox = FrameInbox()
         for drive in drives.values():
             self._expect_frames_of(drive)
         self.inbox.expect(pdo.SYNC, 0, self._others.receive_sync)
@@ -189,11 +190,11 @@ class Master:
                 faulty = drive.state is DriveState.FAULT
                 if not faulty:
                     return drive.stop()
-                return drive.idle(Control.FAULT_RESET if self._reset else Control.DISABLE_VOLTAGE)
+                return drive.idle(Controlword.FAULT_RESET if self._reset else Controlword.DISABLE_VOLTAGE)
             case Phase.HOMING if drive is self._homing:
                 return drive.home()
             case Phase.CLOSING:
-                return drive.idle(Control.SHUTDOWN)
+                return drive.idle(Controlword.SHUTDOWN)
             case _:
                 return drive.stop()
 

@@ -10,9 +10,8 @@ from jauspy.backends.can.cia402 import Mode
 from jauspy.backends.can.drive import Drive
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
-from jauspy.platform.description import JointGains
 from jauspy.platform.joint_control import JointController, SetpointGenerator
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.joints import ControlMode, JointGains, Target
 
 _LOG: Final = get_logger("jauspy.can")
 

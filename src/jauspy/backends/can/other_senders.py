@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from jauspy.backends.can.setup import CanSetup
+from jauspy.platform.servo_drives import CanSetup
 
 TOLERANCE: Final = 3
 """Frames that this process did not send, after which there is another master."""

@@ -11,33 +11,33 @@ from typing import Any, Final
 import canopen
 
 from jauspy.backends.can import bus as buses
-from jauspy.backends.can.bus import Wire
+from jauspy.backends.can.bus import VirtualBus
 from jauspy.backends.can.drive import Drive
 from jauspy.backends.can.master import Master
 from jauspy.backends.can.motion import TRACK_ACCELERATION, JointMotion, TrackMotion
-from jauspy.backends.can.setup import CanSetup
-from jauspy.backends.can.simulated.fleet import Fleet, plant_of
+from jauspy.backends.can.simulated.fleet import DriveFleet, plant_of
 from jauspy.backends.kinematic_camera import KinematicCameras
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import HoldingEfforts
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
-from jauspy.platform.camera import Camera
-from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, SkidSteerDrive
+from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import DriveBase, OptionalPart, Robot, Viewable
 from jauspy.platform.description import GroupSetup, RobotModel
+from jauspy.platform.drives import SLIP_FACTOR, FixedBase, SkidSteerDrive
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointState, Target
 from jauspy.platform.localization import Localization
 from jauspy.platform.ranging import RangeFinder, Scanner
+from jauspy.platform.servo_drives import CanSetup
 
 _LOG: Final = get_logger("jauspy.can")
 
 ROBOT_TIMEOUT: Final = 0.25
 """Seconds without `advance` after which the drives stop: the robot's thread hangs."""
 
-ROUNDING: Final = 1e-9
+TIME_TOLERANCE: Final = 1e-9
 """Seconds of rounding errors in sums of times."""
 
 
@@ -254,14 +254,14 @@ class CanRobot:
         return {**self._ticker.received(), **self.master.counters, **self.master.inbox.counters}
 
     @property
-    def fleet(self) -> Fleet | None:
+    def fleet(self) -> DriveFleet | None:
         """The simulated drives in this process."""
         return self._ticker.fleet
 
     @property
-    def wire(self) -> Wire | None:
+    def virtual_bus(self) -> VirtualBus | None:
         """The bus to simulated drives in this process."""
-        return self._ticker.wire
+        return self._ticker.virtual_bus
 
     @property
     def groups(self) -> Mapping[str, CanJoints]:
@@ -281,7 +281,7 @@ class CanRobot:
         return {} if robot is None else robot.force_torque
 
     @property
-    def cameras(self) -> Mapping[str, Camera]:
+    def cameras(self) -> Mapping[str, CameraSource]:
         """Its cameras: those of the simulation, or pictures of sky and floor from where the joints put them."""
         robot = self._ticker.plant_robot
         if robot is not None:
@@ -369,10 +369,10 @@ class _Simulated:
     """Simulated drives in this process: cycles and drives follow the robot's time."""
 
     def __init__(self, model: RobotModel, setup: CanSetup, plant: str, world: str) -> None:
-        self.wire: Wire | None = (wire := Wire())
-        self.network = wire.near.network()
+        self.virtual_bus: VirtualBus | None = (virtual_bus := VirtualBus())
+        self.network = virtual_bus.near.network()
         moved = plant_of(plant, model, setup, world)
-        self.fleet: Fleet | None = Fleet(model, setup, moved, wire.far, keeps_home=True)
+        self.fleet: DriveFleet | None = DriveFleet(model, setup, moved, virtual_bus.far, keeps_home=True)
         self.plant_robot = self.fleet.plant.robot
         self._fleet = self.fleet
         self._period = 1.0 / setup.sync_rate
@@ -380,8 +380,8 @@ class _Simulated:
         self._owed = 0.0
         self._cycle: Callable[[float], None] = lambda _now: None
         self._tick: Callable[[], None] = lambda: None
-        self._wire = wire
-        wire.far_receives = self._fleet.receive
+        self._virtual_bus = virtual_bus
+        virtual_bus.far_receives = self._fleet.receive
 
     def received(self) -> Mapping[str, int]:
         """Nothing is lost on this bus."""
@@ -393,7 +393,7 @@ class _Simulated:
 
     def start(self, master: Master, tick: Callable[[], None]) -> None:
         """Start the cycles."""
-        self._wire.near_receives = master.inbox.receive
+        self._virtual_bus.near_receives = master.inbox.receive
         self._cycle, self._tick = master.cycle, tick
 
     def wait_cycle(self) -> None:
@@ -406,7 +406,7 @@ class _Simulated:
     def advance(self, dt: float) -> None:
         """Cycles on a fixed grid, the first at the beginning."""
         self._owed += dt
-        while self._owed > ROUNDING:
+        while self._owed > TIME_TOLERANCE:
             self._owed -= self._period
             self.wait_cycle()
 
@@ -418,8 +418,8 @@ class _Simulated:
 class _Clocked:
     """A bus: a thread runs the cycles, by the clock."""
 
-    wire: Wire | None = None
-    fleet: Fleet | None = None
+    virtual_bus: VirtualBus | None = None
+    fleet: DriveFleet | None = None
     plant_robot: Robot | None = None
     clock = staticmethod(time.monotonic)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from jauspy.backends.can.setup import STOP_TIME, DriveSetup, VelocityUnit
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.platform.servo_drives import STOP_TIME, DriveSetup, VelocityUnit
 
 MAX_INT32: Final = 2**31 - 1
 THOUSANDTHS: Final = 1000

@@ -23,7 +23,7 @@ from jauspy.messages import registry
 from jauspy.schema import load_builtin
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.loader import find_files, load_beside_builtin, load_own
-from jauspy.schema.model import Schema, Service as Definition
+from jauspy.schema.model import Schema, ServiceDefinition as Definition
 from jauspy.services.binding import RequiredMethod, required_methods
 from jauspy.services.core import INHERITED_DEFAULTS, with_core_services
 from jauspy.services.service import Service

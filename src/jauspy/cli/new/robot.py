@@ -220,7 +220,7 @@ def _wheels(description: RobotDescription) -> WheelJoints | None:
     if not sides["left"] or len(sides["left"]) != len(sides["right"]) or len(sides["left"]) > 8:
         return None
     left, right = tuple(sides["left"]), tuple(sides["right"])
-    found = WheelJoints(WheelKind.SKID_STEER, left, right, (), None, 0.02)
+    found = WheelJoints(type=WheelKind.SKID_STEER, left=left, right=right, steered=(), radius=None, inertia=0.02)
     height = round(abs(sum(heights) / len(heights)), 4) or 0.1
     for radius in (None, height):
         try:

@@ -17,7 +17,7 @@ from jauspy.ids import is_called
 from jauspy.schema import load_builtin
 from jauspy.schema.differences import Change, MessageDiff, ServiceDiff, compare
 from jauspy.schema.loader import load_own
-from jauspy.schema.model import Message, Schema, Service
+from jauspy.schema.model import MessageDefinition, Schema, ServiceDefinition
 from jauspy.schema.services import version_key
 
 _WHAT = "A file, folder or pattern, or NAME@VERSION of a built-in service or set."
@@ -125,11 +125,11 @@ def _change(change: Change) -> Text:
     return Text.assemble("    ", (f"{change.path}: " if change.path else "", "cyan"), change.text)
 
 
-def _message(message: Message) -> str:
+def _message(message: MessageDefinition) -> str:
     return f"{message.code:04X}h {message.name}"
 
 
-def _title(service: Service) -> str:
+def _title(service: ServiceDefinition) -> str:
     return f"{service.id} {service.version}"
 
 
@@ -155,11 +155,11 @@ def _object(service: ServiceDiff) -> dict[str, Any]:
     }
 
 
-def _key(service: Service | None) -> dict[str, str] | None:
+def _key(service: ServiceDefinition | None) -> dict[str, str] | None:
     return {"urn": service.id, "version": service.version} if service else None
 
 
-def _named(message: Message) -> dict[str, str]:
+def _named(message: MessageDefinition) -> dict[str, str]:
     return {"code": f"{message.code:04X}", "name": message.name}
 
 

@@ -17,10 +17,10 @@ from jauspy.codec.names import set_package
 from jauspy.errors import ConfigError
 from jauspy.ids import is_called, service_set
 from jauspy.schema import load_builtin
+from jauspy.schema.digest import same_wire
 from jauspy.schema.loader import load_own
-from jauspy.schema.model import Message, Schema, Service
+from jauspy.schema.model import MessageDefinition, Schema, ServiceDefinition
 from jauspy.schema.services import version_key
-from jauspy.schema.wire import same_wire
 
 SchemasOption = Annotated[
     list[str] | None,
@@ -35,12 +35,12 @@ def definitions(sources: list[str] | None) -> Schema:
     return load_own(sources) if sources else load_builtin()
 
 
-def set_of(service: Service) -> str:
+def set_of(service: ServiceDefinition) -> str:
     """The set of a service: `core` of `urn:jaus:jss:core:Time`."""
     return service_set(service.id)
 
 
-def is_set(service: Service, name: str) -> bool:
+def is_set(service: ServiceDefinition, name: str) -> bool:
     """True for the set's name, its Python package, and the part of the URN before the service's name."""
     parts = service.id.split(":")
     return name.casefold() in {each.casefold() for each in (set_of(service), set_package(service.id), *parts[-2:-1])}
@@ -75,7 +75,7 @@ def ls(
     print_table(("set", "service", "version", "inherits from", "messages"), rows)
 
 
-def _of_set(services: Sequence[Service], set_name: str | None) -> list[Service]:
+def _of_set(services: Sequence[ServiceDefinition], set_name: str | None) -> list[ServiceDefinition]:
 
     found = [service for service in services if set_name is None or is_set(service, set_name)]
     if not found:
@@ -84,7 +84,7 @@ def _of_set(services: Sequence[Service], set_name: str | None) -> list[Service]:
     return found
 
 
-def _row(service: Service) -> tuple[str, ...]:
+def _row(service: ServiceDefinition) -> tuple[str, ...]:
     parent = service.inherits_from
     inherited = f"{parent.id.rpartition(':')[2]} {parent.version}" if parent else ""
     if parent and service_set(parent.id) != set_of(service):
@@ -93,7 +93,7 @@ def _row(service: Service) -> tuple[str, ...]:
     return set_of(service), service.name, service.version, inherited, counts
 
 
-def as_object(service: Service) -> dict[str, Any]:
+def as_object(service: ServiceDefinition) -> dict[str, Any]:
     """A service as a JSON object."""
     parent = service.inherits_from
     return {
@@ -110,7 +110,7 @@ def as_object(service: Service) -> dict[str, Any]:
     }
 
 
-def _message(message: Message) -> dict[str, str]:
+def _message(message: MessageDefinition) -> dict[str, str]:
     return {"code": f"{message.code:04X}", "name": message.name}
 
 
@@ -122,9 +122,9 @@ _CODE = re.compile(r"(?:0[xX])?([0-9A-Fa-f]{4})[hH]?")
 class Match:
     """A service, or a message of one; the services in `others` define the same message."""
 
-    service: Service
-    message: Message | None = None
-    others: tuple[Service, ...] = ()
+    service: ServiceDefinition
+    message: MessageDefinition | None = None
+    others: tuple[ServiceDefinition, ...] = ()
 
 
 def split_version(text: str) -> tuple[str, str | None]:
@@ -146,7 +146,7 @@ def find(schema: Schema, name: str, version: str | None = None) -> list[Match]:
     if not services:
         known = ", ".join(sorted({service.version for service in schema.services}))
         raise ConfigError(f"no service has version {version}; the versions are {known}")
-    newest: dict[str, list[Service]] = {}
+    newest: dict[str, list[ServiceDefinition]] = {}
     for service in sorted(services, key=lambda service: version_key(service.version), reverse=True):
         newest.setdefault(service.id, []).append(service)
     found = [Match(versions[0]) for versions in newest.values() if _names(versions[0], name)]
@@ -156,14 +156,14 @@ def find(schema: Schema, name: str, version: str | None = None) -> list[Match]:
     return found
 
 
-def _names(service: Service, name: str) -> bool:
+def _names(service: ServiceDefinition, name: str) -> bool:
     """True for the service's name, its URN, and the end of its URN, as in `mobility:PrimitiveDriver`."""
     return name.casefold() == service.name.casefold() or is_called(service.id, name)
 
 
-def _messages(newest: dict[str, list[Service]], name: str) -> Iterator[Match]:
+def _messages(newest: dict[str, list[ServiceDefinition]], name: str) -> Iterator[Match]:
     code = _CODE.fullmatch(name)
-    groups: list[list[tuple[Service, Message]]] = []
+    groups: list[list[tuple[ServiceDefinition, MessageDefinition]]] = []
     for versions in newest.values():
         holder = next((each for each in versions for message in each.messages if _is(message, name, code)), None)
         for message in holder.messages if holder else ():
@@ -173,11 +173,15 @@ def _messages(newest: dict[str, list[Service]], name: str) -> Iterator[Match]:
         yield Match(service, message, tuple(other for other, _ in rest))
 
 
-def _is(message: Message, name: str, code: re.Match[str] | None) -> bool:
+def _is(message: MessageDefinition, name: str, code: re.Match[str] | None) -> bool:
     return message.name.casefold() == name.casefold() or (code is not None and message.code == int(code[1], 16))
 
 
-def _group(groups: list[list[tuple[Service, Message]]], service: Service, message: Message) -> None:
+def _group(
+    groups: list[list[tuple[ServiceDefinition, MessageDefinition]]],
+    service: ServiceDefinition,
+    message: MessageDefinition,
+) -> None:
     for group in groups:
         first = group[0][1]
         if (first.name, first.code) == (message.name, message.code) and same_wire(first.body, message.body):
@@ -187,7 +191,7 @@ def _group(groups: list[list[tuple[Service, Message]]], service: Service, messag
     groups.append([(service, message)])
 
 
-def _unknown(services: list[Service], name: str, version: str | None) -> str:
+def _unknown(services: list[ServiceDefinition], name: str, version: str | None) -> str:
     names = {service.name for service in services} | {m.name for service in services for m in service.messages}
     by_key = {known.casefold(): known for known in names}
     close = [by_key[key] for key in get_close_matches(name.casefold(), by_key, 3, 0.6)]

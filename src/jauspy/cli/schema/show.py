@@ -19,15 +19,15 @@ from jauspy.cli.fields import example
 from jauspy.cli.options import Json
 from jauspy.cli.schema.ls import Match, SchemasOption, as_object, definitions, find, set_of
 from jauspy.codec.names import unit_symbol
-from jauspy.codec.wire import CODES, FLOATS, limits
+from jauspy.codec.scalars import CODES, FLOATS, limits
 from jauspy.errors import ConfigError
 from jauspy.schema import load_builtin, model as m
 from jauspy.schema.differences import trigger
+from jauspy.schema.digest import Sizes, can_be_there, scalar_size, sizes
 from jauspy.schema.fields import BITS
 from jauspy.schema.inheritance import lineage, parents_among
-from jauspy.schema.model import Action, Behavior, Message, Schema, Service, State, Transition
+from jauspy.schema.model import ActionCall, Behavior, MessageDefinition, Schema, ServiceDefinition, State, Transition
 from jauspy.schema.state_tree import short_name
-from jauspy.schema.wire import Sizes, can_be_there, scalar_size, sizes
 
 MIN_NAME_WIDTH = 24
 MIN_VALUES_WIDTH = 12
@@ -98,7 +98,7 @@ def _object(match: Match) -> dict[str, Any]:
 # --- a message ------------------------------------------------------------------------------------------------------
 
 
-def _show_message(match: Match, message: Message, *, docs: bool) -> None:
+def _show_message(match: Match, message: MessageDefinition, *, docs: bool) -> None:
 
     out = console.stdout()
     least, most = sizes(message.body)
@@ -115,7 +115,7 @@ def _show_message(match: Match, message: Message, *, docs: bool) -> None:
     out.print(_table(rows(message), docs=docs), soft_wrap=False)
 
 
-def _show_example(match: Match, message: Message, sources: list[str] | None) -> None:
+def _show_example(match: Match, message: MessageDefinition, sources: list[str] | None) -> None:
     """The command line that sends it, for messages that components take."""
     if not any(each.code == message.code for each in match.service.inputs):
         return
@@ -132,13 +132,13 @@ def _show_example(match: Match, message: Message, sources: list[str] | None) -> 
         out.print(Text(text), soft_wrap=False)
 
 
-def _direction(service: Service, message: Message) -> str:
+def _direction(service: ServiceDefinition, message: MessageDefinition) -> str:
     goes_in = any(each.code == message.code for each in service.inputs)
     goes_out = any(each.code == message.code for each in service.outputs)
     return "input and output of" if goes_in and goes_out else "input of" if goes_in else "output of"
 
 
-def _title(service: Service) -> str:
+def _title(service: ServiceDefinition) -> str:
     return f"{set_of(service)} {service.name} {service.version}"
 
 
@@ -174,7 +174,7 @@ def _table(rows: list[Row], *, docs: bool) -> Table:
 # --- a service ------------------------------------------------------------------------------------------------------
 
 
-def _show_service(service: Service, schema: Schema) -> None:
+def _show_service(service: ServiceDefinition, schema: Schema) -> None:
 
     out = console.stdout()
     out.print(Text.assemble((f"{service.name} {service.version}", "bold"), f"  {service.id}"), soft_wrap=False)
@@ -193,7 +193,7 @@ def _show_service(service: Service, schema: Schema) -> None:
         out.print(tree, soft_wrap=False)
 
 
-def _relations(service: Service, schema: Schema) -> Iterator[tuple[str, str]]:
+def _relations(service: ServiceDefinition, schema: Schema) -> Iterator[tuple[str, str]]:
 
     ancestors = lineage(service, parents_among((*load_builtin().services, *schema.services)))[1:]
     if ancestors:
@@ -202,7 +202,7 @@ def _relations(service: Service, schema: Schema) -> Iterator[tuple[str, str]]:
         yield "client of", ", ".join(f"{each.id.rpartition(':')[2]} {each.version}" for each in service.client_of)
 
 
-def _print_messages(what: str, messages: tuple[Message, ...]) -> None:
+def _print_messages(what: str, messages: tuple[MessageDefinition, ...]) -> None:
 
     if not messages:
         return
@@ -271,7 +271,7 @@ class Row:
         return {**shown, "presence_bit": self.bit, "values": list(self.notes), "doc": self.doc}
 
 
-def rows(message: m.Message) -> list[Row]:
+def rows(message: m.MessageDefinition) -> list[Row]:
     """The layout of a message from its id on; offsets include all optional fields before (`≤`)."""
     head = Row(0, "message id", "0", "2", "u16", notes=(f"{message.code:04X}h",))
     if message.body is None:
@@ -303,7 +303,16 @@ def _members(node: m.Record | m.Sequence, depth: int, place: Offset) -> Iterator
 
 def _row(node: m.Node, depth: int, place: Offset, bit: int | None) -> Iterator[Row]:
     notes, inside = _notes(node)
-    yield Row(depth, node.name, str(place), size_text(sizes(node)), _type(node), bit, notes, node.doc)
+    yield Row(
+        depth=depth,
+        name=node.name,
+        place=str(place),
+        size=size_text(sizes(node)),
+        type=_type(node),
+        bit=bit,
+        notes=notes,
+        doc=node.doc,
+    )
     for name, type_, more, doc in inside:
         yield Row(depth + 1, name, "", "", type_, notes=more, doc=doc)
     match node:
@@ -466,11 +475,11 @@ def transition_text(transition: Transition, prefix: str = "") -> Text:
     return text
 
 
-def _actions(actions: Sequence[Action]) -> str:
+def _actions(actions: Sequence[ActionCall]) -> str:
     return ", ".join(map(_action, actions))
 
 
-def _action(action: Action) -> str:
+def _action(action: ActionCall) -> str:
     name = short_name(action.name)
     if name == "Send" and action.arguments:
         what, *rest = (argument.strip("'") for argument in action.arguments if argument != "transportData")

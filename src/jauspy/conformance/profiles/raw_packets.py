@@ -37,7 +37,7 @@ class RawSender:
     def number(self, count: int = 1) -> int:
         """Reserve `count` unused sequence numbers; returns the first."""
         memory = self.tester.memory
-        first: int = memory.get("number", self.tester.wire.first_sequence + FIRST_NUMBER & 0xFFFF)
+        first: int = memory.get("number", self.tester.link.first_sequence + FIRST_NUMBER & 0xFFFF)
         memory["number"] = first + count & 0xFFFF
         return first
 

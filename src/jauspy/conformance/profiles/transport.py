@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Final
 
+from jauspy.conformance.link import PORTS, RAW
 from jauspy.conformance.profile import Action, Profile
 from jauspy.conformance.profiles.raw_packets import (
     UNKNOWN_MESSAGE,
@@ -26,7 +27,6 @@ from jauspy.conformance.profiles.raw_packets import (
     with_packets,
 )
 from jauspy.conformance.results import Skipped
-from jauspy.conformance.wire import PORTS, RAW
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification
 from jauspy.protocol import header

@@ -73,7 +73,7 @@ class MergedTransition(NamedTuple):
 
     name: str
     transition: model.Transition
-    owner: model.Service
+    owner: model.ServiceDefinition
     node: MergedState
 
     @property
@@ -96,7 +96,7 @@ Decide: TypeAlias = Callable[[behavior.Call, Situation], TruthValue]
 class BehaviourModel:
     """The merged machine of some definitions, most derived first."""
 
-    def __init__(self, definitions: Sequence[model.Service]) -> None:
+    def __init__(self, definitions: Sequence[model.ServiceDefinition]) -> None:
         merged = merge_machines(definitions)[RECEIVE_MACHINE]
         self.root = merged.root
         self._outputs = {message.name for each in definitions for message in each.outputs}
@@ -162,7 +162,7 @@ class BehaviourModel:
         moved = self._moved(owned.item, after)
         return Prediction(tuple(outputs), moved, self._name(owned, node), bool(owned.item.actions))
 
-    def _sent(self, action: model.Action, role: str, controller: str | None) -> Output | None:
+    def _sent(self, action: model.ActionCall, role: str, controller: str | None) -> Output | None:
         """The output of `Send('Message', 'CODE', transportData)`, or of an action called `sendMessage`."""
         arguments = [argument.strip("'\" ") for argument in action.arguments]
         to = role if "transportData" in arguments else controller or role
@@ -302,7 +302,7 @@ class ComponentUnderTest:
     """The component under test as its definitions describe it."""
 
     component: JausID
-    definitions: tuple[model.Service, ...]
+    definitions: tuple[model.ServiceDefinition, ...]
     machine: BehaviourModel
     registry: Registry
 

@@ -11,7 +11,7 @@ from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Silent, Skipped, StepOutcome
 from jauspy.conformance.state_tests.behaviour import ComponentUnderTest, Decide, Prediction, Situation, TruthValue
 from jauspy.conformance.state_tests.neutral_messages import neutral
-from jauspy.conformance.steering import ACCESS_CONTROL, Goal, ObservedState, Path, Status, Steering
+from jauspy.conformance.steering import ACCESS_CONTROL, ObservedState, Path, StateGoal, Status, Steering
 from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, Tester
 from jauspy.ids import JausID
 from jauspy.schema import behavior
@@ -117,8 +117,8 @@ class Explorer(Steering):
         """As `observe`, until the state fits one of the situations, at most for a timeout."""
         return self.settle_on(self._goal(*situations))
 
-    def _goal(self, *situations: Situation) -> Goal:
-        return Goal(situations, lambda seen: any(self.agrees(seen, each) for each in situations))
+    def _goal(self, *situations: Situation) -> StateGoal:
+        return StateGoal(situations, lambda seen: any(self.agrees(seen, each) for each in situations))
 
     def discard_received(self) -> None:
         """Discard pending messages and checks, which belong to earlier inputs."""

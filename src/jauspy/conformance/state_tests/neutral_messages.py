@@ -10,7 +10,7 @@ from typing import Any, Final
 from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Message
-from jauspy.codec.wire import FLOATS, limits
+from jauspy.codec.scalars import FLOATS, limits
 
 PRESENCE: Final = "presence_vector"
 

@@ -48,7 +48,7 @@ PRECISION: Final = 0.01
 
 
 @dataclass(frozen=True, slots=True)
-class Setting:
+class SensorSetting:
     """One field of the configuration of sensors."""
 
     field: str
@@ -126,7 +126,7 @@ ALL: Final = 0
 JPEG, PNG = SetStill.StillImageFormat.JPEG, SetStill.StillImageFormat.PNG
 
 SETTINGS: Final = (
-    Setting(
+    SensorSetting(
         "update_rate",
         lambda sensor, rate: SetRange(
             SetRange.RequestIdRec(CREATE), [SetRange.RangeSensorConfigurationRec(sensor, update_rate=rate)]
@@ -134,9 +134,9 @@ SETTINGS: Final = (
         QueryRange([QueryRange.QueryRangeSensorConfigurationRec(ALL, 0xFFFF)]),
         ReportRange,
         lambda report: report.range_sensor_configuration_list,
-        lambda rate: rate / 2,
+        other=lambda rate: rate / 2,
     ),
-    Setting(
+    SensorSetting(
         "horizontal_field_of_view",
         lambda sensor, angle: SetVisual(
             SetVisual.RequestIdRec(CREATE),
@@ -145,9 +145,9 @@ SETTINGS: Final = (
         QueryVisual([QueryVisual.QueryVisualSensorConfigurationRec(ALL, 0xFFFF)]),
         ReportVisual,
         lambda report: report.visual_sensor_configuration_list,
-        lambda angle: angle / 2,
+        other=lambda angle: angle / 2,
     ),
-    Setting(
+    SensorSetting(
         "frame_rate",
         lambda sensor, rate: SetVideo(
             SetVideo.RequestIdRec(CREATE), [SetVideo.DigitalVideoSensorConfigurationRec(sensor, frame_rate=rate)]
@@ -155,9 +155,9 @@ SETTINGS: Final = (
         QueryVideo([QueryVideo.QueryDigitalVideoConfigurationRec(ALL, 0xFF)]),
         ReportVideo,
         lambda report: report.digital_video_sensor_configuration_list,
-        lambda rate: max(1, rate // 2) if rate != 1 else 2,
+        other=lambda rate: max(1, rate // 2) if rate != 1 else 2,
     ),
-    Setting(
+    SensorSetting(
         "still_image_format",
         lambda sensor, coding: SetStill(
             SetStill.RequestIdRec(CREATE),
@@ -166,9 +166,9 @@ SETTINGS: Final = (
         QueryStill([QueryStill.QueryStillImageSensorConfigurationRec(ALL, 0xFF)]),
         ReportStill,
         lambda report: report.still_image_sensor_configuration_list,
-        lambda coding: PNG if coding == JPEG else JPEG,
+        other=lambda coding: PNG if coding == JPEG else JPEG,
     ),
-    Setting(
+    SensorSetting(
         "group_of_pictures",
         lambda sensor, pictures: SetEncoding(
             SetEncoding.RequestIdRec(CREATE),
@@ -181,7 +181,7 @@ SETTINGS: Final = (
         QueryEncoding([QueryEncoding.QueryH264VideoEncodingRec(ALL)]),
         ReportEncoding,
         lambda report: [each.h264_configuration_rec for each in report.h264_configuration_list],
-        lambda pictures: max(1, pictures // 2) if pictures != 1 else 2,
+        other=lambda pictures: max(1, pictures // 2) if pictures != 1 else 2,
     ),
 )
 SENSORS: Final = tuple(each.stimulus() for each in SETTINGS)

@@ -11,8 +11,8 @@ from typing import Final, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.platform.description import Gains
 from jauspy.platform.joint_control import Pid
+from jauspy.platform.joints import Gains
 from jauspy.platform.modular.dynamics import ArmModel
 from jauspy.platform.modular.parts import ServoData
 from jauspy.platform.modular.trajectory import Setpoint
@@ -53,7 +53,7 @@ SLIDING_PART: Final = 0.7
 """Part of the friction that is compensated then; with all of it the arm would hunt about its target."""
 
 
-class Measured(NamedTuple):
+class JointMeasurements(NamedTuple):
     """What the modules measure, and how fast the springs' torques change (N m/s)."""
 
     q: Array
@@ -65,11 +65,11 @@ class Measured(NamedTuple):
 class ControlLaw(Protocol):
     """A stage of control, for one chain."""
 
-    def torques(self, setpoint: Setpoint, measured: Measured, dt: float) -> Array:
+    def torques(self, setpoint: Setpoint, measured: JointMeasurements, dt: float) -> Array:
         """The torques of the motors for the next `dt` seconds."""
         ...
 
-    def take_over(self, torques: Array, setpoint: Setpoint, measured: Measured) -> None:
+    def take_over(self, torques: Array, setpoint: Setpoint, measured: JointMeasurements) -> None:
         """Begin with these torques as far as possible, which another law has commanded last."""
         ...
 
@@ -85,18 +85,18 @@ class PidLaw:
         self._pids = [Pid(each, servo.max_torque) for each, servo in zip(gains, servos, strict=True)]
         self._compliance = np.array([1.0 / each.stiffness for each in servos])
 
-    def torques(self, setpoint: Setpoint, measured: Measured, dt: float) -> Array:
+    def torques(self, setpoint: Setpoint, measured: JointMeasurements, dt: float) -> Array:
         """The torques of the motors."""
         rows = zip(self._pids, *self._errors(setpoint, measured), strict=True)
         return np.array([pid.update(error, rate, dt) for pid, error, rate in rows])
 
-    def take_over(self, torques: Array, setpoint: Setpoint, measured: Measured) -> None:
+    def take_over(self, torques: Array, setpoint: Setpoint, measured: JointMeasurements) -> None:
         """Begin with these torques, as far as the limits of the integral parts allow."""
         rows = zip(self._pids, torques.tolist(), *self._errors(setpoint, measured), strict=True)
         for pid, torque, error, rate in rows:
             pid.reset(torque - pid.gains.p * error - pid.gains.d * rate)
 
-    def _errors(self, setpoint: Setpoint, measured: Measured) -> tuple[list[float], list[float]]:
+    def _errors(self, setpoint: Setpoint, measured: JointMeasurements) -> tuple[list[float], list[float]]:
         motor = measured.v + measured.spring_rate * self._compliance
         return (setpoint.q - measured.q).tolist(), (setpoint.v - motor).tolist()
 
@@ -129,7 +129,7 @@ class ModelLaw:
         self._planned: Array | None = None
         self._planned_rate = np.zeros(len(servos))
 
-    def torques(self, setpoint: Setpoint, measured: Measured, dt: float) -> Array:
+    def torques(self, setpoint: Setpoint, measured: JointMeasurements, dt: float) -> Array:
         """The torques of the motors."""
         q, v, spring, spring_rate = measured
         inertia = self._model.mass_matrix(q).diagonal()
@@ -169,7 +169,7 @@ class ModelLaw:
             self._integral -= np.where(saturated, step, 0.0)
         return limited
 
-    def take_over(self, torques: Array, setpoint: Setpoint, measured: Measured) -> None:
+    def take_over(self, torques: Array, setpoint: Setpoint, measured: JointMeasurements) -> None:
         """Begin without knowledge of the past; the arm fades over from the last torques."""
 
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY, Vector, rotated, rotation_about, scaled, transposed
-from jauspy.platform.modular.graph import Body, Chain, Link
-from jauspy.platform.modular.parts import CellSetup, Shape, Solid
+from jauspy.platform.modular.graph import ArmChain, Body, Link
+from jauspy.platform.modular.parts import CellSetup, PartSolid, Shape
 
 Array = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ LARGEST: Final = 20.0
 class ArmModel:
     """Kinematics and dynamics of a chain, with what hangs on it, in the frame of its base."""
 
-    def __init__(self, cell: CellSetup, chain: Chain, side_positions: Mapping[str, float] | None = None) -> None:
+    def __init__(self, cell: CellSetup, chain: ArmChain, side_positions: Mapping[str, float] | None = None) -> None:
         """Build it; `side_positions` (rad) are those of servo modules in branches, which count as rigid."""
         self.chain = chain
         self._model, self._frames = _build(cell, chain, side_positions or {})
@@ -132,7 +132,7 @@ class PayloadEstimator:
 
 
 def _build(
-    cell: CellSetup, chain: Chain, side_positions: Mapping[str, float]
+    cell: CellSetup, chain: ArmChain, side_positions: Mapping[str, float]
 ) -> tuple[Any, dict[Body, tuple[int, Any]]]:
     """The model, and for each body the joint that moves it and its frame in that joint's frame."""
     model = pin.Model()
@@ -158,12 +158,12 @@ def _build(
     return model, frames
 
 
-def _solids(cell: CellSetup, body: Body) -> Iterable[Solid]:
+def _solids(cell: CellSetup, body: Body) -> Iterable[PartSolid]:
     kind = cell.type_of(body.part)
     return kind.servo.output if body.output and kind.servo is not None else kind.solids
 
 
-def _unit_inertia(solids: Iterable[Solid]) -> Any:
+def _unit_inertia(solids: Iterable[PartSolid]) -> Any:
     """The inertia of a box of one kilogram."""
     own = sum((solid_inertia(solid) for solid in solids), pin.Inertia.Zero())
     return pin.Inertia(1.0, own.lever, own.inertia / own.mass) if own.mass else pin.Inertia.Zero()
@@ -177,7 +177,7 @@ def joint_axis(cell: CellSetup, link: Link) -> Vector:
     return scaled(axis, -1.0) if link.reversed else axis
 
 
-def solid_inertia(solid: Solid) -> Any:
+def solid_inertia(solid: PartSolid) -> Any:
     """The inertia of a homogeneous primitive as pinocchio's `Inertia`, in the frame in which its pose is given."""
     x, y, z = solid.size
     if solid.shape is Shape.CYLINDER:

@@ -50,8 +50,8 @@ class Link:
     body_pose: Transform = IDENTITY
 
 
-@dataclass(frozen=True, slots=True)
-class Chain:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ArmChain:
     """An arm: all bodies that a base carries through one connection, parents before children."""
 
     base: str = ""
@@ -112,7 +112,7 @@ class _Graph:
     """Parts that a connector outside of all parts holds, as the gripper does."""
 
 
-def find_chain(cell: CellSetup, attached: Iterable[Attachment], previous: str = "") -> Chain:
+def find_chain(cell: CellSetup, attached: Iterable[Attachment], previous: str = "") -> ArmChain:
     """The arm: the longest chain of servo modules from a base. Without one, an empty chain.
 
     `previous` is the connection that carried the arm before; it is kept as long as it holds. Parts with wheels are not
@@ -123,7 +123,7 @@ def find_chain(cell: CellSetup, attached: Iterable[Attachment], previous: str = 
     found: dict[frozenset[Body], list[tuple[str, _Edge]]] = {}
     for root in graph.roots:
         found.setdefault(frozenset(_component(graph, root[1].end)), []).append(root)
-    best = Chain()
+    best = ArmChain()
     for bodies, roots in found.items():
         parts = {body.part for body in bodies}
         if any(types[part].kind is PartKind.WHEEL for part in parts):
@@ -186,7 +186,9 @@ def _component(graph: _Graph, start: Body) -> Iterator[Body]:
                 waiting.append(edge.end)
 
 
-def _chain(graph: _Graph, types: Mapping[str, PartType], ground: str, root: _Edge, held_by: tuple[str, ...]) -> Chain:
+def _chain(
+    graph: _Graph, types: Mapping[str, PartType], ground: str, root: _Edge, held_by: tuple[str, ...]
+) -> ArmChain:
     """Walk from the base outward, and take the way with the most servo modules, then the most parts, as the arm."""
     way: dict[Body, tuple[_Edge, ...]] = {root.end: ()}
     links: list[Link] = []
@@ -213,7 +215,7 @@ def _chain(graph: _Graph, types: Mapping[str, PartType], ground: str, root: _Edg
     bodies = (root.end, *(edge.end for edge in path))
     tip, tip_pose = _tip(graph, types, tip_body, held_by, root)
     at_tip = next((edge.end.part for edge in graph.edges.get(tip_body, ()) if tip and edge.name == tip), "")
-    return Chain(
+    return ArmChain(
         base=root.name,
         ground=ground,
         mount=root.pose,

@@ -18,7 +18,7 @@ from annotated_types import Interval, MaxLen, MinLen
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, ORIGIN, Transform
 from jauspy.geometry.vectors import Vector, add, difference, dot, product, scaled, transposed
-from jauspy.platform.description import Gains
+from jauspy.platform.joints import Gains
 from jauspy.platform.tables import (
     Converted,
     FrameOfTable,
@@ -55,7 +55,7 @@ class Shape(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Solid(Table):
+class PartSolid(Table):
     """A homogeneous primitive of a part: for collisions, and for inertia.
 
     `size`: x, y, z of a cuboid; radius, radius, length along z of a cylinder.
@@ -117,7 +117,7 @@ class ServoData(Table):
     joint: FrameOfTable = IDENTITY
     """Frame of the output link at position zero, in the frame of the part; solids and connectors of the output link are
     given in it."""
-    output: tuple[Solid, ...] = ()
+    output: tuple[PartSolid, ...] = ()
     """The link that turns."""
     position_gains: Gains = POSITION_GAINS
     """Of its own position loop, which acts at 500 Hz: newton metres per radian."""
@@ -131,7 +131,7 @@ class PartType(Table):
 
     name: str
     kind: PartKind
-    solids: Annotated[tuple[Solid, ...], MinLen(1)]
+    solids: Annotated[tuple[PartSolid, ...], MinLen(1)]
     connectors: Mapping[Identifier, FrameOfTable] = field(default_factory=dict)
     """Frames of the vacuum connectors, by name; of a servo in the frame of its output link. Elsewhere they are named
     with the part and a slash, as in `servo_1/output`."""
@@ -208,7 +208,7 @@ class BinSetup(Table):
     """Height of the walls above the floor."""
     thickness: Positive = 0.008
 
-    def solids(self) -> tuple[Solid, ...]:
+    def solids(self) -> tuple[PartSolid, ...]:
         """The floor and the walls: lower, upper, left, right; in the frame of the bin."""
         x, y, t = self.length, self.width, self.thickness
         height = self.wall + t
@@ -223,8 +223,8 @@ class BinSetup(Table):
         )
 
 
-def _cuboid(size: Vector, position: Vector) -> Solid:
-    return Solid(Shape.CUBOID, size, 0.0, Transform(position=position))
+def _cuboid(size: Vector, position: Vector) -> PartSolid:
+    return PartSolid(Shape.CUBOID, size, 0.0, Transform(position=position))
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,7 +232,7 @@ class Fixture(Table):
     """Something that stands in the cell: a table, a ramp. Solids are given in its frame."""
 
     name: Identifier
-    solids: Annotated[tuple[Solid, ...], MinLen(1)]
+    solids: Annotated[tuple[PartSolid, ...], MinLen(1)]
     pose: PoseOfTable = ORIGIN
 
 
@@ -331,7 +331,7 @@ Moments = tuple[Vector, Vector, Vector]
 _NONE: Moments = ((0.0, 0.0, 0.0),) * 3
 
 
-def inertia(solids: Iterable[Solid]) -> Inertia:
+def inertia(solids: Iterable[PartSolid]) -> Inertia:
     """The inertia of solids together, in the frame that their poses are given in; zero mass without solids."""
     return combined((_of_solid(solid), solid.pose) for solid in solids)
 
@@ -362,7 +362,7 @@ def output_inertia(part: PartType) -> Inertia:
     return inertia(part.servo.output if part.servo is not None else ())
 
 
-def _of_solid(solid: Solid) -> Inertia:
+def _of_solid(solid: PartSolid) -> Inertia:
     x, y, z = solid.size
     if solid.shape is Shape.CUBOID:
         squares = (y * y + z * z) / 12.0, (x * x + z * z) / 12.0, (x * x + y * y) / 12.0

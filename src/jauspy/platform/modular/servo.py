@@ -8,8 +8,7 @@ from typing import NamedTuple, Protocol
 
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, RobotParts
-from jauspy.platform.description import Gains
-from jauspy.platform.joints import Target
+from jauspy.platform.joints import Gains, Target
 
 
 @dataclass(frozen=True, slots=True)

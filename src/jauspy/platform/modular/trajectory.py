@@ -77,7 +77,7 @@ class Limits:
     jerk: tuple[float, ...]
 
 
-class Motion:
+class PlannedMotion:
     """A motion from a setpoint to rest at a target; `at` returns where it is. Unlimited turns: no angle is wrapped."""
 
     def __init__(
@@ -193,7 +193,7 @@ def plan_within_torques(
     *,
     duration: float = 0.0,
     shaping: float = 0.0,
-) -> Motion:
+) -> PlannedMotion:
     """Plan a motion whose torques stay within limits: accelerations are lowered until they do.
 
     `torque_ratio` returns the largest torque at a setpoint as a fraction of its limit. Raises `MotionError`; the
@@ -202,7 +202,7 @@ def plan_within_torques(
     ratio = math.inf
     for _ in range(TORQUE_ROUNDS):
         try:
-            motion = Motion(start, target, limits, duration, shaping)
+            motion = PlannedMotion(start, target, limits, duration, shaping)
         except MotionError:
             if ratio < math.inf:
                 break

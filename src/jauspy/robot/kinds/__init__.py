@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final
 
-from .cell import Connector, ConveyorBelt, ModularArm, PartSensors, Servo
+from .cell import Connector, ConveyorBelt, ModularArmKind, PartSensors, Servo
 from .end_effector import EndEffector, EndEffectorContext
 from .kind import Context, Kind, Module, ModuleBuild, ServiceEntry, Stoppable
-from .manipulator import Manipulator, ManipulatorContext
+from .manipulator import ManipulatorContext, ManipulatorKind
 from .mobility import Mobility, MobilityContext
 from .sensing import Sensing, SensorContext
 from .vision import Vision, VisionContext
@@ -30,7 +30,7 @@ __all__ = [
 
 _KINDS: Final[tuple[Kind[Any], ...]] = (
     Mobility(),
-    Manipulator(),
+    ManipulatorKind(),
     EndEffector(),
     Sensing(),
     Vision(),
@@ -38,7 +38,7 @@ _KINDS: Final[tuple[Kind[Any], ...]] = (
     Connector(),
     ConveyorBelt(),
     PartSensors(),
-    ModularArm(),
+    ModularArmKind(),
 )
 
 KINDS: Final[Mapping[str, Kind[Any]]] = {kind.type: kind for kind in _KINDS}

@@ -252,7 +252,7 @@ class PartSensors(Kind[PartSensorContext]):
         return PartSensorContext(build.robot)
 
 
-class ModularArm(Kind[ModularArmContext]):
+class ModularArmKind(Kind[ModularArmContext]):
     """The kind CM-ARM: an arm of any number of servo modules."""
 
     type: ClassVar[str] = "CM-ARM"

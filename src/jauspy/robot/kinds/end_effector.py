@@ -14,6 +14,7 @@ from jauspy.services.service import Service
 
 from .joints import joint_description
 from .kind import Kind, ModuleBuild, ServiceEntry, Stoppable
+from .manipulator import ManipulatorKind
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +74,6 @@ def _carrier(build: ModuleBuild) -> JausID:
     carrying = {joint.name for joint in description.chain(description.root(), base)}
     for id, module in build.modules.items():
         group = groups.get(module.moves or "")
-        if module.type == "CM-MAN" and group is not None and carrying.intersection(group.joints):
+        if isinstance(module.kind, ManipulatorKind) and group is not None and carrying.intersection(group.joints):
             return id
     return build.id

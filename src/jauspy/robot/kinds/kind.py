@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, Final, Generic, Protocol, TypeVar
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.urdf import Joint
 from jauspy.ids import JausID
 from jauspy.platform.contract import PartId, RobotParts, Snapshot
 from jauspy.platform.description import RobotModel
@@ -50,6 +52,11 @@ class Module(Protocol):
         ...
 
     @property
+    def kind(self) -> Kind[Any]:
+        """The item of `KINDS` of this type."""
+        ...
+
+    @property
     def component(self) -> int:
         """The number of its component."""
         ...
@@ -75,7 +82,7 @@ class Module(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ModuleBuild:
     """A module whose services are to be made, and the robot that it belongs to."""
 
@@ -185,6 +192,14 @@ class Kind(ABC, Generic[C]):
         if module.moves is not None:
             return part == PartId(JointGroup, module.moves)
         return module.part is not None and module.part in (part.name, part.kind.__name__.lower())
+
+    def joint_frame(self, chain: Sequence[Joint], number: int) -> Transform | None:
+        """Frame of a joint that sensors are mounted on, in the base link of its chain, with all joints at zero.
+
+        It is that of the specification which the module reports; `number` counts joints that move, from 1. None for
+        a kind whose joints carry no sensors.
+        """
+        return None
 
     def is_present(self, module: Module, cell: CellSetup | None, snapshot: Snapshot) -> bool:
         """True if the module has a component now."""

@@ -4,8 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import matmul
 from typing import Any, ClassVar, Final
 
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.urdf import Joint
 from jauspy.platform.contract import RobotParts
 from jauspy.services import manipulator
 from jauspy.services.service import Service
@@ -65,7 +70,7 @@ _LIST_DRIVERS: Final = (manipulator.JointPositionListDriver, manipulator.EndEffe
 """Services that carry out the component's list, with a ManipulatorListDriver."""
 
 
-class Manipulator(Kind[ManipulatorContext]):
+class ManipulatorKind(Kind[ManipulatorContext]):
     """The kind CM-MAN."""
 
     type: ClassVar[str] = "CM-MAN"
@@ -76,6 +81,11 @@ class Manipulator(Kind[ManipulatorContext]):
     def context(self, build: ModuleBuild) -> ManipulatorContext:
         """The arm."""
         return ManipulatorContext(build.robot, manipulator.Arm(build.joints))
+
+    def joint_frame(self, chain: Sequence[Joint], number: int) -> Transform:
+        """The frame by the Denavit-Hartenberg parameters of the arm."""
+        geometry = manipulator_geometry(chain)
+        return reduce(matmul, (link.frame(link.zero_position) for link in geometry.links[:number]), geometry.base)
 
     def companions(self, context: ManipulatorContext, services: Sequence[Service]) -> Iterator[Service]:
         """The driver of the component's list."""

@@ -6,10 +6,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Final
 
-from jauspy.platform.chassis import Chassis, ParkingBrake, chassis_of
+from jauspy.platform.chassis import Chassis, chassis_of
 from jauspy.platform.commands import CHASSIS
 from jauspy.platform.contract import DriveBase, PartId, RobotParts, Snapshot
 from jauspy.platform.description import RobotModel
+from jauspy.platform.drives import ParkingBrake
 from jauspy.platform.lights import lamps_of
 from jauspy.platform.localization import Localization, LocalizedDrive
 from jauspy.platform.modular.cell import Car, CarState

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import reduce
-from operator import matmul
 
-from jauspy.geometry.denavit_hartenberg import manipulator_geometry, pan_tilt_frame
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.geometry.urdf import JointKind
 from jauspy.ids import JausID
-from jauspy.platform.description import GroupSetup, RobotModel
+from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup, joint_positions
 from jauspy.services.environment_sensing import JointMount
 
@@ -32,20 +29,13 @@ def joint_of(modules: Mapping[JausID, Module], model: RobotModel, link: str) -> 
     moving = [joint for joint in description.chain(description.root(), link) if joint.kind is not JointKind.FIXED]
     for id, module in modules.items() if moving else ():
         group = model.groups.get(module.moves or "")
-        if module.type in {"CM-MAN", "CM-VIS"} and group is not None and moving[-1].name in group.joints:
-            number = 1 + group.joints.index(moving[-1].name)
-            frame = _joint_frame(module, model, group, number).inverse() @ _at_zero(model, group.base, link)
-            return JointMount(id, number, frame @ JAUS_FROM_REP_103)
+        if group is None or moving[-1].name not in group.joints:
+            continue
+        number = 1 + group.joints.index(moving[-1].name)
+        frame = module.kind.joint_frame(description.chain(group.base, group.tip), number)
+        if frame is not None:
+            return JointMount(id, number, frame.inverse() @ _at_zero(model, group.base, link) @ JAUS_FROM_REP_103)
     return None
-
-
-def _joint_frame(module: Module, model: RobotModel, group: GroupSetup, number: int) -> Transform:
-    """Frame of a joint in the group's base link with all joints at zero, as in the specification of the arm or unit."""
-    chain = model.description.chain(group.base, group.tip)
-    if module.type == "CM-VIS":
-        return pan_tilt_frame(chain)
-    found = manipulator_geometry(chain)
-    return reduce(matmul, (link.frame(link.zero_position) for link in found.links[:number]), found.base)
 
 
 def _at_zero(model: RobotModel, base: str, link: str) -> Transform:

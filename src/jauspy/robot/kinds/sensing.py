@@ -10,7 +10,7 @@ from jauspy.geometry.frames import FrameTree
 from jauspy.platform.contract import PartId, RobotParts
 from jauspy.platform.ranging import RangeFinder
 from jauspy.services.environment_sensing import (
-    ForceTorqueSensor,
+    ForceTorqueSensorService,
     MountedForceTorqueSensor,
     MountedLidar,
     RangeSensor,
@@ -41,7 +41,7 @@ SERVICES: Final[Mapping[str, ServiceEntry[Any]]] = {
     ),
     "ForceTorqueSensor": ServiceEntry(
         SensorContext,
-        lambda context: ForceTorqueSensor(context.force_torque) if context.force_torque else None,
+        lambda context: ForceTorqueSensorService(context.force_torque) if context.force_torque else None,
         needs=FORCE_TORQUE,
     ),
 }

@@ -6,8 +6,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Final
 
+from jauspy.geometry.denavit_hartenberg import pan_tilt_frame
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform
+from jauspy.geometry.urdf import Joint
 from jauspy.platform.contract import RobotParts
 from jauspy.services import manipulator
 from jauspy.services.environment_sensing import (
@@ -99,6 +101,10 @@ class Vision(Kind[VisionContext]):
             raise ValueError(f"group: is missing; {needs[_PAN_TILT][0]} needs {_PAN_TILT}")
         if module.camera is None:
             raise ValueError("camera: is missing; a CM-VIS needs the name of one of [[cameras]]")
+
+    def joint_frame(self, chain: Sequence[Joint], number: int) -> Transform:
+        """The frame of the pan-tilt unit."""
+        return pan_tilt_frame(chain)
 
     def older_versions(self, context: VisionContext, services: Sequence[Service]) -> Iterator[Service]:
         """The capabilities of the video, and the still images."""

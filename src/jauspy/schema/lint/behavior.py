@@ -12,7 +12,7 @@ from jauspy.errors import SchemaError
 from jauspy.schema.behavior import calls, parse
 from jauspy.schema.document import suggestion
 from jauspy.schema.lint.context import LintContext, Problem
-from jauspy.schema.model import Action, Behavior, Location, State, Transition
+from jauspy.schema.model import ActionCall, Behavior, SourceLocation, State, Transition
 from jauspy.schema.state_tree import MergedMachine, merge_machines, short_name as short, transitions_of, walk_states
 
 RECEIVE = "Receive"
@@ -24,9 +24,9 @@ def states_of(behavior: Behavior) -> Iterator[State]:
     return (state for machine in behavior.machines for _, state in walk_states(machine.states))
 
 
-def location_of(where: Location | None) -> Location:
+def location_of(where: SourceLocation | None) -> SourceLocation:
     """The location of a part of a behaviour, which behaviour read from files always has."""
-    return where or Location("", 0)
+    return where or SourceLocation("", 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,14 +107,14 @@ def unknown_send(context: LintContext) -> Iterator[Problem]:
                 yield location_of(where), f"{reason}{suggestion(wanted, outputs)}; add it to the output_set"
 
 
-def _actions(behavior: Behavior) -> Iterator[tuple[Action, Location | None]]:
+def _actions(behavior: Behavior) -> Iterator[tuple[ActionCall, SourceLocation | None]]:
     for state in states_of(behavior):
         yield from ((action, state.where) for action in (*state.entry, *state.exit))
     for transition in transitions_of(behavior):
         yield from ((action, transition.where) for action in transition.actions)
 
 
-def _sent(action: Action) -> str:
+def _sent(action: ActionCall) -> str:
     """The message that a Send names; empty if it names a variable."""
     if short(action.name) != "Send":
         return ""
@@ -217,7 +217,7 @@ def _names_itself(machines: dict[str, MergedMachine], machine: str, path: str, s
 
 
 def _missing(
-    machines: dict[str, MergedMachine], machine: str, path: str, what: str, where: Location
+    machines: dict[str, MergedMachine], machine: str, path: str, what: str, where: SourceLocation
 ) -> Iterator[Problem]:
     found = machines.get(short(machine))
     if found is not None and found.root.find(path) is None:

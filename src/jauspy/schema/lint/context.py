@@ -13,9 +13,9 @@ from jauspy.errors import SchemaError
 from jauspy.schema.behavior import read_behavior
 from jauspy.schema.document import identity, is_unexpected, problems
 from jauspy.schema.inheritance import lineage
-from jauspy.schema.library import Key, Library, Scope
+from jauspy.schema.library import Key, Library, NameScope
 from jauspy.schema.loader import Identity, builtin_roots, parse_file
-from jauspy.schema.model import Behavior, Location, Message, Service
+from jauspy.schema.model import Behavior, MessageDefinition, ServiceDefinition, SourceLocation
 from jauspy.schema.services import matches_version, read_message, version_key
 
 Thing = TypeVar("Thing")
@@ -43,7 +43,7 @@ class LintContext:
             if tag == "service_def":
                 self._versions.setdefault(key[0], []).append((key, root))
         self._behaviors: dict[Element, Behavior | None] = {}
-        self._messages: dict[Element, Message | None] = {}
+        self._messages: dict[Element, MessageDefinition | None] = {}
 
     def _read(self, path: Path) -> Element | None:
         """Read a file and add its root to the library; None if that is not possible, or if it is known already."""
@@ -66,7 +66,7 @@ class LintContext:
             self._mark_unsound(element, problem, self.scope(root))
         return root
 
-    def _mark_unsound(self, element: Element, problem: SchemaError, scope: Scope) -> None:
+    def _mark_unsound(self, element: Element, problem: SchemaError, scope: NameScope) -> None:
         """Note that the declared type around a mistake cannot be read."""
         for inside in (element, *element.iterancestors()):
             name = inside.get("name")
@@ -84,14 +84,14 @@ class LintContext:
 
     # --- elements ----------------------------------------------------------------------------------------------
 
-    def elements(self, *tags: str) -> Iterator[tuple[Element, Scope]]:
+    def elements(self, *tags: str) -> Iterator[tuple[Element, NameScope]]:
         """The elements of the checked files with these tags, each with the scope of its names."""
         for root in self._own:
             scope = self.scope(root)
             for element in root.iter(*tags):
                 yield element, scope
 
-    def scope(self, root: Element) -> Scope:
+    def scope(self, root: Element) -> NameScope:
         """The names known in a file."""
         return self._library.scopes[str(root.tag), identity(root)]
 
@@ -158,12 +158,12 @@ class LintContext:
             self._behaviors[service] = self.attempt(lambda: read_behavior(element)) if readable else None
         return self._behaviors[service]
 
-    def definition(self, service: Element) -> Service:
+    def definition(self, service: Element) -> ServiceDefinition:
         """A service for merging state machines: its identity, and its behaviour as far as it can be read."""
         name, id, version = (service.get(key, "") for key in ("name", "id", "version"))
-        return Service(name=name, id=id, version=version, jsidl="", behavior=self.behavior(service))
+        return ServiceDefinition(name=name, id=id, version=version, jsidl="", behavior=self.behavior(service))
 
-    def message(self, element: Element) -> Message | None:
+    def message(self, element: Element) -> MessageDefinition | None:
         """A message, as far as it can be read."""
         if element not in self._messages:
             scope = self.scope(element.getroottree().getroot())
@@ -182,7 +182,7 @@ def _order(key: Key) -> tuple[int, ...]:
 Severity: TypeAlias = Literal["error", "warning", "hint"]
 """An error breaks a tool or the encoding, a warning may do so, a hint makes the definition harder to use."""
 
-Problem: TypeAlias = tuple[Location, str]
+Problem: TypeAlias = tuple[SourceLocation, str]
 """The location, and a sentence with the problem and its solution."""
 
 

@@ -10,12 +10,12 @@ from typing import Final
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
+from jauspy.schema.digest import sizes
 from jauspy.schema.document import location, suggestion
 from jauspy.schema.fields import BITS, SCALARS, UNSIGNED, read_composite, read_count, read_limits, read_value_set
-from jauspy.schema.library import Scope
+from jauspy.schema.library import NameScope
 from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import List, Scalar, ValueSet
-from jauspy.schema.wire import sizes
 
 COUNTS = ("count_field", "vtag_field")
 _VALUE_SETS = ("value_set", "declared_value_set")
@@ -90,7 +90,7 @@ def count_limits(context: LintContext) -> Iterator[Problem]:
             yield location(element), f"{reason}; correct them or take another type"
 
 
-def _limits(element: Element, scope: Scope) -> tuple[int, int] | None:
+def _limits(element: Element, scope: NameScope) -> tuple[int, int] | None:
     """Both limits of a count, those of its type where one is not written; None when they are no numbers."""
     try:
         low = scope.integer(element, "min_count") if "min_count" in element.attrib else 0

@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
+from jauspy.schema.digest import same_wire
 from jauspy.schema.document import DECLARED, NAME_ITS_FILE, file_of, identity, line_of, location, suggestion
 from jauspy.schema.lint.context import LintContext, Problem
-from jauspy.schema.model import Location, Message
-from jauspy.schema.wire import same_wire
+from jauspy.schema.model import MessageDefinition, SourceLocation
 
 _HOLDERS = ("message_def", "event_def", "service_def", "declared_type_set")
 _FIELDS = (
@@ -28,7 +28,7 @@ _FIELDS = (
 )
 
 
-def shown(message: Message) -> str:
+def shown(message: MessageDefinition) -> str:
     """A message and the location of its definition."""
     where = f" ({message.where.file}:{message.where.line})" if message.where else ""
     return f"{message.name}{where}"
@@ -58,7 +58,7 @@ def _duplicates(context: LintContext, messages: Iterator[Element]) -> Iterator[P
 
 def _two_meanings(context: LintContext, service: Element) -> Iterator[Problem]:
     """One id with different content in inputs and outputs, or in a service and an ancestor."""
-    known: dict[int, Message] = {}
+    known: dict[int, MessageDefinition] = {}
     line = context.lineage(service)
     for ancestor in reversed(line[1:]):
         for element in context.messages(ancestor):
@@ -77,7 +77,7 @@ def _two_meanings(context: LintContext, service: Element) -> Iterator[Problem]:
             yield location(element), f"{reason}; a receiver cannot distinguish them, change one id"
 
 
-def _same_set(context: LintContext, service: Element, one: Message, other: Message) -> bool:
+def _same_set(context: LintContext, service: Element, one: MessageDefinition, other: MessageDefinition) -> bool:
     sets = [
         {message.name for element in context.messages(service, direction) if (message := context.message(element))}
         for direction in ("input_set", "output_set")
@@ -90,7 +90,7 @@ def conflicting_message(context: LintContext) -> Iterator[Problem]:
     own = list(context.services())
     codes = {context.code(element) for service in own for element in context.messages(service)}
     users = [_User(context, service, codes) for service in context.all_services()]
-    by_code: dict[int, list[tuple[_User, Message]]] = {}
+    by_code: dict[int, list[tuple[_User, MessageDefinition]]] = {}
     for user in users:
         for message, _ in user.messages:
             by_code.setdefault(message.code, []).append((user, message))
@@ -117,7 +117,7 @@ class _User:
 
 
 def _conflicts(
-    user: _User, message: Message, where: Location, others: list[tuple[_User, Message]]
+    user: _User, message: MessageDefinition, where: SourceLocation, others: list[tuple[_User, MessageDefinition]]
 ) -> Iterator[Problem]:
     found = [
         (other, theirs)
@@ -171,7 +171,7 @@ _NUMBERS = {
 
 def problem_of(error: SchemaError, advice: str = "") -> Problem:
     """The problem for an error of the loader, with advice."""
-    where = Location(error.file or "", error.line or 0)
+    where = SourceLocation(error.file or "", error.line or 0)
     return where, error.reason + (f"; {advice}" if advice else "")
 
 

@@ -19,12 +19,11 @@ from jauspy.messages.cell import (
 )
 from jauspy.platform.modular.arm import ArmController, ModularArm
 from jauspy.platform.modular.parts import CellSetup
+from jauspy.services.manipulator.joints import CHECK_PERIOD
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
 from jauspy.services.units import sent_text
 
-CHECK_PERIOD: Final = 0.05
-"""Seconds between two checks whether a motion has ended, and from a command to the first of them."""
 MAX_TOLD: Final = 64
 """Clients of which the service remembers which joints were reported to them."""
 CHANGED: Final = "motion refused: the joints have changed since they were reported to this client"
@@ -133,13 +132,19 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
         state = self._arm.state()
         self._tell(source, state.joints)
         tip = Transform.from_pose(state.tip_pose)
+        (x, y, z), (qw, qx, qy, qz) = tip.position, quaternion(tip.rotation)
         motion = _Reported.ModularArmMotionRec(
-            _Reported.Moving(state.moving),
-            _REPORTED[state.controller],
-            state.payload,
-            *tip.position,
-            *quaternion(tip.rotation),
-            sent_text(self._refusal or state.error),
+            moving=_Reported.Moving(state.moving),
+            controller=_REPORTED[state.controller],
+            payload=state.payload,
+            tip_x=x,
+            tip_y=y,
+            tip_z=z,
+            tip_orientation_w=qw,
+            tip_orientation_x=qx,
+            tip_orientation_y=qy,
+            tip_orientation_z=qz,
+            error=sent_text(self._refusal or state.error),
         )
         rows = zip(state.joints, state.positions, state.velocities, state.efforts, state.targets, strict=False)
         return _Reported(motion, [_Reported.ModularJointRec(sent_text(name), *values) for name, *values in rows])

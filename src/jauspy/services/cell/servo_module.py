@@ -13,8 +13,7 @@ from jauspy.messages.cell import (
     SetServoGains,
     SetServoTarget,
 )
-from jauspy.platform.description import Gains
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.joints import ControlMode, Gains, Target
 from jauspy.platform.modular.parts import PartType
 from jauspy.platform.modular.servo import ServoModule
 from jauspy.services.command_timeout import ContinuousCommands
@@ -92,19 +91,27 @@ class ServoModuleService(ContinuousCommands, urn="urn:jauspy:cell:ServoModule"):
         self.hold_servo()
 
     def report_servo_state(self) -> ReportServoState:
-        """What it measures."""
+        """Position, velocity, torque, supply and orientation of the module, as it measures them."""
         state = self._servo.state()
+        (w, x, y, z), rate, acceleration = state.orientation, state.angular_velocity, state.acceleration
         return ReportServoState(
-            state.position,
-            state.velocity,
-            state.torque,
-            state.current,
-            state.temperature,
-            state.voltage,
-            *state.orientation,
-            *state.angular_velocity,
-            *state.acceleration,
-            sent_text(state.claimed_by),
+            position=state.position,
+            velocity=state.velocity,
+            torque=state.torque,
+            current=state.current,
+            temperature=state.temperature,
+            voltage=state.voltage,
+            orientation_w=w,
+            orientation_x=x,
+            orientation_y=y,
+            orientation_z=z,
+            angular_velocity_x=rate[0],
+            angular_velocity_y=rate[1],
+            angular_velocity_z=rate[2],
+            acceleration_x=acceleration[0],
+            acceleration_y=acceleration[1],
+            acceleration_z=acceleration[2],
+            claimed_by=sent_text(state.claimed_by),
         )
 
     def report_servo_gains(self) -> ReportServoGains:
@@ -127,11 +134,11 @@ class ServoModuleService(ContinuousCommands, urn="urn:jauspy:cell:ServoModule"):
         assert data is not None, "a servo module has a data sheet"
         return ReportServoSpecification(
             sent_text(self._servo.name),
-            sent_text(type.name),
-            data.max_torque,
-            data.max_speed,
-            data.stiffness,
-            data.torque_constant,
+            type=sent_text(type.name),
+            max_torque=data.max_torque,
+            max_speed=data.max_speed,
+            stiffness=data.stiffness,
+            torque_constant=data.torque_constant,
         )
 
 

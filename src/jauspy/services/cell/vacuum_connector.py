@@ -76,32 +76,32 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
         offset = state.offset.to_pose()
         refusal = self._refusals.get(query.connector) if state.attached_to else None
         return ReportConnectorState(
-            query.connector,
-            ReportConnectorState.Enabled(state.enabled),
-            sent_text(state.attached_to),
-            offset.x,
-            offset.y,
-            offset.z,
-            offset.roll,
-            offset.pitch,
-            offset.yaw,
-            state.force,
-            state.moment,
-            min(state.broken_off, 0xFFFF),
-            _ERRORS[state.error] if refusal is None else _Error.OTHER_ERROR,
-            sent_text(state.last_error if refusal is None else refusal),
+            connector=query.connector,
+            enabled=ReportConnectorState.Enabled(state.enabled),
+            attached_to=sent_text(state.attached_to),
+            offset_x=offset.x,
+            offset_y=offset.y,
+            offset_z=offset.z,
+            offset_roll=offset.roll,
+            offset_pitch=offset.pitch,
+            offset_yaw=offset.yaw,
+            force=state.force,
+            moment=state.moment,
+            broken_off=min(state.broken_off, 0xFFFF),
+            error=_ERRORS[state.error] if refusal is None else _Error.OTHER_ERROR,
+            error_text=sent_text(state.last_error if refusal is None else refusal),
         )
 
     def report_connector_specification(self) -> ReportConnectorSpecification:
         """Names and limits."""
         report = ReportConnectorSpecification
         limits = report.ConnectorLimitsRec(
-            sent_text(self._part),
-            sent_text(self._type),
-            self._limits.max_distance,
-            self._limits.max_angle,
-            self._limits.max_force,
-            self._limits.max_moment,
+            name=sent_text(self._part),
+            type=sent_text(self._type),
+            max_distance=self._limits.max_distance,
+            max_angle=self._limits.max_angle,
+            max_force=self._limits.max_force,
+            max_moment=self._limits.max_moment,
         )
         names = [each.name.rpartition("/")[2] for each in self._connectors.values()]
         return report(limits, [report.ConnectorNameRec(sent_text(name)) for name in names])

@@ -220,7 +220,17 @@ class CommandSeal(Service, urn="urn:jauspy:operators:CommandSeal"):
         if self._audit is not None:
             command, payload, source, operator, _ = received
             now = self.host.utc_now()
-            self._audit(CommandRecord(now, self.host.id, source, operator, command.NAME, payload, outcome))
+            self._audit(
+                CommandRecord(
+                    time=now,
+                    component=self.host.id,
+                    source=source,
+                    operator=operator,
+                    message=command.NAME,
+                    payload=payload,
+                    outcome=outcome,
+                )
+            )
 
 
 class _Received(NamedTuple):

@@ -34,8 +34,8 @@ from jauspy.services.core.subscriptions import (
     ONE_TIME,
     PERIODIC,
     ClientEvent,
+    EventSubscription,
     PendingCommand,
-    Subscription,
     Subscriptions,
 )
 from jauspy.services.deferred import PendingReply
@@ -100,13 +100,13 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
 
     def create_event(self, msg: CreateEvent, source: JausID) -> None:
         """Add a subscription. The first report is sent immediately, except for first-change events."""
-        subscription = Subscription(
+        subscription = EventSubscription(
             self.subscriptions.free_id(),
-            source,
-            msg.request_id,
-            msg.event_type,
-            self._query(msg),
-            encoded(msg.query_message),
+            client=source,
+            request_id=msg.request_id,
+            kind=msg.event_type,
+            query=self._query(msg),
+            content=encoded(msg.query_message),
             due=self.host.now,
         )
         self._set_rate(subscription, msg.requested_periodic_rate)
@@ -118,7 +118,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
     def update_event(self, msg: EventSetup, source: JausID) -> None:
         """Change rate, kind or query of an event; an every-change event reports immediately."""
         subscription = self._find(msg, source)
-        if not isinstance(subscription, Subscription):
+        if not isinstance(subscription, EventSubscription):
             return
         subscription.request_id, subscription.kind = msg.request_id, msg.event_type
         subscription.query, subscription.last = self._query(msg), None
@@ -187,7 +187,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         if msg.CODE == CreateCommandEvent.CODE:
             return self._find_command(msg, source)
         found = self.subscriptions.find(msg.event_id, source)
-        return found if msg.CODE == CancelEvent.CODE or isinstance(found, Subscription) else None
+        return found if msg.CODE == CancelEvent.CODE or isinstance(found, EventSubscription) else None
 
     def _refusal(self, msg: EventSetup, source: JausID) -> EventRejectCode | None:
         """Why the event cannot be set up as requested; None when it can."""
@@ -220,7 +220,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
 
     # --- events that are due
 
-    def send_event(self, msg: Subscription) -> None:
+    def send_event(self, msg: EventSubscription) -> None:
         """Send the present answer to the query; for events on change, only if it has changed."""
         if self._clients.is_gone(msg.client):
             self._end_unheard(msg.client)
@@ -239,7 +239,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         elif answer is not None and _is_due(msg, answer):
             self._report(msg, answer)
 
-    def _on_reply(self, msg: Subscription, query: Message, answer: bytes | None) -> None:
+    def _on_reply(self, msg: EventSubscription, query: Message, answer: bytes | None) -> None:
         """Handle a deferred reply; meanwhile the event may have ended or changed its query."""
         if msg.pending_query is query:
             msg.pending_query = None
@@ -253,7 +253,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
             self.host.count("events.unheard_ended", f"that of {client}, which acknowledges nothing")
             self._end(entry)
 
-    def _report(self, msg: Subscription, answer: bytes) -> None:
+    def _report(self, msg: EventSubscription, answer: bytes) -> None:
         event = Event(event_id=msg.id, sequence_number=msg.sequence, report_message=answer)
         # Where a client does not keep up, periodic reports are dropped before replies and changes, which are sent once.
         priority = Priority.LOW if msg.kind == PERIODIC else Priority.STANDARD
@@ -262,25 +262,25 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         if msg.kind in EXTRA_KINDS:
             self._end(msg)
 
-    def send_reject_event_request(self, msg: Subscription) -> None:
+    def send_reject_event_request(self, msg: EventSubscription) -> None:
         """End an event whose report failed, and reject it to its client."""
         code = RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED
         self.host.send(msg.client, RejectEventRequest(request_id=msg.request_id, response_code=code))
         self._end(msg)
 
-    def _set_rate(self, subscription: Subscription, asked: float) -> None:
+    def _set_rate(self, subscription: EventSubscription, asked: float) -> None:
         if subscription.kind == PERIODIC:
             subscription.confirmed = self.rates.periodic(asked)
         else:
             subscription.confirmed = self.rates.on_change(asked)
         subscription.period = 1.0 / (subscription.confirmed or self.rates.change or self.rates.highest or 1.0)
 
-    def _schedule(self, subscription: Subscription) -> None:
+    def _schedule(self, subscription: EventSubscription) -> None:
         may_wait = subscription.client != self.host.controller
         tick = partial(self._tick, subscription)
         self.host.set_timer(("event", subscription.id), subscription.due, tick, may_wait=may_wait)
 
-    def _tick(self, subscription: Subscription) -> None:
+    def _tick(self, subscription: EventSubscription) -> None:
         # From due time to due time, so that the rate does not drift; after a stall what was missed is left out.
         missed = max(0, int((self.host.now - subscription.due) / subscription.period))
         subscription.due += (missed + 1) * subscription.period
@@ -323,7 +323,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         return ReportEventTimeout(timeout=self.timeout)
 
 
-def _is_due(subscription: Subscription, report: bytes) -> bool:
+def _is_due(subscription: EventSubscription, report: bytes) -> bool:
     """True when this report is to be sent; remembers it for events on change."""
     if subscription.kind in (PERIODIC, ONE_TIME):
         return True
@@ -332,11 +332,11 @@ def _is_due(subscription: Subscription, report: bytes) -> bool:
 
 
 def _confirmation(entry: ClientEvent, request_id: int) -> ConfirmEventRequest:
-    rate = entry.confirmed if isinstance(entry, Subscription) else 0.0
+    rate = entry.confirmed if isinstance(entry, EventSubscription) else 0.0
     return ConfirmEventRequest(request_id=request_id, event_id=entry.id, confirmed_periodic_rate=rate)
 
 
-def _matches(subscription: Subscription, query: QueryEvents) -> bool:
+def _matches(subscription: EventSubscription, query: QueryEvents) -> bool:
     match query.query_events_var:
         case QueryEvents.EventIDRec(event_id=number):
             return subscription.id == number

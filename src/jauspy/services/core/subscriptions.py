@@ -28,7 +28,7 @@ class ClientEvent:
 
 
 @dataclass(slots=True, eq=False)
-class Subscription(ClientEvent):
+class EventSubscription(ClientEvent):
     """Reports of one query, next at `due` (s), every `period` (s). `confirmed` is the rate that was confirmed (Hz)."""
 
     kind: int
@@ -107,7 +107,7 @@ class Subscriptions:
         found = self._by_id.get(id)
         return found if found and found.client == client else None
 
-    def same(self, client: JausID, kind: int, query: bytes) -> Subscription | None:
+    def same(self, client: JausID, kind: int, query: bytes) -> EventSubscription | None:
         """The client's event of this kind with this very query."""
         return next((each for each in self.queries(client) if each.kind == kind and each.content == query), None)
 
@@ -128,6 +128,6 @@ class Subscriptions:
         """True when the client has an event."""
         return client in self._by_client
 
-    def queries(self, client: JausID) -> Iterator[Subscription]:
+    def queries(self, client: JausID) -> Iterator[EventSubscription]:
         """The subscriptions of the client."""
-        return (each for each in self.of(client) if isinstance(each, Subscription))
+        return (each for each in self.of(client) if isinstance(each, EventSubscription))

@@ -2,7 +2,7 @@
 
 from jauspy.services.environment_sensing.digital_resource_discovery import DigitalResourceDiscovery, VideoStreams
 from jauspy.services.environment_sensing.digital_video import DigitalVideo
-from jauspy.services.environment_sensing.force_torque_sensor import ForceTorqueSensor, MountedForceTorqueSensor
+from jauspy.services.environment_sensing.force_torque_sensor import ForceTorqueSensorService, MountedForceTorqueSensor
 from jauspy.services.environment_sensing.h264_video_encoding import H264VideoEncoding
 from jauspy.services.environment_sensing.older_versions import DigitalVideoCapabilities, StillImageData
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
@@ -14,7 +14,7 @@ __all__ = [
     "DigitalResourceDiscovery",
     "DigitalVideo",
     "DigitalVideoCapabilities",
-    "ForceTorqueSensor",
+    "ForceTorqueSensorService",
     "H264VideoEncoding",
     "JointMount",
     "MountedForceTorqueSensor",

@@ -186,6 +186,8 @@ def capabilities(sensor: int) -> _Capabilities:
         minimum_frame_rate=1,
         maximum_frame_rate=MAX_RATE,
         supported_frame_sizes=supported_frame_sizes(),
-        supported_digital_formats=SupportedDigitalFormats(0, 0, 0, 0, 0, 0, 1),
+        supported_digital_formats=SupportedDigitalFormats(
+            avi=0, mjpeg=0, mpeg2=0, h263=0, h26_3_plus=0, mpeg4_visual=0, mpeg4_avc_h264=1
+        ),
         recording_supported=ReportDigitalVideoSensorCapabilitiesExt.RecordingSupported.UNSUPPORTED,
     )

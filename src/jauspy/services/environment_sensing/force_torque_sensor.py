@@ -28,7 +28,7 @@ class MountedForceTorqueSensor:
     """Returns the sensor's present frame in the vehicle's frame, both with the axes of REP-103."""
 
 
-class ForceTorqueSensor(Service, urn="urn:jaus:jss:environmentSensing:ForceTorqueSensor"):
+class ForceTorqueSensorService(Service, urn="urn:jaus:jss:environmentSensing:ForceTorqueSensor"):
     """The sensors of a vehicle; their ids count from 1 in the order they are given.
 
     Newtons and newton metres that the tool, and all it carries and touches, does to the sensor: x forward, y right, z

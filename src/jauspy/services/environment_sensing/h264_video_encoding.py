@@ -15,7 +15,7 @@ from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
     ReportH264VideoEncodingConfiguration,
     SetH264VideoEncodingConfiguration,
 )
-from jauspy.platform.video_settings import LEVELS, Preset, Profile, VideoSettings
+from jauspy.platform.video_settings import LEVELS, H264Profile, Preset, VideoSettings
 from jauspy.services.environment_sensing.sensors import requested_sensors
 from jauspy.services.environment_sensing.visual_sensor import Cameras
 from jauspy.services.service import Service
@@ -35,10 +35,10 @@ _Capabilities = ReportH264VideoEncodingCapabilities
 _Report = ReportH264VideoEncodingConfiguration
 
 PROFILES: Final = {
-    _Profile.CONSTRAINED_BASELINE: Profile.BASELINE,
-    _Profile.BASELINE: Profile.BASELINE,
-    _Profile.MAIN: Profile.MAIN,
-    _Profile.HIGH: Profile.HIGH,
+    _Profile.CONSTRAINED_BASELINE: H264Profile.BASELINE,
+    _Profile.BASELINE: H264Profile.BASELINE,
+    _Profile.MAIN: H264Profile.MAIN,
+    _Profile.HIGH: H264Profile.HIGH,
 }
 """By JAUS's numbers. Of two numbers for one profile, the first is reported."""
 
@@ -201,4 +201,13 @@ def _capabilities(sensor: int) -> _Capabilities.H264CapabilitiesRec:
 def _supported_presets() -> _Capabilities.SupportedPresets:
     numbers = range(_Report.Preset.BEST_QUALITY + 1)
     low, slow, stare, drive, manipulate, best = (int(number in PRESETS) for number in numbers)
-    return _Capabilities.SupportedPresets(low, slow, stare, drive, manipulate, best, reserved=0, program_specific=0)
+    return _Capabilities.SupportedPresets(
+        low_latency=low,
+        slow_comms=slow,
+        persistent_stare=stare,
+        drive_vision=drive,
+        manipulation=manipulate,
+        best_quality=best,
+        reserved=0,
+        program_specific=0,
+    )

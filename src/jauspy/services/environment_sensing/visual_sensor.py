@@ -128,7 +128,16 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
                     sensor,
                     self._name(sensor),
                     **capabilities(self._cameras[sensor].source.setup),
-                    imaging_modes=ReportVisualSensorCapabilities.ImagingModes(1, 1, 0, 0, 0, 0, 0, 0),
+                    imaging_modes=ReportVisualSensorCapabilities.ImagingModes(
+                        color=1,
+                        greyscale=1,
+                        infrared=0,
+                        lowlight=0,
+                        thermal_white_hot=0,
+                        thermal_black_hot=0,
+                        thermal_rainbow=0,
+                        reserved_for_future_use=0,
+                    ),
                 )
                 for sensor, _ in requested
             ]
@@ -190,7 +199,17 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
             sensor,
             self._name(sensor),
             **capabilities(source.setup),
-            imaging_modes=ReportVisualSensorCapabilitiesExt.ImagingModes(1, 1, 0, 0, 0, 0, 0, 0, 0),
+            imaging_modes=ReportVisualSensorCapabilitiesExt.ImagingModes(
+                color=1,
+                greyscale=1,
+                infrared=0,
+                lowlight=0,
+                thermal_white_hot=0,
+                thermal_black_hot=0,
+                thermal_rainbow=0,
+                reserved_for_future_use=0,
+                reserved_for_program_specific_use=0,
+            ),
             minimum_horizontal_field_of_view=narrowest,
             maximum_horizontal_field_of_view=widest,
             minimum_vertical_field_of_view=vertical(narrowest, source.settings),

@@ -35,7 +35,7 @@ from jauspy.services.state_machine import CommandCompletion
 from jauspy.services.units import effort_or_zero
 
 CHECK_PERIOD: Final = 0.05
-"""Seconds between two checks whether commanded positions, a pose or an element of a list are reached."""
+"""Seconds from a command to the first check whether its motion has ended, and between two checks."""
 _TIMER: Final = "joint positions"
 REVOLUTE, PRISMATIC = 1, 2
 """The two kinds of value in a field."""

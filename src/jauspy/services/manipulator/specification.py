@@ -71,26 +71,28 @@ def _first_prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJ
 
 def _revolute(link: DHLink) -> ReportManipulatorSpecifications.RevoluteJointSpecificationRec:
     joint = link.joint
+    least, greatest = _turning_limits(link)
     return ReportManipulatorSpecifications.RevoluteJointSpecificationRec(
-        link.length,
-        link.twist,
-        link.offset,
-        *_turning_limits(link),
-        joint.velocity,
-        joint.effort,
+        link_length=link.length,
+        twist_angle=link.twist,
+        joint_offset=link.offset,
+        min_value=least,
+        max_value=greatest,
+        max_speed=joint.velocity,
+        max_torque=joint.effort,
     )
 
 
 def _prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJointSpecificationRec:
     joint = link.joint
     return ReportManipulatorSpecifications.PrismaticJointSpecificationRec(
-        link.length,
-        link.twist,
-        link.angle,
-        joint.lower + link.zero_position,
-        joint.upper + link.zero_position,
-        joint.velocity,
-        joint.effort,
+        link_length=link.length,
+        twist_angle=link.twist,
+        joint_angle=link.angle,
+        min_value=joint.lower + link.zero_position,
+        max_value=joint.upper + link.zero_position,
+        max_speed=joint.velocity,
+        max_force=joint.effort,
     )
 
 
@@ -210,13 +212,13 @@ def tool_rotation(group: JointGroup, arm: Arm) -> Rotation:
 def _description(joint: Joint, counted: Joint, zero: float, width_rate: float) -> ReportJointDescription.JointRec:
     directions = ReportJointDescription.Direction
     return ReportJointDescription.JointRec(
-        joint.name[:255],
-        _TYPES[joint.kind],
-        directions.SAME if counted.axis == joint.axis else directions.REVERSED,
-        zero,
-        max(-REPORTED_ANGLES / 2.0, joint.lower),
-        min(REPORTED_ANGLES / 2.0, joint.upper),
-        joint.velocity,
-        joint.effort,
-        width_rate,
+        joint_name=joint.name[:255],
+        joint_type=_TYPES[joint.kind],
+        direction=directions.SAME if counted.axis == joint.axis else directions.REVERSED,
+        zero_position=zero,
+        lower_limit=max(-REPORTED_ANGLES / 2.0, joint.lower),
+        upper_limit=min(REPORTED_ANGLES / 2.0, joint.upper),
+        max_speed=joint.velocity,
+        max_effort=joint.effort,
+        width_rate=width_rate,
     )

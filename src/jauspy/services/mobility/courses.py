@@ -146,7 +146,7 @@ def look_ahead(speed: float, path_tolerance: float | None) -> float:
 
 
 @dataclass(frozen=True, slots=True)
-class Goal:
+class CourseGoal:
     """A waypoint in the world, metres and radians; None for values that were not commanded."""
 
     point: PlanarPoint
@@ -170,7 +170,7 @@ class WaypointCourse:
 
     def __init__(
         self,
-        goal: Callable[[], Goal],
+        goal: Callable[[], CourseGoal],
         speed: Callable[[], float],
         *,
         deceleration: float,
@@ -199,7 +199,7 @@ class WaypointCourse:
             return self._align(pose.yaw, goal.heading)
         return self._drive(pose, leg, goal, speed)
 
-    def _drive(self, pose: Pose, leg: Leg, goal: Goal, speed: float) -> PlanarVelocity:
+    def _drive(self, pose: Pose, leg: Leg, goal: CourseGoal, speed: float) -> PlanarVelocity:
         here = PlanarPoint(pose.x, pose.y)
         _, bearing = here.to(leg.ahead(here, look_ahead(speed, goal.path_tolerance)))
         yaw = reversed_yaw(pose.yaw) if speed < 0.0 else pose.yaw
@@ -212,7 +212,7 @@ class WaypointCourse:
             error = 0.0 if self._drives_on else error
         return steer_to_heading(error, slowed, self._max_turn_rate, self._min_turn_radius)
 
-    def _is_inside_curve(self, here: PlanarPoint, yaw: float, error: float, goal: Goal) -> bool:
+    def _is_inside_curve(self, here: PlanarPoint, yaw: float, error: float, goal: CourseGoal) -> bool:
         """True if the narrowest curve towards the goal does not reach it."""
         side = yaw + math.copysign(math.pi / 2.0, error)
         radius = self._min_turn_radius
@@ -220,7 +220,7 @@ class WaypointCourse:
         distance, _ = centre.to(goal.point)
         return distance < radius * (CURVE_MARGIN if self._drives_on else 1.0)
 
-    def _approach_speed(self, remaining: float, goal: Goal) -> float:
+    def _approach_speed(self, remaining: float, goal: CourseGoal) -> float:
         """The speed from which half of the chassis' deceleration suffices to slow down."""
         final = FINAL_SPEED if goal.is_last or goal.heading is not None else PASSING_SPEED
         return math.sqrt(final**2 + self._deceleration * remaining)
@@ -231,7 +231,7 @@ class WaypointCourse:
         return steer_to_heading(error, 0.0, self._max_turn_rate)
 
 
-def is_reached(goal: Goal, leg: Leg, here: PlanarPoint) -> bool:
+def is_reached(goal: CourseGoal, leg: Leg, here: PlanarPoint) -> bool:
     """Within the tolerance; at the last waypoint also abeam of the point or within `STOP_TOLERANCE` of it."""
     distance, _ = here.to(goal.point)
     if distance > goal.tolerance:

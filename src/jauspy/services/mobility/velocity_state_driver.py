@@ -23,7 +23,7 @@ from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.velocity_control import STANDSTILL, AccelerationLimits, PlanarVelocity
 
-ROUNDING: Final = 1e-3
+VELOCITY_TOLERANCE: Final = 1e-3
 """m/s, rad/s: a velocity at its limit may have been rounded up by its field, whose steps are as large."""
 MIN_ACCELERATION_LIMIT: Final = 0.05
 """m/s^2, rad/s^2; with a limit of zero a moving platform would never stop."""
@@ -46,7 +46,7 @@ class VelocityRange:
         )
 
     def contains(self, velocity: PlanarVelocity) -> bool:
-        """True for a velocity within the range, but for `ROUNDING`."""
+        """True for a velocity within the range, but for `VELOCITY_TOLERANCE`."""
         return (
             _within(self.minimum.speed, velocity.speed, self.maximum.speed)
             and _within(self.minimum.turn_rate, velocity.turn_rate, self.maximum.turn_rate)
@@ -55,7 +55,7 @@ class VelocityRange:
 
 
 def _within(minimum: float, value: float, maximum: float) -> bool:
-    return minimum - ROUNDING <= value <= maximum + ROUNDING
+    return minimum - VELOCITY_TOLERANCE <= value <= maximum + VELOCITY_TOLERANCE
 
 
 def updated_limits(limits: AccelerationLimits, msg: SetAccelerationLimit, chassis: Chassis) -> AccelerationLimits:

@@ -20,7 +20,7 @@ from jauspy.messages.mobility import (
     SetLocalWaypointExt,
 )
 from jauspy.services.core.list_manager import ListDriver
-from jauspy.services.mobility.courses import DEFAULT_TOLERANCE, Goal, WaypointCourse
+from jauspy.services.mobility.courses import DEFAULT_TOLERANCE, CourseGoal, WaypointCourse
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.field_ranges import speed_over_ground, unsigned_speed
 from jauspy.services.mobility.vehicle import Vehicle
@@ -58,12 +58,12 @@ class WaypointFollower(Driver):
         return ReportTravelSpeedExt(speed=speed_over_ground(self.vehicle.pilot.travel_speed))
 
 
-def goal_of(vehicle: Vehicle, waypoint: Waypoint, *, is_last: bool) -> Goal:
+def goal_of(vehicle: Vehicle, waypoint: Waypoint, *, is_last: bool) -> CourseGoal:
     """A waypoint in the world, by the present setting of its frame, and for a global one by the present estimate."""
     attitude = waypoint.attitude
     point, heading = _point_and_heading(vehicle, waypoint)
     tolerance = DEFAULT_TOLERANCE if attitude.tolerance is None else attitude.tolerance
-    return Goal(point, heading, tolerance, attitude.path_tolerance, is_last)
+    return CourseGoal(point, heading, tolerance, attitude.path_tolerance, is_last)
 
 
 def _point_and_heading(vehicle: Vehicle, waypoint: Waypoint) -> tuple[PlanarPoint, float | None]:

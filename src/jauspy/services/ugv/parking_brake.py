@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from jauspy.messages.ugv import ReportParkingBrake, SetParkingBrake
-from jauspy.platform.chassis import ParkingBrake
+from jauspy.platform.drives import ParkingBrake
 from jauspy.services.service import Service
 
 

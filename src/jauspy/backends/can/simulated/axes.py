@@ -6,13 +6,13 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Final, Protocol
 
-from jauspy.backends.can.setup import CanSetup, DriveSetup
 from jauspy.geometry.frames import HoldingEfforts
 from jauspy.geometry.urdf import Joint
-from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
+from jauspy.platform.drives import SkidSteerDrive
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.servo_drives import CanSetup, DriveSetup
 
 DAMPING: Final = 0.5
 """Effort of friction at full speed, as a fraction of the full effort."""

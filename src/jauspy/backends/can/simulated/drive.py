@@ -21,10 +21,10 @@ from jauspy.backends.can.cia402 import (
     Mode,
     next_state,
 )
-from jauspy.backends.can.setup import DriveSetup
 from jauspy.backends.can.simulated.axes import Axis
 from jauspy.backends.can.units import DriveUnits
 from jauspy.platform.joints import ControlMode
+from jauspy.platform.servo_drives import DriveSetup
 
 FAULTS: Final = {
     "overcurrent": (0x2310, 0x03),

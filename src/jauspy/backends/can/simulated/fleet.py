@@ -16,7 +16,6 @@ from jauspy import backends
 from jauspy.backends.can import pdo
 from jauspy.backends.can.bus import Port
 from jauspy.backends.can.inbox import deviation
-from jauspy.backends.can.setup import CanSetup
 from jauspy.backends.can.simulated.axes import MotorPlant, Plant, RobotPlant
 from jauspy.backends.can.simulated.drive import SimulatedDrive
 from jauspy.backends.can.units import DriveUnits
@@ -24,6 +23,7 @@ from jauspy.backends.kinematic import WORLDS
 from jauspy.errors import ConfigError
 from jauspy.logs import get_logger
 from jauspy.platform.description import RobotModel
+from jauspy.platform.servo_drives import CanSetup
 
 _LOG: Final = get_logger("jauspy.can")
 
@@ -58,7 +58,7 @@ def plant_of(name: str, model: RobotModel, setup: CanSetup, world: str) -> Plant
     return RobotPlant(backends.find(name).open(model, world), model, setup)
 
 
-class Fleet:
+class DriveFleet:
     """The drives, their plant, and their end of the bus."""
 
     def __init__(
@@ -118,7 +118,7 @@ class RealTimeFleet:
 
     def __init__(self, model: RobotModel, setup: CanSetup, bus: can.BusABC, plant: Plant) -> None:
         self._bus = bus
-        self.fleet = Fleet(model, setup, plant, Port(self._send))
+        self.fleet = DriveFleet(model, setup, plant, Port(self._send))
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self.run, name="simulated drives", daemon=True)
 

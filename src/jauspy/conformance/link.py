@@ -1,4 +1,4 @@
-"""`Wire`, the contract between a run and the network, and its implementations over UDP and through a node manager."""
+"""`TesterLink`, the contract between a run and the network, and its implementations: UDP, and a node manager."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Arrival(NamedTuple):
     other_port: bool = False
 
 
-class Wire(Protocol):
+class TesterLink(Protocol):
     """Carries the datagrams of all clients of a tester. Time is in seconds, real or virtual."""
 
     @property
@@ -73,7 +73,7 @@ MAX_KNOWN: Final = 1024
 """Ids whose addresses are kept; the least recently received one is dropped first."""
 
 
-class UdpWire:
+class UdpLink:
     """Clients of one host. Datagrams go to `peer` if given, else to the last address of an id, else to `group`.
 
     `group` is listened to as well; by default it is JAUS's, on the port of the peer. `port` is the port to send from;
@@ -212,19 +212,19 @@ MAX_WAITING: Final = 4096
 """Datagrams that the tester has not read yet; more are dropped."""
 
 
-async def open_wire(connect: str | None) -> Wire:
+async def open_link(connect: str | None) -> TesterLink:
     """Open the wire for `connect`, as for other commands; None means multicast, even if a node manager runs.
 
     Datagrams of a test go directly to the target, not through a node manager, unless that is requested.
     """
     if connect is None:
-        return UdpWire()
+        return UdpLink()
     if connect.startswith("udp://"):
-        return UdpWire(peer=await connecting.udp_address(connect))
-    return LinkWire(connect)
+        return UdpLink(peer=await connecting.udp_address(connect))
+    return NodeManagerLink(connect)
 
 
-class LinkWire:
+class NodeManagerLink:
     """Clients as components of a node manager; runs a separate event loop while it waits."""
 
     features: Collection[str] = ()

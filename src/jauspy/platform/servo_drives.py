@@ -11,12 +11,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from annotated_types import Interval, Len, MaxLen, MinLen
 
-from jauspy.errors import JausError
 from jauspy.platform.tables import Converted, Identifier, Positive, Table, UrdfName
-
-
-class DriveFault(JausError):
-    """Drives cannot be used. The text names the drive, its state, its error, and what to do."""
 
 
 class VelocityUnit(Enum):
