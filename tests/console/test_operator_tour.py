@@ -18,9 +18,9 @@ pytest.importorskip("mujoco", reason="needs the extra 'sim'")
 pytest.importorskip("av", reason="the extra 'video' is not installed")
 pytest.importorskip("cv2", reason="needs the extra 'demo'")
 
-from jauspy.cli.demo.arm import ArmKinematics
-from jauspy.cli.demo.grasp import at_height, decode_image, ray, red_region
-from jauspy.cli.demo.plan import PLANS
+from jauspy.demo.arm import ArmKinematics
+from jauspy.demo.grasp import at_height, decode_image, ray, red_region
+from jauspy.demo.plan import PLANS
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector

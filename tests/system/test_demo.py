@@ -24,11 +24,11 @@ import cv2
 import yaml
 
 from jauspy.backends.can.robot import CanRobot
-from jauspy.cli.demo import grasp, plan
-from jauspy.cli.demo.arm import Arm, ArmKinematics
-from jauspy.cli.demo.grasp import Grasp
-from jauspy.cli.demo.report import DemoState
 from jauspy.cli.options import on_bus
+from jauspy.demo import grasp, plan
+from jauspy.demo.arm import Arm, ArmKinematics
+from jauspy.demo.grasp import Grasp
+from jauspy.demo.report import DemoState
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames

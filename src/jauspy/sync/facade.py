@@ -9,6 +9,7 @@ from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportStatus
 from jauspy.messages.manipulator import SetJointPositions
+from jauspy.ocu.camera import SILENCE
 from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.discovery import News
@@ -372,6 +373,13 @@ class ServiceClient(Facade[_ServiceClient]):
         """
         self._portal.run(self._async.send(message, ack=ack))
 
+    def configure(self, settings: Message, what: str = 'the settings') -> None:
+        """Send settings of sensors; raises `RequestError` with the component's reason if it refuses them.
+
+        `what` names the settings in the error. Needs control.
+        """
+        self._portal.run(self._async.configure(settings, what))
+
     def perform(self, command: Message, *, within: float) -> None:
         """Send a command and wait until it has been carried out, for example until an arm has reached its target.
 
@@ -678,6 +686,11 @@ class Camera(Facade[_Camera]):
         """A text for users: what `frames` or `encoded` wait for until a picture arrives, as in "a first packet"."""
         return self._async.waiting
 
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What was received for the last `frames` or `encoded`: `pictures`, packets `lost`, pictures `damaged`, ..."""
+        return self._async.counters
+
     def taken(self, picture: Picture) -> datetime | None:
         """When a picture of `encoded` was taken, by the robot's clock; None before its first report of the time."""
         return self._async.taken(picture)
@@ -686,21 +699,47 @@ class Camera(Facade[_Camera]):
         """Request a picture that can be decoded without others (IDR); without effect when nothing is received."""
         self._async.refresh()
 
-    def frames(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Frame, None, None]:
+    def set_video(
+        self,
+        *,
+        size: tuple[int, int] | None = None,
+        rate: int | None = None,
+        bit_rate: int | None = None,
+        authority: int = DEFAULT_AUTHORITY,
+    ) -> None:
+        """Set the video's size (width, height in pixels), pictures a second and kbit/s, for all who watch.
+
+        None leaves a setting as it is. Takes control for a moment; raises `RequestError` with what was refused.
+        """
+        self._portal.run(self._async.set_video(size=size, rate=rate, bit_rate=bit_rate, authority=authority))
+
+    def frames(
+        self,
+        *,
+        address: str | None = None,
+        timeout: float = 20.0,
+        silence: float = SILENCE,
+    ) -> Generator[Frame, None, None]:
         """Frames as they arrive: NumPy arrays of uint8, (height, width, 3), in BGR, with `.time`; extra `video`.
 
         A slow reader gets the newest one. `address` is the IP address of this machine to which the robot sends; by
         default the one from which the robot is reached. Raises `RequestError` when no first frame arrives within
-        `timeout` seconds, or none for 5 s later. The camera stops sending when the loop is left.
+        `timeout` seconds, or none for `silence` seconds later. The camera stops sending when the loop is left.
         """
-        return self._portal.iterate(self._async.frames(address=address, timeout=timeout))
+        return self._portal.iterate(self._async.frames(address=address, timeout=timeout, silence=silence))
 
-    def encoded(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Picture, None, None]:
+    def encoded(
+        self,
+        *,
+        address: str | None = None,
+        timeout: float = 20.0,
+        silence: float = SILENCE,
+    ) -> Generator[Picture, None, None]:
         """Pictures as the camera encodes them (H.264), beginning with an IDR picture; otherwise as `frames`.
 
         After a lost packet, pictures are dropped until the next IDR picture.
         """
-        return self._portal.iterate(self._async.encoded(address=address, timeout=timeout))
+        return self._portal.iterate(self._async.encoded(address=address, timeout=timeout, silence=silence))
 
     def still(self, *, size: tuple[int, int] | None = None, format: str | None = None, timeout: float = 10.0) -> Photo:
         """Take a still image, returned as the content of a file; see `ServiceClient.still`.

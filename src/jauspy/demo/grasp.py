@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Final
 import cv2
 import numpy as np
 
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.arm import Arm
-from jauspy.cli.demo.plan import Plan
-from jauspy.cli.demo.report import StageResult, time_limit
+from jauspy.demo import plan
+from jauspy.demo.arm import Arm
+from jauspy.demo.plan import Plan
+from jauspy.demo.report import StageResult, time_limit
 from jauspy.errors import RequestError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector, difference

@@ -6,8 +6,8 @@ import pytest
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.grasp import Grasp
+from jauspy.demo import plan
+from jauspy.demo.grasp import Grasp
 from jauspy.robot.robot_files import load, robot_model
 
 

@@ -15,10 +15,11 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 
 import cv2
 
-from jauspy.cli.demo import Place, plan, true_place
-from jauspy.cli.demo.grasp import ARM_CAMERA, Grasp
-from jauspy.cli.demo.report import Report, StageResult, View
-from jauspy.cli.demo.tour import Tour
+from jauspy.cli.demo import Place, true_place
+from jauspy.demo import plan
+from jauspy.demo.grasp import ARM_CAMERA, Grasp
+from jauspy.demo.report import Report, StageResult, View
+from jauspy.demo.tour import Tour
 from jauspy.geometry.poses import PlanarPose
 from jauspy.ocu.frames import RobotFrames
 from jauspy.robot.robot_files import load

@@ -9,8 +9,8 @@ from contextlib import asynccontextmanager
 from statistics import fmean
 from typing import Final
 
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.report import DemoState, time_limit
+from jauspy.demo import plan
+from jauspy.demo.report import DemoState, time_limit
 from jauspy.errors import RequestError
 from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.urdf import JointKind

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.report import Report, View
-from jauspy.cli.demo.tour import Tour
+from jauspy.demo import plan
+from jauspy.demo.report import Report, View
+from jauspy.demo.tour import Tour
 from jauspy.errors import ControlRejected, RequestError
 from jauspy.ocu import OCU
 from jauspy.robot.robot_files import load

@@ -9,10 +9,10 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Final
 
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.arm import Arm, ArmKinematics, Flippers
-from jauspy.cli.demo.plan import Plan, Waypoint
-from jauspy.cli.demo.report import DemoState, Report, StageResult, View, time_limit
+from jauspy.demo import plan
+from jauspy.demo.arm import Arm, ArmKinematics, Flippers
+from jauspy.demo.plan import Plan, Waypoint
+from jauspy.demo.report import DemoState, Report, StageResult, View, time_limit
 from jauspy.messages.mobility import (
     QueryLocalPose,
     ReportLocalPose,

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.arm import ArmKinematics
-from jauspy.cli.demo.plan import Plan
+from jauspy.demo import plan
+from jauspy.demo.arm import ArmKinematics
+from jauspy.demo.plan import Plan
 from jauspy.errors import RequestError
 from jauspy.robot.robot_files import load, robot_model
 
