@@ -83,8 +83,7 @@ class Operator:
 
     def play(self, *places: tuple[float, float, float, float]) -> None:
         """Load a trajectory of these places of the gripper (turn, distance, height, pitch) from a file, and play it."""
-        geometry = self.kinematics.geometry
-        rows = [{"seconds": 0.0, "positions": geometry.to_urdf(self.kinematics.joints(*each))} for each in places]
+        rows = [{"seconds": 0.0, "positions": [*self.kinematics.joints(*each).values()]} for each in places]
         goal = dict(zip(self.model.groups["arm"].joints, rows[-1]["positions"], strict=True))
         file = json.dumps({"robot": "inc1", "joints": list(goal), "rows": rows})
         self.page.get_by_role("tab", name="Trajectory").click()

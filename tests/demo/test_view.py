@@ -29,7 +29,7 @@ def test_table_shows_the_known_values() -> None:
     page.print(view.table())
     assert "robot" not in page.file.getvalue()
     state = view.state
-    state.pose, state.finger = (1.5, -0.25, math.pi / 2), 0.025
+    state.pose, state.width = (1.5, -0.25, math.pi / 2), 0.05
     state.moved([0.0, math.pi / 2])
     recording = SimpleNamespace(recorder=SimpleNamespace(pictures=77), camera=SimpleNamespace(counters={"lost": 3}))
     state.recordings["arm"] = recording

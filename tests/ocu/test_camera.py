@@ -36,7 +36,7 @@ async def test_frames_are_images_in_bgr_with_a_time(node_manager, robot, ocu):
 async def test_video_is_sent_as_it_was_set_and_counted(node_manager, robot, ocu):
     camera = (await ocu.robot(101)).camera("arm")
     assert not camera.counters
-    with pytest.raises(ConfigError, match="JAUS has no video of 321x240; the sizes are .*320x240"):
+    with pytest.raises(ConfigError, match=r"JAUS has no video of 321x240; the sizes are .*320x240"):
         await camera.set_video(size=(321, 240))
     with pytest.raises(RequestError, match=r"101.1.106 refused the settings of its video: .+"):
         await camera.set_video(rate=250)

@@ -18,7 +18,6 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from jauspy.demo import plan
-from jauspy.demo.arm import Flippers
 from jauspy.demo.grasp import ARM_CAMERA, STILL_FILE, Grasp, aim
 from jauspy.demo.plan import Plan
 from jauspy.demo.report import DemoState, Report, StageResult, View
@@ -28,10 +27,8 @@ from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid, Points, save_map, transformed
 from jauspy.mapping.live import LiveMapping
 from jauspy.mapping.mapper import MAX_RANGE, Mapper
-from jauspy.ocu import OCU, Control
-from jauspy.ocu.camera import Camera
+from jauspy.ocu import OCU, Camera, Robot, RobotControl
 from jauspy.ocu.frames import RobotFrames
-from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.robot.config import CameraTable, RobotConfig
 from jauspy.video.recorder import Recorder
 
@@ -258,11 +255,11 @@ class FullTour(Tour):
         """Run all steps; see `Tour.run`."""
         robot = await self._discover()
         async with AsyncExitStack() as stack:
-            driving, flippers, arm = await self._begin(stack, robot)
+            control, arm = await self._begin(stack, robot)
             recordings = await self._record(stack, robot)
-            await self._drive(robot, driving, flippers)
+            await self._drive(robot, control)
             await self._aim(stack, robot)
-            frames, camera = RobotFrames(robot, self._model, self._config.movers), self._camera(robot, ARM_CAMERA)
+            frames, camera = RobotFrames(robot, self._model, self._config.movers), robot.camera(ARM_CAMERA)
             grasp = Grasp(arm, frames, self._model, camera, size=self._size, goals=self._plan)
             thing = self._plan.thing.name
             self._step("look", f"Look for the {thing} with the arm's camera")
@@ -292,21 +289,19 @@ class FullTour(Tour):
         await asyncio.gather(*(recording.begins() for recording in recordings.values()))
         return recordings
 
-    async def _drive(self, robot: Robot, driving: Control, flippers: Flippers) -> None:
+    async def _drive(self, robot: Robot, control: RobotControl) -> None:
         mapping = MapRecording(robot, self._state)
         async with mapping.made():
             self._step("drive", f"Drive {self._plan.drive}, mapping on the way")
-            self._add(await self._drive_there(robot, driving, flippers))
+            self._add(await self._drive_there(robot, control))
             found, files = await mapping.finish(self._folder)
         self._add(found)
         self._report.files += files
 
     async def _aim(self, stack: AsyncExitStack, robot: Robot) -> None:
         self._step("aim", "Point the camera on the chassis to it")
-        self._add(await aim(stack, self._camera(robot, CHASSIS_CAMERA), self._plan.aim))
-
-    def _camera(self, robot: Robot, name: str) -> ComponentClient:
-        return robot.component(next(each.component for each in self._config.modules if each.camera == name))
+        mount = next(each.component for each in self._config.modules if each.camera == CHASSIS_CAMERA)
+        self._add(await aim(stack, robot, mount, self._plan.aim))
 
     def _draw(self) -> None:
         plot_joints(self._state, self._folder / "joints.png")

@@ -91,7 +91,8 @@ class DemoState:
     pose: tuple[float, float, float] | None = None
     speed: float = 0.0
     joints: Sequence[float] = ()
-    finger: float | None = None
+    width: float | None = None
+    """Metres between the fingers."""
     recordings: dict[str, VideoRecording] = field(default_factory=dict)
     scans: int = 0
     controlled: bool = False
@@ -202,8 +203,8 @@ class LiveView(View):
             rows["robot"] = f"x {x:+.2f} m  y {y:+.2f} m  heading {math.degrees(yaw):+.1f}°  {state.speed:.2f} m/s"
         if state.joints:
             rows["arm"] = "  ".join(f"{math.degrees(joint):+7.1f}°" for joint in state.joints)
-        if state.finger is not None:
-            rows["fingers"] = f"{200.0 * state.finger:.2f} cm apart"
+        if state.width is not None:
+            rows["fingers"] = f"{100.0 * state.width:.2f} cm apart"
         for name, recording in state.recordings.items():
             rows[f"{name} video"] = (
                 f"{recording.recorder.pictures} pictures, {recording.camera.counters.get('lost', 0)} packets lost"
