@@ -96,7 +96,7 @@ def test_motions_of_a_cell_that_is_slower_than_the_clock_arrive(monkeypatch: pyt
 
 async def test_a_running_cell_is_kept_under_control_while_motions_are_planned(layout: Layout) -> None:
     config = robot_files.load("cell")
-    client = CellClient(OCU("42.1.1"), config, robot_files.robot_model(config), layout, threads=True)
+    client = CellClient(OCU("42.1.1"), config, layout, threads=True)
     renewed = threading.Event()
     asyncio.get_running_loop().call_later(0.01, renewed.set)
     assert await client.compute(partial(renewed.wait, 5.0))

@@ -22,7 +22,7 @@ from jauspy.console.manipulators import (
 from jauspy.console.panels.arm import _JointRow
 from jauspy.console.panels.gripper import connector_state, switch
 from jauspy.errors import ConfigError
-from jauspy.ocu.joints import MotionLimits
+from jauspy.ocu.motion_limits import MotionLimits
 
 
 async def test_a_cell_has_two_arms_and_the_joints_of_one_come_and_go() -> None:

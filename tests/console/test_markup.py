@@ -17,7 +17,7 @@ from tools.attack.hostile_robot import IN_FILES
 from jauspy.console import markup
 from jauspy.console.manipulators import JointInfo
 from jauspy.console.panels.arm import _JointRow
-from jauspy.ocu.joints import MotionLimits
+from jauspy.ocu.motion_limits import MotionLimits
 from jauspy.printable import printable
 
 

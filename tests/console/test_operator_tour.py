@@ -18,9 +18,9 @@ pytest.importorskip("mujoco", reason="needs the extra 'sim'")
 pytest.importorskip("av", reason="the extra 'video' is not installed")
 pytest.importorskip("cv2", reason="needs the extra 'demo'")
 
-from jauspy.cli.demo.arm import ArmKinematics
-from jauspy.cli.demo.grasp import at_height, decode_image, ray, red_region
-from jauspy.cli.demo.plan import PLANS
+from jauspy.demo.arm import ArmKinematics
+from jauspy.demo.grasp import at_height, decode_image, ray, red_region
+from jauspy.demo.plan import PLANS
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector
@@ -83,8 +83,7 @@ class Operator:
 
     def play(self, *places: tuple[float, float, float, float]) -> None:
         """Load a trajectory of these places of the gripper (turn, distance, height, pitch) from a file, and play it."""
-        geometry = self.kinematics.geometry
-        rows = [{"seconds": 0.0, "positions": geometry.to_urdf(self.kinematics.joints(*each))} for each in places]
+        rows = [{"seconds": 0.0, "positions": [*self.kinematics.joints(*each).values()]} for each in places]
         goal = dict(zip(self.model.groups["arm"].joints, rows[-1]["positions"], strict=True))
         file = json.dumps({"robot": "inc1", "joints": list(goal), "rows": rows})
         self.page.get_by_role("tab", name="Trajectory").click()

@@ -12,7 +12,7 @@ from jauspy.console.saved_files import SavedFiles, checked_name
 from jauspy.console.trajectory import MAX_ROWS, Trajectory, TrajectoryRow
 from jauspy.console.users import LOCAL
 from jauspy.errors import ConfigError
-from jauspy.ocu.joints import MotionLimits
+from jauspy.ocu.motion_limits import MotionLimits
 from jauspy.testing import VirtualNetwork
 
 TURN, ELBOW = "base_link_to_arm_link_1", "arm_link_2_to_arm_link_3"

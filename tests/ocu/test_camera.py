@@ -33,6 +33,20 @@ async def test_frames_are_images_in_bgr_with_a_time(node_manager, robot, ocu):
     assert sum(robot.videos["arm"].receivers.values()) == 0
 
 
+async def test_video_is_sent_as_it_was_set_and_counted(node_manager, robot, ocu):
+    camera = (await ocu.robot(101)).camera("arm")
+    assert not camera.counters
+    with pytest.raises(ConfigError, match=r"JAUS has no video of 321x240; the sizes are .*320x240"):
+        await camera.set_video(size=(321, 240))
+    with pytest.raises(RequestError, match=r"101.1.106 refused the settings of its video: .+"):
+        await camera.set_video(rate=250)
+    await camera.set_video(size=(320, 240), rate=5)
+    frames = camera.frames(silence=20.0)
+    assert (await anext(frames)).shape == (240, 320, 3)
+    await frames.aclose()
+    assert camera.counters["pictures"] >= 1
+
+
 async def test_still_of_a_camera_by_name(node_manager, robot, ocu):
     camera = (await ocu.robot(101)).camera("chassis")
     with pytest.raises(ResponseTimeout, match="sent no picture of sensor 1 in 0 s"):

@@ -8,7 +8,7 @@ import pytest
 
 from jauspy.messages.manipulator import SetJointPositions
 from jauspy.ocu import joint_efforts, joint_positions, joint_velocities, metres
-from jauspy.ocu.joints import MotionLimits
+from jauspy.ocu.motion_limits import MotionLimits
 
 
 def test_numbers_become_records():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import math
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 import pytest
@@ -12,8 +13,11 @@ from tests.helpers.simulated import Simulation, simulated
 
 from jauspy.component.component import loop_time
 from jauspy.errors import ConfigError, ControlRejected, RequestError
+from jauspy.geometry.vectors import GRAVITY
 from jauspy.messages.core import Standby, TimeStamp
 from jauspy.messages.mobility import QueryWrenchEffort, SetWrenchEffort
+from jauspy.ocu import MotionLimits
+from jauspy.ocu.driving import PROGRESS_INTERVAL, Driving
 from jauspy.ocu.state import datetime_of
 from jauspy.platform.chassis import Chassis
 from jauspy.services.core import AccessControl
@@ -23,6 +27,7 @@ from jauspy.testing import VirtualNetwork
 
 TURN, SHOULDER, ELBOW = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2", "arm_link_2_to_arm_link_3"
 FINGER = "gripper_link_to_left_finger"
+PAN, TILT, PAN_TILT = "base_link_to_pan_link", "pan_link_to_tilt_link", 107
 
 
 @pytest.fixture
@@ -57,6 +62,20 @@ async def test_drive_stops_at_the_end_of_the_block(inc1, robot):
         await asyncio.sleep(2.0)
     await asyncio.sleep(1.0)
     assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
+
+
+async def test_effort_drives_until_the_next_command_or_for_a_time(inc1, robot):
+    async with inc1.control("drive"):
+        await inc1.drive_effort(40.0)
+        await asyncio.sleep(3.0)
+        assert robot.snapshot.twist.vx > 0.3
+        assert abs(robot.snapshot.twist.wz) < 0.05
+        await inc1.drive_effort(angular=30.0, seconds=1.0)
+        assert robot.snapshot.pose.yaw > 0.1
+        with pytest.raises(ConfigError, match=r"linear=140 is outside -100..100 percent"):
+            await inc1.drive_effort(140.0)
+        await asyncio.sleep(1.0)
+        assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.02)
 
 
 async def test_drive_without_control_says_what_to_do(inc1):
@@ -103,6 +122,34 @@ async def test_cancelled_go_to_stops_the_robot(inc1, robot):
         assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
 
 
+async def test_go_to_accepts_where_the_robot_stands(inc1, robot, monkeypatch):
+    """As with a pose that drifts while the robot comes to rest."""
+    pose, queries = Driving.pose, []
+
+    async def drifted(self):
+        found = await pose(self)
+        queries.append(found)
+        return replace(found, y=found.y + 0.12)
+
+    monkeypatch.setattr(Driving, "pose", drifted)
+    async with inc1.control("drive"):
+        reached = await inc1.go_to(x=1.0, y=0.0, tolerance=0.05, accept=0.2)
+        assert reached.y > 0.06
+        queries.clear()
+        with pytest.raises(RequestError, match=r"the robot is 0\.1\d m from \(1, 0\) after 8 s"):
+            await inc1.go_to(x=1.0, y=0.0, tolerance=0.05, timeout=8.0)
+    assert len(queries) <= 8.0 / PROGRESS_INTERVAL + 2, "the pose is not queried more often while the robot stands"
+
+
+async def test_go_to_names_the_loss_of_control(inc1, virtual_network):
+    async with inc1.control("drive", authority=100):
+        going = asyncio.create_task(inc1.go_to(x=5.0, y=0.0))
+        await asyncio.sleep(1.0)
+        async with virtual_network.ocu("42.1.9") as other, (await other.robot(101)).control("drive", authority=200):
+            with pytest.raises(ControlRejected, match="was lost"):
+                await going
+
+
 async def test_go_to_unknown_frame_lists_frames(inc1):
     with pytest.raises(ConfigError, match=r"no frame 'map'; frames are local, robot"):
         await inc1.go_to(x=1.0, y=0.0, frame="map")
@@ -115,6 +162,64 @@ async def test_arm_positions_are_those_of_the_description(inc1, robot):
     assert own[ELBOW] == pytest.approx(-1.2, abs=0.02)
     assert reached[ELBOW] == pytest.approx(-1.2, abs=0.02)
     assert reached[SHOULDER] == pytest.approx(2.7, abs=0.02)
+
+
+async def test_begin_returns_at_once_and_reports_follow_the_motion(inc1, robot):
+    async with inc1.control("arm"):
+        await inc1.arm.begin({TURN: 0.6})
+        assert abs(robot.snapshot.joints["arm"].positions[0]) < 0.1
+        reports = inc1.arm.watch(rate=20.0)
+        seen = [(await anext(reports))[TURN] for _ in range(40)]
+        await reports.aclose()
+    assert seen == sorted(seen)
+    assert seen[-1] == pytest.approx(0.6, abs=0.01)
+
+
+async def test_move_with_a_tolerance_ends_at_rest_within_it(inc1, robot):
+    async with inc1.control("arm"):
+        reached = await inc1.arm.move({TURN: 0.5}, tolerance=0.002)
+        assert reached[TURN] == pytest.approx(0.5, abs=0.002)
+        assert robot.snapshot.joints["arm"].velocities[0] == pytest.approx(0.0, abs=1e-2)
+
+
+async def test_motion_limits_are_set_for_joints_by_name_and_stay(inc1):
+    clock = asyncio.get_running_loop().time
+    async with inc1.control("arm"):
+        before = await inc1.arm.motion_limits()
+        await inc1.arm.set_motion_limits({TURN: MotionLimits(0.1, 0.5, 0.4)})
+        after = await inc1.arm.motion_limits()
+        assert after[TURN] == MotionLimits(pytest.approx(0.1), pytest.approx(0.5), pytest.approx(0.4))
+        assert {name: after[name] for name in after if name != TURN} == {n: before[n] for n in before if n != TURN}
+        began = clock()
+        await inc1.arm.move({TURN: 0.4})
+        assert clock() - began > 4.0
+        with pytest.raises(ConfigError, match="no joint 'knee'; there are base_link_to_arm_link_1"):
+            await inc1.arm.set_motion_limits({"knee": MotionLimits(0.1)})
+        with pytest.raises(ConfigError, match="acceleration 0 must be above 0"):
+            await inc1.arm.set_motion_limits({TURN: MotionLimits(0.1, 0.0)})
+
+
+async def test_pan_tilt_unit_is_moved_by_the_names_of_its_joints(inc1, robot):
+    unit = inc1.manipulator(PAN_TILT)
+    async with inc1.control(PAN_TILT):
+        await unit.move({PAN: 0.5, TILT: -0.2})
+        reached = await unit.move({PAN: 0.3}, tolerance=0.01)
+        assert (reached[PAN], reached[TILT]) == pytest.approx((0.3, -0.2), abs=0.01)
+        assert robot.snapshot.joints["pan_tilt"].positions == pytest.approx((0.3, -0.2), abs=0.01)
+        await unit.begin({PAN: -0.5})
+        await unit.stop()
+        assert (await unit.joints())[PAN] > 0.1
+        with pytest.raises(ConfigError, match=r"101.1.107 cannot move its joints to positions"):
+            await unit.joint_positions(**{PAN: 0.0})
+
+
+async def test_force_torque_sensor_measures_the_weight_downwards(inc1):
+    measured = await inc1.force_torque()
+    assert -measured.force[2] / GRAVITY == pytest.approx(1.5, abs=1.0)
+    assert measured.force[2] < -5.0
+    assert math.hypot(*measured.force[:2]) < 0.2
+    with pytest.raises(RequestError, match="has no force-torque sensor 7"):
+        await inc1.force_torque(7)
 
 
 async def test_all_joints_are_reported_as_in_the_description(inc1, robot):

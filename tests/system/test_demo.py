@@ -24,11 +24,11 @@ import cv2
 import yaml
 
 from jauspy.backends.can.robot import CanRobot
-from jauspy.cli.demo import grasp, plan
-from jauspy.cli.demo.arm import Arm, ArmKinematics
-from jauspy.cli.demo.grasp import Grasp
-from jauspy.cli.demo.report import DemoState
 from jauspy.cli.options import on_bus
+from jauspy.demo import grasp, plan
+from jauspy.demo.arm import Arm, ArmKinematics
+from jauspy.demo.grasp import Grasp
+from jauspy.demo.report import DemoState
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames
@@ -130,14 +130,10 @@ async def test_thing_is_lifted_in_the_simulation(
         runner._realtime.submit(PutRobot(goal.x + 0.03, goal.y + 0.04, goals.ground, goal.heading - 0.04))
         ocu = await stack.enter_async_context(OCU("42.1.1", f"local:{root}", timeout=3.0))
         robot = await ocu.discover(101, timeout=20.0)
-        arm_module, gripper_module = robot.component(104), robot.component(105)
-        for module in (arm_module, gripper_module):
-            management = module.service("Management")
-            await stack.enter_async_context(management.control(plan.AUTHORITY))
-            await management.resume(timeout=20.0)
-        arm = Arm(robot, arm_module, gripper_module, ArmKinematics(model), state)
+        await stack.enter_async_context(robot.control(104, 105, authority=plan.AUTHORITY))
+        arm = Arm(robot, robot.component(104).id, ArmKinematics(model), state)
         await stack.enter_async_context(arm.monitored())
-        grasp = Grasp(arm, RobotFrames(robot, model), model, robot.component(106), size=(320, 240), goals=goals)
+        grasp = Grasp(arm, RobotFrames(robot, model), model, robot.camera("arm"), size=(320, 240), goals=goals)
 
         thing = simulated.data.body(body)
         before = thing.xpos.copy()

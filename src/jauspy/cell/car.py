@@ -18,11 +18,6 @@ from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath, Path
 from jauspy.cell.scene import Layout, Piece, connector_frame, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
-from jauspy.messages.mobility import (
-    QueryLocalPose,
-    ReportLocalPose,
-    SetWrenchEffort,
-)
 
 CORNERS: Final = ("front_left", "rear_left", "front_right", "rear_right")
 TURNER: Final = Slot("wheel servo", ("x5_1_inline",))
@@ -326,28 +321,20 @@ class CarTask:
                 break
             await self.cell.sleep(0.1)
         await self.cell.run_conveyor(0.0)
-        driver = await self.cell.control_module("CM-MOB", "car", "mobility:PrimitiveDriver")
-        sensor = await self.cell.control_module("CM-MOB", "car", "mobility:LocalPoseSensor")
-        start = await sensor.query(QueryLocalPose(ALL_POSE))
+        robot = await self.cell.car()
+        start = await robot.pose()
         upright = arm.last_goal
         goals = (upright + np.array(NOD), upright)
         until = self.cell.now() + DRIVE_TIME
-        await driver.send(SetWrenchEffort(propulsive_linear_effort_x=DRIVE_EFFORT), ack=True)
+        await robot.drive_effort(DRIVE_EFFORT)
         while self.cell.now() < until:
             goal = goals[self.result.arm_motions % 2]
             await arm.move(goal, NOD_TIME)
             off = float(np.max(np.abs(await arm.positions() - goal)))
             self.result.arm_error = max(self.result.arm_error, off)
             self.result.arm_motions += 1
-            await driver.send(SetWrenchEffort(propulsive_linear_effort_x=DRIVE_EFFORT), ack=True)
-        await driver.send(SetWrenchEffort(propulsive_linear_effort_x=0.0), ack=True)
+            await robot.drive_effort(DRIVE_EFFORT)
+        await robot.stop()
         await self.cell.sleep(1.0)
-        end_pose = await sensor.query(QueryLocalPose(ALL_POSE))
-        self.result.driven = _distance(start, end_pose)
-
-
-ALL_POSE: Final = 0xFFFF
-
-
-def _distance(a: ReportLocalPose, b: ReportLocalPose) -> float:
-    return math.hypot((b.x or 0.0) - (a.x or 0.0), (b.y or 0.0) - (a.y or 0.0))
+        end_pose = await robot.pose()
+        self.result.driven = math.dist((start.x, start.y), (end_pose.x, end_pose.y))

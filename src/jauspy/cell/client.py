@@ -1,4 +1,4 @@
-"""The cell over JAUS: the UR10 by the public manipulator services, all else by the services of `urn:jauspy:cell`."""
+"""The cell over JAUS: control of the modules that it uses, motions of the UR10, and observations of parts."""
 
 from __future__ import annotations
 
@@ -8,49 +8,25 @@ from collections import defaultdict, deque
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AsyncExitStack
 from itertools import pairwise
-from typing import Any, Final, Self
+from typing import Final, Self
 
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.frames import Array, averaged, offset_between
+from jauspy.cell.frames import Array, averaged, offset_between, se3
 from jauspy.cell.interface import GRIPPER, SeenPart, T
 from jauspy.cell.motion import Path, profile
 from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError, JausError, RequestError
-from jauspy.geometry.denavit_hartenberg import manipulator_geometry
-from jauspy.geometry.poses import Pose, Transform
-from jauspy.geometry.vectors import rotation_from_quaternion
 from jauspy.ids import JausID
-from jauspy.messages.cell.v1_0 import (
-    MoveModularArm,
-    QueryConnectorState,
-    QueryConveyorState,
-    QueryModularArmState,
-    QueryPartObservations,
-    QueryServoState,
-    ReportConnectorState,
-    ReportModularArmState,
-    ReportPartObservations,
-    ReportServoState,
-    SetConnector,
-    SetConveyorSpeed,
-    SetModularArmController,
-    SetModulePower,
-)
-from jauspy.messages.manipulator import QueryJointPositions, SetJointMotionProfile, SetJointPositions
-from jauspy.ocu import OCU
-from jauspy.ocu.robot import Robot
-from jauspy.ocu.service import ServiceClient
-from jauspy.platform.description import RobotModel
+from jauspy.messages.cell.v1_0 import ReportServoState
+from jauspy.ocu import OCU, Arm, ComponentClient, MotionLimits, Robot
+from jauspy.ocu.cell import PartObservation
 from jauspy.platform.modular.arm import ArmController, ModularArmState
-from jauspy.platform.modular.cell import ConveyorState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.robot.config import RobotConfig
-from jauspy.services.manipulator.joints import position_records
 
 AUTHORITY: Final = 100
-ALL_FIELDS: Final = 0xFFFFFFFF
 GENTLE: Final = 0.05
 """Fraction of the joints' acceleration in motions that speed up slowly."""
 POLL: Final = 0.02
@@ -71,28 +47,22 @@ APPEAR_TIME: Final = 5.0
 """Seconds in which a module that has got power must answer discovery."""
 
 
-class MotionFailed(RequestError):
-    """A motion did not arrive; the message contains the distance."""
-
-
 class CellClient:
-    """`async with CellClient(ocu, config, model) as cell:`. Takes control of what it commands, and releases it.
+    """`async with CellClient(ocu, config, layout) as cell:`. Takes control of what it commands, and releases it.
 
     With `threads` it computes in another thread, so that planning never delays the renewal of control.
     """
 
-    def __init__(
-        self, ocu: OCU, config: RobotConfig, model: RobotModel, layout: Layout, *, threads: bool = False
-    ) -> None:
+    def __init__(self, ocu: OCU, config: RobotConfig, layout: Layout, *, threads: bool = False) -> None:
         self.layout = layout
         self._threads = threads
         self._ocu = ocu
         self._config = config
-        self._geometry = manipulator_geometry(model.description.chain(layout.group.base, layout.group.tip))
         self._stack = AsyncExitStack()
         self._robot: Robot | None = None
-        self._services: dict[tuple[JausID, str], ServiceClient] = {}
-        self._controlled: dict[JausID, ServiceClient] = {}
+        self._arm: Arm | None = None
+        self._components: dict[JausID, ComponentClient] = {}
+        self._controlled: set[JausID] = set()
         self._locks: defaultdict[JausID, asyncio.Lock] = defaultdict(asyncio.Lock)
         self._seen: dict[str, deque[pin.SE3]] = {}
         self._observed = asyncio.Event()
@@ -107,7 +77,7 @@ class CellClient:
         watching = asyncio.create_task(self._watch(), name="part sensor")
         self._stack.push_async_callback(_cancel, watching)
         try:
-            await self._control(self._module("CM-MAN"), "ManipulatorJointPositionDriver")
+            await self._control(self._module("CM-MAN"))
         except BaseException:
             await self._stack.aclose()
             raise
@@ -140,15 +110,13 @@ class CellClient:
 
     async def posture(self) -> Array:
         """Positions of the UR10's joints as its URDF counts them, in radians."""
-        sensor = await self._service(self._module("CM-MAN"), "ManipulatorJointPositionSensor")
-        report = await sensor.query(QueryJointPositions())
-        found = [record.joint_position.value for record in report.joint_position_list]
-        return np.array(self._geometry.to_urdf(found))
+        found = await (await self._ur10()).joints()
+        return np.array([found[name] for name in self.layout.group.joints])
 
     async def follow(self, path: Path, *, speed: float = 1.0, gentle: bool = False) -> None:
         """Move the UR10 along a path; each straight piece is one command, in which all joints arrive together.
 
-        `gentle` motions speed up slowly. Raises `MotionFailed` when it is blocked.
+        `gentle` motions speed up slowly. Raises `RequestError` when it is blocked.
         """
         for start, goal in pairwise(path.points):
             await self._move(start, goal, speed, GENTLE if gentle else 1.0)
@@ -164,7 +132,7 @@ class CellClient:
                 while not motion.done():
                     state = await self.connector(connector)
                     if state.attached_to:
-                        await self._send(await self.posture())
+                        await (await self._ur10()).stop()
                         return state
                     await asyncio.sleep(POLL)
                 motion.result()
@@ -173,16 +141,13 @@ class CellClient:
         return await self.connector(connector)
 
     async def _move(self, start: Array, goal: Array, speed: float, acceleration: float = 1.0) -> None:
-        arm = self._module("CM-MAN")
-        await self._control(arm, "ManipulatorJointPositionDriver")
-        limits = await self._service(arm, "ManipulatorJointMotionProfile")
         found = profile(start, goal, self.layout.speeds * speed, self.layout.accelerations * acceleration)
         if not found.duration:
             return
-        kind = SetJointMotionProfile.RevoluteJointMotionProfileRec
-        rows = zip(found.speeds, found.accelerations, strict=True)
-        await limits.send(SetJointMotionProfile([kind(float(v), float(a), float(a)) for v, a in rows]), ack=True)
-        await self._send(goal)
+        arm, names = await self._ur10(), self.layout.group.joints
+        rows = zip(names, found.speeds.tolist(), found.accelerations.tolist(), strict=True)
+        await arm.set_motion_limits({name: MotionLimits(speed, rate, rate) for name, speed, rate in rows})
+        await arm.begin(dict(zip(names, goal.tolist(), strict=True)))
         await asyncio.sleep(max(0.0, found.duration - POLL))
         before, until = await self.posture(), self.now() + LATE
         least = float(np.max(np.abs(before - goal)))
@@ -196,15 +161,18 @@ class CellClient:
                 if off <= BLOCKED:
                     return
                 if off > least - BLOCKED:
-                    joint = self.layout.group.joints[int(np.argmax(np.abs(at - goal)))]
-                    raise MotionFailed(f"{joint} of the UR10 is {off:.3f} rad off after {LATE:g} s; is it blocked?")
+                    joint = names[int(np.argmax(np.abs(at - goal)))]
+                    raise RequestError(f"{joint} of the UR10 is {off:.3f} rad off after {LATE:g} s; is it blocked?")
                 least, until = off, self.now() + LATE  # it comes nearer: the robot's time is slower than this clock
             before = at
 
-    async def _send(self, goal: Array) -> None:
-        driver = await self._control(self._module("CM-MAN"), "ManipulatorJointPositionDriver")
-        values = self._geometry.from_urdf([float(each) for each in goal])
-        await driver.send(SetJointPositions(position_records(values, self._geometry.links)), ack=True)
+    async def _ur10(self) -> Arm:
+        id = self._module("CM-MAN")
+        await self._control(id)
+        if self._arm is None:
+            assert self._robot is not None
+            self._arm = self._robot.manipulator(str(id))
+        return self._arm
 
     # --- parts and connectors -------------------------------------------------------------------------------------
 
@@ -229,115 +197,55 @@ class CellClient:
     async def connector(self, name: str) -> ConnectorState:
         """Measurements of a connector or the gripper. One whose module has no power reports nothing."""
         id, number = self._connector(name)
-        service = await self._service(id, "VacuumConnector")
-        report: ReportConnectorState = await service.query(QueryConnectorState(ALL_FIELDS, number))
-        offset = Pose(*(value or 0.0 for value in _offset(report)))
-        return ConnectorState(
-            powered=True,
-            enabled=bool(report.enabled),
-            attached_to=report.attached_to or "",
-            offset=Transform.from_pose(offset),
-            force=report.force or 0.0,
-            moment=report.moment or 0.0,
-            broken_off=report.broken_off or 0,
-            last_error=report.error_text or "",
-        )
+        return await (await self._component(id)).connector(number).state()
 
     async def enable(self, name: str, enabled: bool) -> None:
         """Start or stop the pump of a connector or of the gripper."""
         id, number = self._connector(name)
-        service = await self._control(id, "VacuumConnector")
-        await service.send(SetConnector(number, int(enabled)), ack=True)
+        connector = (await self._control(id)).connector(number)
+        await (connector.enable() if enabled else connector.disable())
 
     async def switch(self, names: Sequence[str], on: bool) -> None:
         """Switch modules on or off."""
-        service = await self._control(self._module("CM-PRT"), "ModulePower")
-        record = SetModulePower.ModulePowerRec
-        await service.send(SetModulePower([record(name, int(on)) for name in names]), ack=True)
+        await (await self._control(self._module("CM-PRT"))).part_station.switch(names, on=on)
 
     async def servo(self, name: str) -> ReportServoState:
         """Measurements of a servo module."""
-        service = await self._service(self._module("CM-SRV", name), "ServoModule")
-        report: ReportServoState = await service.query(QueryServoState(ALL_FIELDS))
-        return report
+        return await (await self._component(self._module("CM-SRV", name))).servo.state()
 
     # --- conveyor -------------------------------------------------------------------------------------------------
 
     async def run_conveyor(self, speed: float) -> None:
         """Run the belt at a speed, in m/s."""
-        service = await self._control(self._module("CM-CNV"), "Conveyor")
-        await service.send(SetConveyorSpeed(speed), ack=True)
-
-    async def conveyor(self) -> ConveyorState:
-        """Speed and travel of the belt."""
-        service = await self._service(self._module("CM-CNV"), "Conveyor")
-        report = await service.query(QueryConveyorState(0xFF))
-        return ConveyorState(report.speed or 0.0, report.position or 0.0)
+        await (await self._control(self._module("CM-CNV"))).conveyor.run(speed)
 
     # --- the modular arm ------------------------------------------------------------------------------------------
 
     async def arm(self) -> ModularArmState:
         """The modular arm's joints and motion."""
-        service = await self._service(self._module("CM-ARM"), "ModularArm")
-        report: ReportModularArmState = await service.query(QueryModularArmState())
-        motion, joints = report.modular_arm_motion_rec, report.joint_list
-        quaternion = (
-            motion.tip_orientation_w,
-            motion.tip_orientation_x,
-            motion.tip_orientation_y,
-            motion.tip_orientation_z,
-        )
-        tip = Transform(rotation_from_quaternion(*quaternion), (motion.tip_x, motion.tip_y, motion.tip_z))
-        return ModularArmState(
-            joints=tuple(each.name for each in joints),
-            positions=tuple(each.position for each in joints),
-            velocities=tuple(each.velocity for each in joints),
-            efforts=tuple(each.effort for each in joints),
-            targets=tuple(each.target for each in joints),
-            moving=bool(motion.moving),
-            controller=ArmController.MODEL if motion.controller else ArmController.PID,
-            payload=motion.payload,
-            tip_pose=tip.to_pose(),
-            error=motion.error,
-        )
+        return await (await self._component(self._module("CM-ARM"))).modular_arm.state()
 
     async def command_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Have the modular arm begin a motion; NaN leaves a joint as it is, 0 seconds is as fast as limits allow."""
-        service = await self._control(self._module("CM-ARM"), "ModularArm")
-        if any(map(math.isnan, positions)):
-            targets = (await self.arm()).targets
-            positions = [b if math.isnan(a) else a for a, b in zip(positions, targets, strict=True)]
-        rows = [MoveModularArm.JointPositionRec(float(each)) for each in positions]
-        await service.send(MoveModularArm(MoveModularArm.MotionDurationRec(duration), rows), ack=True)
+        await (await self._control(self._module("CM-ARM"))).modular_arm.begin(positions, duration)
 
     async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
-        """Move the modular arm, and wait until it is there; raises `MotionFailed` if it does not arrive."""
-        await self.command_arm(positions, duration)
-        until = self.now() + max(duration, 1.0) * 3.0 + 5.0
-        await asyncio.sleep(max(0.1, duration))
-        while True:
-            state = await self.arm()
-            if state.error:
-                raise MotionFailed(f"the modular arm refused to move: {state.error}")
-            if not state.moving:
-                return
-            if self.now() > until:
-                off = max(abs(a - b) for a, b in zip(state.targets, state.positions, strict=True))
-                raise MotionFailed(f"the modular arm still moves, {off:.3f} rad off its target; is it blocked?")
-            await asyncio.sleep(0.05)
+        """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
+        await (await self._control(self._module("CM-ARM"))).modular_arm.move(positions, duration)
 
     async def choose_controller(self, controller: ArmController) -> None:
         """Choose how the joints of the modular arm follow."""
-        service = await self._control(self._module("CM-ARM"), "ModularArm")
-        kinds = SetModularArmController.Controller
-        kind = kinds.INVERSE_DYNAMICS if controller is ArmController.MODEL else kinds.INDEPENDENT_PID
-        await service.send(SetModularArmController(kind), ack=True)
+        await (await self._control(self._module("CM-ARM"))).modular_arm.set_controller(controller)
+
+    # --- the car --------------------------------------------------------------------------------------------------
+
+    async def car(self) -> Robot:
+        """The robot, whose car is under control, so that it drives; waits until the car has its wheels."""
+        await self._control(self._module("CM-MOB", "car"))
+        assert self._robot is not None
+        return self._robot
 
     # --- components -----------------------------------------------------------------------------------------------
-
-    async def control_module(self, type: str, part: str, service: str) -> ServiceClient:
-        """A service of a module of the cell, under control and Ready; waits until the module has appeared."""
-        return await self._control(self._module(type, part), service)
 
     def _module(self, type: str, part: str | None = None) -> JausID:
         for module in self._config.modules:
@@ -356,77 +264,61 @@ class CellClient:
         kind = "CM-SRV" if type.servo is not None else "CM-CON"
         return self._module(kind, part), 1 + list(type.connectors).index(connector)
 
-    async def _service(self, id: JausID, name: str) -> ServiceClient:
-        """The client of a service; waits until its component has appeared."""
-        if (found := self._services.get((id, name))) is not None:
-            return found
+    async def _component(self, id: JausID) -> ComponentClient:
+        """A component of the cell; waits until it has appeared."""
         until = self.now() + APPEAR_TIME
-        while True:
+        while id not in self._components:
             assert self._robot is not None
             if any(each.id == id for each in self._robot.components):
-                service = self._robot.component(str(id)).service(name)
-                self._services[id, name] = service
-                return service
-            if self.now() > until:
+                self._components[id] = self._robot.component(str(id))
+            elif self.now() > until:
                 raise RequestError(f"component {id} has not appeared within {APPEAR_TIME:g} s; has it power?")
-            self._robot = await self._ocu.discover(self._config.subsystem)
+            else:
+                self._robot = await self._ocu.discover(self._config.subsystem)
+        return self._components[id]
 
-    async def _control(self, id: JausID, name: str) -> ServiceClient:
-        """As `_service`; the component is under control of this client, and Ready."""
-        service = await self._service(id, name)
+    async def _control(self, id: JausID) -> ComponentClient:
+        """As `_component`; it is under control of this client, and Ready."""
+        component = await self._component(id)
         async with self._locks[id]:
             if id not in self._controlled:
-                await self._stack.enter_async_context(service.control(AUTHORITY))
-                await service.resume()
-                self._controlled[id] = service
-        return service
+                assert self._robot is not None
+                await self._stack.enter_async_context(self._robot.control(str(id), authority=AUTHORITY))
+                self._controlled.add(id)
+        return component
 
     # --- watching -------------------------------------------------------------------------------------------------
 
     async def _watch(self) -> None:
         """Keep the last observations of each part since it last moved."""
-        sensor = await self._service(self._module("CM-PRT"), "PartSensor")
+        sensor = (await self._component(self._module("CM-PRT"))).part_station
         last = -math.inf
         while True:
             try:
-                report: ReportPartObservations = await sensor.query(QueryPartObservations())
+                seen = await sensor.observe()
             except JausError:
                 self.counts["observations_lost"] += 1
             else:
-                time = report.observation_time_rec.time
-                if time > last:
-                    last = time
-                    self._offset = min(self._offset, self.now() - time)
-                    self._add(report.part_list, time)
+                if seen.time > last:
+                    last = seen.time
+                    self._offset = min(self._offset, self.now() - seen.time)
+                    self._add(seen)
             await asyncio.sleep(WATCH_PERIOD)
 
-    def _add(self, rows: Sequence[Any], time: float) -> None:
-        for row in rows:
-            quaternion = (row.orientation_w, row.orientation_x, row.orientation_y, row.orientation_z)
-            rotation = np.array(rotation_from_quaternion(*quaternion))
-            pose = pin.SE3(rotation, np.array([row.x, row.y, row.z]))
-            self._latest[row.name] = time, pose
-            seen = self._seen.setdefault(row.name, deque(maxlen=SAMPLES))
+    def _add(self, observation: PartObservation) -> None:
+        for name, frame in observation.poses.items():
+            pose = se3(frame)
+            self._latest[name] = observation.time, pose
+            seen = self._seen.setdefault(name, deque(maxlen=SAMPLES))
             if seen:
                 distance, angle = offset_between(seen[-1], pose)
                 if distance > MOVED or angle > 10.0 * MOVED:
                     seen.clear()
             seen.append(pose)
-        self._last_seen = {row.name: row.type for row in rows}
+        self._last_seen = observation.types
         for name in set(self._seen) - set(self._last_seen):
             del self._seen[name]
         self._observed.set()
-
-
-def _offset(report: ReportConnectorState) -> tuple[float | None, ...]:
-    return (
-        report.offset_x,
-        report.offset_y,
-        report.offset_z,
-        report.offset_roll,
-        report.offset_pitch,
-        report.offset_yaw,
-    )
 
 
 async def _cancel(task: asyncio.Task[None]) -> None:

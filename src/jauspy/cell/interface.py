@@ -50,7 +50,7 @@ class Cell(Protocol):
         ...
 
     async def follow(self, path: Path, *, speed: float = 1.0, gentle: bool = False) -> None:
-        """Move the UR10 along a path with this fraction of its speed; raises `MotionFailed` if it does not arrive.
+        """Move the UR10 along a path with this fraction of its speed; raises `RequestError` if it does not arrive.
 
         `gentle` motions speed up slowly, so that what the arm carries does not bend.
         """
@@ -77,5 +77,5 @@ class Cell(Protocol):
         ...
 
     async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
-        """Move the modular arm, and wait until it is there; raises `MotionFailed` if it does not arrive."""
+        """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
         ...

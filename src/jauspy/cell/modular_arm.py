@@ -139,7 +139,7 @@ class ArmOperator:
                 self.scene.put(name, pieces_of_part(self.layout.type_of(name)), seen.pose)
 
     async def go(self, goal: Array, *, share: float = SHARE, margin: float | None = None) -> None:
-        """Move to a posture on a free path, a motion for each straight piece; raises `NoPath` or `MotionFailed`."""
+        """Move to a posture on a free path, a motion for each straight piece; raises `NoPath` or `RequestError`."""
         start = await self.positions()
         path = self.planner.to_posture(start, goal, margin=margin)
         if path.clearance.distance < self.clearance.distance:

@@ -118,7 +118,7 @@ async def simulated(
             recording = Film(film, judge.camera(camera))
             await stack.enter_async_context(recording)
         ocu = await stack.enter_async_context(network.ocu(OCU_ID))
-        cell = await stack.enter_async_context(CellClient(ocu, config, model, layout))
+        cell = await stack.enter_async_context(CellClient(ocu, config, layout))
         yield Session(cell, layout, judge, recording)
 
 
@@ -128,7 +128,7 @@ async def connected(ocu: OCU, robot: str = ROBOT) -> AsyncIterator[Session]:
     config = robot_files.load(robot)
     model = robot_files.robot_model(config)
     layout = Layout(model)
-    async with ocu, CellClient(ocu, config, model, layout, threads=True) as cell:
+    async with ocu, CellClient(ocu, config, layout, threads=True) as cell:
         yield Session(cell, layout)
 
 

@@ -9,12 +9,10 @@ from pathlib import Path
 from typing import Final
 
 from jauspy.cli.options import DEFAULT_ROOT
-from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.errors import ConfigError, RequestError
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
-from jauspy.ocu import OCU, ServiceClient
+from jauspy.ocu import OCU
 from jauspy.protocol.sources import MOVE_TIMEOUT
 from jauspy.transport import local as local_socket, node_status
 
@@ -83,14 +81,6 @@ def make_ocu(
     """An OCU with the id of `own_id` that waits `timeout` seconds for an answer."""
     id = own_id(given, connect)
     return OCU(id, connect, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1, registry=registry, operator=operator)
-
-
-async def configure(service: ServiceClient, command: Message, settings: str = "the settings") -> None:
-    """Send the settings of a sensor; raises `RequestError` with the reason if the component refuses them."""
-    answer = await service.query(command, expects=ConfirmSensorConfiguration)
-    for each in answer.confirm_sensor_list:
-        if text := getattr(each, "error_message", ""):
-            raise RequestError(f"{service.id} refused {settings}: {text}")
 
 
 def _claim(id: JausID, connect: str | None) -> bool:

@@ -10,7 +10,6 @@ from typing import Annotated, Final, TypeAlias
 import typer
 
 from jauspy.cli import client, console
-from jauspy.cli.client import configure
 from jauspy.cli.definitions import SchemasOption, ServiceName, ServiceVersion, definitions
 from jauspy.cli.fields import message_from
 from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
@@ -209,7 +208,7 @@ async def _commanded(client: ServiceClient, command: Message, within: float | No
         await client.perform(command, within=within)
         yield
     elif command.NAME not in CONTINUOUS_COMMANDS:
-        await (configure if _is_confirmed(command) else ServiceClient.send)(client, command)
+        await (client.configure if _is_confirmed(command) else client.send)(command)
         yield
     else:
         async with client.streaming(REPEAT_RATE) as stream:

@@ -27,10 +27,8 @@ from jauspy.messages.environment_sensing import (
     RegisterDigitalResourceEndpoint as Register,
     RemoveDigitalResourceEndpoint as Remove,
 )
-from jauspy.messages.environment_sensing.v2_0.digital_video import SetDigitalVideoSensorConfiguration
 from jauspy.ocu import OCU
-from jauspy.ocu.control import DEFAULT_AUTHORITY
-from jauspy.ocu.robot import ComponentClient
+from jauspy.ocu.camera import set_stream
 from jauspy.platform.video_settings import (
     MAX_BIT_RATE,
     MAX_RATE,
@@ -211,7 +209,8 @@ async def configure(ocu: OCU, camera: JausID, sensor: int, settings: StreamSetti
     """Change the stream if one of the options requires it."""
     if not settings.is_empty:
         robot = await ocu.discover(camera.subsystem)
-        await change_stream(robot.component(str(camera)), sensor, settings)
+        video_service = robot.component(str(camera)).service("DigitalVideo")
+        await set_stream(video_service, sensor, settings.size, settings.rate, settings.bit_rate)
 
 
 async def parameter_sets(ocu: OCU, camera: JausID, sensor: int) -> tuple[bytes, ...]:
@@ -382,17 +381,3 @@ def known_size(pixels: tuple[int, int] | None) -> FrameSize | None:
         known = ", ".join(f"{width}x{height}" for width, height in sizes)
         raise ConfigError(f"--size {pixels[0]}x{pixels[1]}: JAUS has no such size for video; it has: {known}")
     return found
-
-
-async def change_stream(
-    camera: ComponentClient, sensor: int, settings: StreamSettings, *, authority: int = DEFAULT_AUTHORITY
-) -> None:
-    """Set them for all who watch, which needs control for a moment; raises `RequestError` with what was refused."""
-    service = camera.service("DigitalVideo")
-    order = SetDigitalVideoSensorConfiguration
-    wanted = order.DigitalVideoSensorConfigurationRec(
-        sensor, frame_size=settings.size, frame_rate=settings.rate, maximum_bit_rate=settings.bit_rate
-    )
-    async with service.control(authority):
-        await service.resume()
-        await client.configure(service, order(order.RequestIdRec(1), [wanted]), "the settings of its video")

@@ -17,7 +17,7 @@ from jauspy.messages.cell import (
     ReportModularArmState,
 )
 from jauspy.ocu.arm import POSE_DRIVER, POSE_SENSOR, POSITION_DRIVER, PROFILE, SPECIFICATION, VELOCITY_DRIVER
-from jauspy.ocu.joints import MotionLimits
+from jauspy.ocu.motion_limits import MotionLimits
 from jauspy.ocu.robot import MOVING, Robot
 from jauspy.ocu.subsystems import ComponentInfo
 from jauspy.printable import printable

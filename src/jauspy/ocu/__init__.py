@@ -2,6 +2,7 @@
 
 from jauspy.ocu.arm import Arm
 from jauspy.ocu.camera import Camera
+from jauspy.ocu.cell import Connector, Conveyor, ModularArm, PartStation, ServoModule
 from jauspy.ocu.client import OCU
 from jauspy.ocu.commands import CommandStream
 from jauspy.ocu.connection import Stats
@@ -11,9 +12,10 @@ from jauspy.ocu.driving import Progress
 from jauspy.ocu.gripper import Gripper
 from jauspy.ocu.joints import joint_efforts, joint_positions, joint_velocities, metres
 from jauspy.ocu.lists import Elements
+from jauspy.ocu.motion_limits import MotionLimits
 from jauspy.ocu.robot import ComponentClient, Robot, RobotControl
 from jauspy.ocu.service import ServiceClient
-from jauspy.ocu.state import Joints, RobotPose
+from jauspy.ocu.state import ForceTorque, Joints, RobotPose
 from jauspy.ocu.subscription import Subscription
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 
@@ -26,17 +28,24 @@ __all__ = [
     "CommandStream",
     "ComponentClient",
     "ComponentInfo",
+    "Connector",
     "Control",
+    "Conveyor",
     "Elements",
+    "ForceTorque",
     "Gripper",
     "Joints",
+    "ModularArm",
+    "MotionLimits",
     "NodeInfo",
+    "PartStation",
     "Progress",
     "Robot",
     "RobotControl",
     "RobotPose",
     "ServiceClient",
     "ServiceInfo",
+    "ServoModule",
     "Stats",
     "Subscription",
     "SubsystemInfo",

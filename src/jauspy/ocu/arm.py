@@ -1,4 +1,4 @@
-"""Moves arms: joints by name, and the tool to a pose, with the names and signs of the robot's description (URDF)."""
+"""Moves arms and pan-tilt units: joints by name, the tool to a pose; names and signs of the description (URDF)."""
 
 # ruff: noqa: ASYNC109 - a timeout ends in an error that says where the arm is
 
@@ -6,13 +6,14 @@ from __future__ import annotations
 
 import asyncio
 import math
-from collections.abc import AsyncIterator, Callable, Mapping, Sequence
+from collections.abc import AsyncGenerator, AsyncIterator, Callable, Mapping, Sequence
 from contextlib import asynccontextmanager, suppress
 from datetime import UTC, datetime
 from typing import Any, Final
 
 from jauspy.arguments import check_number, described
-from jauspy.errors import ConfigError, EventRejected, JausError, RequestError
+from jauspy.codec.message import Message
+from jauspy.errors import ConfigError, ControlRejected, EventRejected, JausError, RequestError
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Pose, Transform, rotation_vector
 from jauspy.geometry.vectors import (
     Rotation,
@@ -24,14 +25,17 @@ from jauspy.geometry.vectors import (
     scaled,
     transposed,
 )
+from jauspy.joint_values import position_records
 from jauspy.messages.description import QueryBlockedJoints, ReportBlockedJoints
 from jauspy.messages.manipulator import (
     ManipulatorCoordinateSystemRec,
     QueryCommandedJointPositions,
+    QueryCommandedPanTiltJointPositions,
     QueryEndEffectorPose,
     QueryJointMotionProfile,
     QueryManipulatorSpecifications,
     ReportCommandedJointPositions,
+    ReportCommandedPanTiltJointPositions,
     ReportEndEffectorPose,
     ReportJointMotionProfile,
     ReportManipulatorSpecifications,
@@ -39,16 +43,27 @@ from jauspy.messages.manipulator import (
     SetEndEffectorVelocityState,
     SetJointMotionProfile,
     SetJointPositions,
+    SetPanTiltJointPositions,
 )
 from jauspy.ocu.commands import perform
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.explain import check_ready, explain
-from jauspy.ocu.joints import DESCRIPTION, JointTable, MotionLimits, joint_table, position_records, reported
+from jauspy.ocu.joints import (
+    DESCRIPTION,
+    JointTable,
+    joint_table,
+    positions_in,
+    positions_query,
+    reported,
+)
 from jauspy.ocu.lists import Elements
+from jauspy.ocu.motion_limits import MotionLimits, limited_by, motion_limits, profile_record, speeds_for
 from jauspy.ocu.state import Joints, RobotPose
+from jauspy.ocu.subscription import subscribe
 from jauspy.ocu.subsystems import ComponentInfo
 
 POSITION_DRIVER: Final = "ManipulatorJointPositionDriver"
+PAN_TILT_DRIVER: Final = "PanTiltJointPositionDriver"
 POSE_DRIVER: Final = "ManipulatorEndEffectorPoseDriver"
 POSE_SENSOR: Final = "ManipulatorEndEffectorPoseSensor"
 VELOCITY_DRIVER: Final = "ManipulatorEndEffectorVelocityStateDriver"
@@ -62,16 +77,18 @@ JOINT_TOLERANCE: Final = 0.02
 TOOL_TOLERANCE: Final = 0.01
 """Metres from a target within which the tool has reached it."""
 ATTITUDE_TOLERANCE: Final = math.radians(2.0)
-POLL_INTERVAL: Final = 0.1
-"""Seconds between two queries for the positions of an arm that does not report the end of a command."""
 STEP_TIME: Final = 0.25
 """Seconds of motion that one pose command contains, for an arm without a velocity driver."""
-MIN_SPEED: Final = 0.002
-"""rad/s or m/s that a motion profile has at least: zero would mean no limit."""
+REST_INTERVAL: Final = 0.05
+"""Seconds between two queries for the positions of joints that come to rest."""
+REST_STEP: Final = 1e-3
+"""Radians or metres between two queries up to which a joint is at rest."""
+REST_QUERIES: Final = 4
+"""Consecutive queries in which all joints must be at rest."""
 
 
 class Arm:
-    """An arm, or another group of joints such as flippers; radians or metres by the name of each joint.
+    """An arm, or another group of joints such as flippers or a pan-tilt unit; radians or metres by name of the joint.
 
     Names and positions are those of the robot's description (URDF), when the robot has jauspy's service
     JointDescription, as jauspy's own robots have; else those of its specification (AS6057).
@@ -95,17 +112,50 @@ class Arm:
         table = await self._joint_table()
         return Joints(table.from_reported(await reported(self._connection, self.info)), datetime.now(UTC))
 
+    async def watch(self, rate: float = 20.0, *, silence: float | None = None) -> AsyncGenerator[Joints, None]:
+        """The positions by name at `rate` Hz, as in `async for joints in arm.watch()`, by a subscription.
+
+        Raises `ResponseTimeout` when no report has arrived for `silence` seconds, by default ten periods, at least 2 s.
+        """
+        table, query = await self._joint_table(), positions_query(self.info)
+        reports = subscribe(self._connection, self.info.id, query, query.REPORT, rate=rate, buffer=64, silence=silence)
+        async with reports:
+            async for report in reports:
+                yield Joints(table.from_reported(positions_in(report)), datetime.now(UTC))
+
     async def limits(self) -> dict[str, tuple[float, float]]:
         """The least and the greatest position of each joint, in radians or metres."""
         return {joint.name: (joint.lower, joint.upper) for joint in (await self._joint_table()).joints}
 
     async def motion_limits(self) -> dict[str, MotionLimits]:
         """Limits of speed and acceleration of each joint, from its motion profile, or else from its description."""
-        names = [joint.name for joint in (await self._joint_table()).joints]
-        if self.info.find(PROFILE):
-            return dict(zip(names, map(_motion_limits, await self._profile()), strict=True))
-        speeds = [joint.max_speed for joint in (await self._joint_table()).joints]
-        return {name: MotionLimits(speed or math.inf) for name, speed in zip(names, speeds, strict=True)}
+        joints = (await self._joint_table()).joints
+        if self.info.find(PROFILE) is None:
+            return {joint.name: MotionLimits(joint.max_speed or math.inf) for joint in joints}
+        report = await self._connection.query(self.info.id, QueryJointMotionProfile(), expects=ReportJointMotionProfile)
+        assert isinstance(report, ReportJointMotionProfile)
+        return {
+            joint.name: motion_limits(record)
+            for joint, record in zip(joints, report.joint_motion_profile_list, strict=True)
+        }
+
+    async def set_motion_limits(self, limits: Mapping[str, MotionLimits]) -> None:
+        """Set speed and acceleration of these joints in the motion profile; the others keep theirs.
+
+        The profile is that of the robot, for all clients: it applies to motions that begin later, and stays. A robot
+        clamps it to what its joints can do.
+        """
+        self._need(PROFILE, "limit the speed of its joints")
+        joints = (await self._joint_table()).joints
+        known = [joint.name for joint in joints]
+        for name, limit in limits.items():
+            if name not in known:
+                raise ConfigError(f"there is no joint {name!r}; there are {', '.join(known)}")
+            limit.check()
+        if len(limits) < len(joints):
+            limits = await self.motion_limits() | dict(limits)
+        records = [profile_record(limits[joint.name], is_revolute=joint.is_revolute) for joint in joints]
+        await self._connection.send_checked(self.info.id, SetJointMotionProfile(records), ack=True)
 
     async def description(self) -> JointTable:
         """The joints from base to tip, with type, limits and greatest speed."""
@@ -116,7 +166,16 @@ class Arm:
 
         For `send`, `perform` and lists.
         """
-        return await self._command(positions)
+        self._need(POSITION_DRIVER, "move its joints to positions")
+        values = await self._values(positions)
+        return SetJointPositions(position_records(values, (await self._joint_table()).joints))
+
+    async def begin(self, joints: Mapping[str, float]) -> None:
+        """Have joints begin to move, as in `{"elbow": 0.6}`; returns when the command is acknowledged.
+
+        The others hold. A component that is not Ready ignores the command; `move` checks that, and waits for the end.
+        """
+        await self._send(await self._values(joints))
 
     async def move(
         self,
@@ -124,30 +183,40 @@ class Arm:
         *,
         speed: float | Mapping[str, float] | None = None,
         duration: float | None = None,
+        tolerance: float | None = None,
         timeout: float = 60.0,
     ) -> Joints:
         """Move joints, as in `{"elbow": 0.6}`, and wait until they are there; the others hold. Returns the positions.
 
         `speed` limits every joint, in rad/s or m/s, or those that it names; without it the robot's motion profile
-        applies. With `duration` all joints take that many seconds. Raises `ConfigError` for unknown joints, positions
-        out of range and a duration that is too short, `RequestError` when the arm does not arrive within `timeout`
-        seconds (after `duration`). If the call is cancelled, the arm stops.
+        applies. With `duration` all joints take that many seconds. With `tolerance` it waits until the joints rest
+        within so many rad or m of their positions, by their reports, and that suffices. Raises `ConfigError` for
+        unknown joints, positions out of range and a duration that is too short, `RequestError` when the arm does not
+        arrive within `timeout` seconds (after `duration`). If the call is cancelled, the arm stops.
         """
         check_number(timeout, "timeout")
-        command = await self._command(joints)
+        check_number(tolerance, "tolerance", optional=True)
+        values = await self._values(joints)
         await check_ready(self._connection, self.info.id)
         if duration is not None:
             if speed is not None:
                 raise ConfigError("give `speed` or `duration`, not both")
             check_number(duration, "duration")
-            speed, timeout = await self._speeds_for(command, duration), timeout + duration
+            here = await reported(self._connection, self.info)
+            speed, timeout = speeds_for(await self.motion_limits(), here, values, duration), timeout + duration
         async with self._stopping(), self._limited(speed):
             try:
-                await perform(self._connection, self.info.id, command, timeout)
-            except EventRejected:
-                await self._arrive(command, timeout)
+                await perform(self._connection, self.info.id, await self._message(values), timeout)
+            except EventRejected:  # it does not report the end of a command
+                await self._send(values)
+                await self._arrive(values, tolerance or JOINT_TOLERANCE, timeout)
             except RequestError as error:
-                raise RequestError(await self._why(command, error)) from error
+                lost = isinstance(error, ControlRejected)
+                if lost or tolerance is None or await self._largest_error(values) > tolerance:
+                    raise RequestError(await self._why(values, error)) from error
+            else:
+                if tolerance is not None:
+                    await self._arrive(values, tolerance, timeout)
         return await self.joints()
 
     async def move_tool_at(
@@ -206,7 +275,7 @@ class Arm:
         number of a row that is not possible, and `RequestError` when the arm stops before the end. If the call is
         cancelled, the arm stops.
         """
-        commands, speeds, moves = await self._planned(rows)
+        targets, speeds, moves = await self._planned(rows)
         await check_ready(self._connection, self.info.id)
         tell = progress or (lambda _: None)
         end = timeout + sum(seconds for seconds, _ in rows)
@@ -214,7 +283,7 @@ class Arm:
             if self.info.find(LIST_DRIVER) and all(moves):
                 try:
                     async with asyncio.timeout(end):
-                        await self._follow_list(commands, speeds, tell)
+                        await self._follow_list(targets, speeds, tell)
                 except TimeoutError:
                     raise RequestError(f"{self.info.id} is not at the last row after {end:g} s") from None
             else:
@@ -269,9 +338,7 @@ class Arm:
 
     async def stop(self) -> None:
         """Hold the present positions."""
-        table, values = await self._joint_table(), await reported(self._connection, self.info)
-        message = SetJointPositions(position_records(table, values))
-        await self._connection.send_checked(self.info.id, message, ack=True)
+        await self._send(await reported(self._connection, self.info))
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
@@ -284,15 +351,41 @@ class Arm:
             self._table = await joint_table(self._connection, self.info)
         return self._table
 
-    async def _command(self, positions: Mapping[str, float]) -> SetJointPositions:
-        self._need(POSITION_DRIVER, "move its joints to positions")
+    @property
+    def _pans_and_tilts(self) -> bool:
+        return self.info.find(POSITION_DRIVER) is None and self.info.find(PAN_TILT_DRIVER) is not None
+
+    async def _values(self, positions: Mapping[str, float]) -> list[float]:
+        """The positions of all joints as in commands (AS6057); those that are not given stay as they are commanded."""
+        if not self._pans_and_tilts:
+            self._need(POSITION_DRIVER, "move its joints to positions")
         table = await self._joint_table()
         wanted = table.check(positions)
+        if len(wanted) < len(table.joints):
+            wanted = table.from_reported(await self._commanded()) | wanted
+        return table.to_reported(wanted)
+
+    async def _commanded(self) -> list[float]:
+        id = self.info.id
+        if self._pans_and_tilts:
+            angles = await self._connection.query(
+                id, QueryCommandedPanTiltJointPositions(), expects=ReportCommandedPanTiltJointPositions
+            )
+            assert isinstance(angles, ReportCommandedPanTiltJointPositions)
+            return [angles.joint1_position, angles.joint2_position]
         query = QueryCommandedJointPositions()
-        report = await self._connection.query(self.info.id, query, expects=ReportCommandedJointPositions)
+        report = await self._connection.query(id, query, expects=ReportCommandedJointPositions)
         assert isinstance(report, ReportCommandedJointPositions)
-        now = table.from_reported([float(each.joint_position.value) for each in report.joint_position_list])
-        return SetJointPositions(position_records(table, table.to_reported(now | wanted)))
+        return [float(each.joint_position.value) for each in report.joint_position_list]
+
+    async def _message(self, values: Sequence[float]) -> Message:
+        """The command to these positions of all joints."""
+        if self._pans_and_tilts:
+            return SetPanTiltJointPositions(*values)
+        return SetJointPositions(position_records(values, (await self._joint_table()).joints))
+
+    async def _send(self, values: Sequence[float]) -> None:
+        await self._connection.send_checked(self.info.id, await self._message(values), ack=True)
 
     @asynccontextmanager
     async def _stopping(self) -> AsyncIterator[None]:
@@ -306,8 +399,8 @@ class Arm:
             raise
 
     @asynccontextmanager
-    async def _limited(self, speed: float | Mapping[str, float] | None) -> AsyncIterator[dict[str, Any]]:
-        """Set this speed in the motion profile; yields the previous speeds by joint, and restores them at the end."""
+    async def _limited(self, speed: float | Mapping[str, float] | None) -> AsyncIterator[dict[str, MotionLimits]]:
+        """Set this speed in the motion profile; yields the limits as they were, and restores them at the end."""
         if speed is None:
             yield {}
             return
@@ -318,51 +411,40 @@ class Arm:
             if not value > 0:
                 raise ConfigError(f"speed {value:g} must be above 0 rad/s or m/s")
         self._need(PROFILE, "limit the speed of its joints")
-        before = dict(zip(names, await self._profile(), strict=True))
-        await self._set_profile(_limited_by(before, speeds))
+        before = await self.motion_limits()
+        await self.set_motion_limits(limited_by(before, speeds))
         try:
             yield before
         finally:
             if self.info.id in self._connection.controls:
                 with suppress(JausError):
-                    await self._set_profile(_limited_by(before, {}))
-
-    async def _profile(self) -> list[Any]:
-        report = await self._connection.query(self.info.id, QueryJointMotionProfile(), expects=ReportJointMotionProfile)
-        assert isinstance(report, ReportJointMotionProfile)
-        return list(report.joint_motion_profile_list)
-
-    async def _speeds_for(self, command: SetJointPositions, duration: float) -> dict[str, float]:
-        """The speed of each joint with which its motion takes `duration` seconds."""
-        return _speeds(
-            await self.motion_limits(), await reported(self._connection, self.info), _values(command), duration
-        )
+                    await self.set_motion_limits(before)
 
     async def _planned(
         self, rows: Sequence[tuple[float, Mapping[str, float]]]
-    ) -> tuple[list[SetJointPositions], list[dict[str, float]], list[bool]]:
-        """The command and the speeds of each row, none for full speed, and whether it moves a joint."""
+    ) -> tuple[list[list[float]], list[dict[str, float]], list[bool]]:
+        """The positions of all joints and the speeds of each row, none for full speed, and whether it moves a joint."""
         if not rows:
             raise ConfigError("`rows` is empty; give at least one row")
         table, limits = await self._joint_table(), await self.motion_limits()
         values = await reported(self._connection, self.info)
-        commands, speeds, moves = list[SetJointPositions](), list[dict[str, float]](), list[bool]()
+        targets, speeds, moves = list[list[float]](), list[dict[str, float]](), list[bool]()
         for number, (seconds, positions) in enumerate(rows, 1):
             check_number(seconds, f"the time of row {number}")
             if seconds < 0:
                 raise ConfigError(f"row {number}: its time is {seconds:g} s; use 0 for as fast as possible")
             try:
                 after = table.to_reported(table.from_reported(values) | table.check(positions))
-                speeds.append(_speeds(limits, values, after, seconds) if seconds else {})
+                speeds.append(speeds_for(limits, values, after, seconds) if seconds else {})
             except ConfigError as error:
                 raise ConfigError(f"row {number}: {error}") from None
             moves.append(any(abs(a - b) > JOINT_TOLERANCE for a, b in zip(values, after, strict=True)))
-            commands.append(SetJointPositions(position_records(table, after)))
+            targets.append(after)
             values = after
-        return commands, speeds, moves
+        return targets, speeds, moves
 
     async def _follow_list(
-        self, commands: list[SetJointPositions], speeds: list[dict[str, float]], tell: Callable[[int], None]
+        self, targets: list[list[float]], speeds: list[dict[str, float]], tell: Callable[[int], None]
     ) -> None:
         """Execute the rows as a list of the component.
 
@@ -371,16 +453,15 @@ class Arm:
         info = self.info.find(LIST_DRIVER)
         assert info is not None
         elements = Elements(self._connection, self.info.id, info)
-        await elements.upload(commands)
+        await elements.upload([await self._message(values) for values in targets])
         async with self._limited(speeds[0] if any(speeds) else None) as before:
             await elements.execute()
             async for number in elements.progress():
                 tell(number)
-                if any(speeds) and number + 1 < len(commands):
-                    await self._set_profile(_limited_by(before, speeds[number + 1]))
-        now, wanted = await reported(self._connection, self.info), _values(commands[-1])
-        if any(abs(a - b) > JOINT_TOLERANCE for a, b in zip(now, wanted, strict=True)):
-            raise RequestError(await self._why(commands[-1], RequestError(f"{self.info.id} has not followed all rows")))
+                if any(speeds) and number + 1 < len(targets):
+                    await self.set_motion_limits(limited_by(before, speeds[number + 1]))
+        if await self._largest_error(targets[-1]) > JOINT_TOLERANCE:
+            raise RequestError(await self._why(targets[-1], RequestError(f"{self.info.id} has not followed all rows")))
 
     async def _step(self, velocity: Vector, turn: Vector) -> None:
         """Command the pose that the tool reaches with these velocities until the next command, in the robot's frame."""
@@ -396,33 +477,34 @@ class Arm:
         command = SetEndEffectorPose(*local.position, *quaternion(local.rotation))
         await self._connection.send_checked(self.info.id, command, ack=False)
 
-    async def _set_profile(self, records: list[Any]) -> None:
-        await self._connection.send_checked(self.info.id, SetJointMotionProfile(records), ack=True)
-
-    async def _arrive(self, command: SetJointPositions, timeout: float) -> None:
-        """Send a command to a component that does not report its end, and wait until the positions are reached."""
-        await self._connection.send_checked(self.info.id, command, ack=True)
-        wanted = _values(command)
+    async def _arrive(self, wanted: Sequence[float], tolerance: float, timeout: float) -> None:
+        """Wait until the joints rest within `tolerance` of these positions, by their reports."""
         clock = asyncio.get_running_loop().time
-        end = clock() + timeout
+        end, before, rests = clock() + timeout, await reported(self._connection, self.info), 0
         while True:
+            await asyncio.sleep(REST_INTERVAL)
             now = await reported(self._connection, self.info)
-            if all(abs(a - b) <= JOINT_TOLERANCE for a, b in zip(now, wanted, strict=True)):
+            arrived = _largest(now, wanted) <= tolerance and _largest(now, before) <= REST_STEP
+            rests, before = rests + 1 if arrived else 0, now
+            if rests >= REST_QUERIES:
                 return
             if clock() > end:
-                raise RequestError(f"{self.info.id} has not reached its target after {timeout:g} s; it may be blocked")
-            await asyncio.sleep(POLL_INTERVAL)
+                late = RequestError(f"{self.info.id} has not reached its target after {timeout:g} s; it may be blocked")
+                raise RequestError(await self._why(wanted, late, tolerance))
 
-    async def _why(self, command: SetJointPositions, error: RequestError) -> str:
+    async def _largest_error(self, wanted: Sequence[float]) -> float:
+        return _largest(await reported(self._connection, self.info), wanted)
+
+    async def _why(self, values: Sequence[float], error: RequestError, tolerance: float = JOINT_TOLERANCE) -> str:
+        """Why the joints are not at these positions."""
         if blocked := await self._blocked():
             return blocked
-        reason = await explain(self._connection, self.info.id, command)
+        reason = await explain(self._connection, self.info.id, await self._message(values))
         if reason:
             return reason
-        table = await self._joint_table()
-        wanted = table.from_reported(_values(command))
+        wanted = (await self._joint_table()).from_reported(values)
         now = (await self.joints()).positions
-        off = {name: now[name] - wanted[name] for name in wanted if abs(now[name] - wanted[name]) > JOINT_TOLERANCE}
+        off = {name: now[name] - wanted[name] for name in wanted if abs(now[name] - wanted[name]) > tolerance}
         where = ", ".join(f"{name} is {value:+.3f} off" for name, value in off.items())
         return f"{error}; {where}" if where else str(error)
 
@@ -492,12 +574,6 @@ def _rotated(rotation: Rotation, vector: Vector) -> Vector:
     return Transform(rotation).rotate(vector)
 
 
-def _motion_limits(record: Any) -> MotionLimits:
-    """The limits of one joint; zero, with which the joint could not move, means no limit."""
-    values = record.joint_max_speed, record.joint_max_acceleration_rate, record.joint_max_deceleration_rate
-    return MotionLimits(*(value or math.inf for value in values))
-
-
 def _quaternion(record: Any) -> tuple[float, float, float, float]:
     return (
         record.d_component_of_unit_quaternion_q,
@@ -516,34 +592,6 @@ def _base_of(record: ManipulatorCoordinateSystemRec) -> Transform:
     return Transform(rotation_from_quaternion(*_quaternion(record)), point)
 
 
-def _values(command: SetJointPositions) -> list[float]:
-    return [float(each.joint_position.value) for each in command.joint_position_list]
-
-
-def _speeds(
-    limits: Mapping[str, MotionLimits], start: Sequence[float], end: Sequence[float], duration: float
-) -> dict[str, float]:
-    """The speed of each joint with which its motion takes `duration` seconds."""
-    speeds = dict[str, float]()
-    for (name, limit), here, there in zip(limits.items(), start, end, strict=True):
-        speed = limit.speed_for(there - here, duration)
-        if speed is None:
-            least = limit.least_duration(there - here)
-            raise ConfigError(f"{name} needs at least {least:.2f} s for its way, and not {duration:g} s")
-        speeds[name] = max(speed, MIN_SPEED)
-    return speeds
-
-
-def _limited_by(profile: Mapping[str, Any], speeds: Mapping[str, float]) -> list[Any]:
-    """The profile of each joint with at most its speed."""
-    return [_slower(each, speeds.get(name, math.inf)) for name, each in profile.items()]
-
-
-def _slower(record: Any, speed: float) -> Any:
-    """The profile of one joint with at most this speed."""
-    turns = isinstance(record, ReportJointMotionProfile.RevoluteJointMotionProfileRec)
-    kinds = SetJointMotionProfile
-    make: Any = kinds.RevoluteJointMotionProfileRec if turns else kinds.PrismaticJointMotionProfileRec
-    return make(
-        min(speed, record.joint_max_speed), record.joint_max_acceleration_rate, record.joint_max_deceleration_rate
-    )
+def _largest(these: Sequence[float], those: Sequence[float]) -> float:
+    """The largest difference of two joints."""
+    return max(abs(a - b) for a, b in zip(these, those, strict=True))

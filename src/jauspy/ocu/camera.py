@@ -6,9 +6,10 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
-from collections.abc import AsyncGenerator
+from collections.abc import AsyncGenerator, Mapping
 from contextlib import aclosing, asynccontextmanager, suppress
 from datetime import UTC, datetime
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Final, Protocol, TypeVar
 
 from jauspy.arguments import check_number
@@ -20,11 +21,13 @@ from jauspy.messages.environment_sensing import (
     RemoveDigitalResourceEndpoint as Remove,
     ReportVisualSensorCapabilities,
 )
+from jauspy.messages.environment_sensing.v2_0.digital_video import SetDigitalVideoSensorConfiguration
 from jauspy.ocu.connection import Connection
+from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.stills import Photo
 from jauspy.ocu.subsystems import ComponentInfo
-from jauspy.platform.video_settings import RTP_SERVER_TYPE
+from jauspy.platform.video_settings import RTP_SERVER_TYPE, SUPPORTED_FRAME_SIZES, FrameSize, frame_size
 from jauspy.video import need_video
 from jauspy.video.h264_payload import Picture
 from jauspy.video.receiver import RtpReceiver
@@ -38,7 +41,7 @@ NAMES_OF: Final = "VisualSensor"
 RENEWAL_INTERVAL: Final = 60.0
 """Seconds between two registrations; a robot removes an endpoint after five minutes."""
 SILENCE: Final = 5.0
-"""Seconds without a frame after which `frames` raises, once the video runs."""
+"""Seconds without a frame after which `frames` raises by default, once the video runs."""
 MAX_WAITING: Final = 64
 """Encoded pictures that wait to be read; the oldest go first."""
 
@@ -106,6 +109,7 @@ class Camera:
         self._found: tuple[ComponentInfo, int] | None = None
         self._url = ""
         self._receiver: RtpReceiver | None = None
+        self._counters: Mapping[str, int] = MappingProxyType({})
 
     def __repr__(self) -> str:
         return f"<camera {self.name or ''}>"
@@ -123,6 +127,11 @@ class Camera:
             return f"no further picture has arrived ({counted})"
         return f"packets arrive, and no whole picture yet ({counted})"
 
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What was received for the last `frames` or `encoded`: `pictures`, packets `lost`, pictures `damaged`, ..."""
+        return self._counters if self._receiver is None else self._receiver.counters
+
     def taken(self, picture: Picture) -> datetime | None:
         """When a picture of `encoded` was taken, by the robot's clock; None before its first report of the time."""
         seconds = None if self._receiver is None else self._receiver.taken(picture)
@@ -133,14 +142,38 @@ class Camera:
         if self._receiver is not None:
             self._receiver.ask_for_idr()
 
-    async def frames(self, *, address: str | None = None, timeout: float = 20.0) -> AsyncGenerator[Frame, None]:
+    async def set_video(
+        self,
+        *,
+        size: tuple[int, int] | None = None,
+        rate: int | None = None,
+        bit_rate: int | None = None,
+        authority: int = DEFAULT_AUTHORITY,
+    ) -> None:
+        """Set the video's size (width, height in pixels), pictures a second and kbit/s, for all who watch.
+
+        None leaves a setting as it is. Takes control for a moment; raises `RequestError` with what was refused.
+        """
+        component, sensor = await self._find()
+        info, number = component.find(VIDEO), frame_size(*size) if size else None
+        assert info is not None
+        if size and number not in SUPPORTED_FRAME_SIZES:
+            known = ", ".join(f"{width}x{height}" for width, height in sorted(set(SUPPORTED_FRAME_SIZES.values())))
+            raise ConfigError(f"JAUS has no video of {size[0]}x{size[1]}; the sizes are {known}")
+        service = ServiceClient(self._connection, component.id, info)
+        await set_stream(service, sensor, number, rate, bit_rate, authority=authority)
+
+    async def frames(
+        self, *, address: str | None = None, timeout: float = 20.0, silence: float = SILENCE
+    ) -> AsyncGenerator[Frame, None]:
         """Frames as they arrive: NumPy arrays of uint8, (height, width, 3), in BGR, with `.time`; extra `video`.
 
         A slow reader gets the newest one. `address` is the IP address of this machine to which the robot sends; by
         default the one from which the robot is reached. Raises `RequestError` when no first frame arrives within
-        `timeout` seconds, or none for 5 s later. The camera stops sending when the loop is left.
+        `timeout` seconds, or none for `silence` seconds later. The camera stops sending when the loop is left.
         """
         check_number(timeout, "timeout")
+        check_number(silence, "silence")
         need_video()
         from jauspy.video.frames import FrameReader  # noqa: PLC0415 - of the extra `video`
 
@@ -148,22 +181,25 @@ class Camera:
         host = address or await self._own_address(component)
         async with (
             self._registered(component, sensor, FrameReader(host), host) as (reader, url),
-            aclosing(self._received(reader, url, component, timeout)) as frames,
+            aclosing(self._received(reader, url, component, (timeout, silence))) as frames,
         ):
             async for frame in frames:
                 yield frame
 
-    async def encoded(self, *, address: str | None = None, timeout: float = 20.0) -> AsyncGenerator[Picture, None]:
+    async def encoded(
+        self, *, address: str | None = None, timeout: float = 20.0, silence: float = SILENCE
+    ) -> AsyncGenerator[Picture, None]:
         """Pictures as the camera encodes them (H.264), beginning with an IDR picture; otherwise as `frames`.
 
         After a lost packet, pictures are dropped until the next IDR picture.
         """
         check_number(timeout, "timeout")
+        check_number(silence, "silence")
         component, sensor = await self._find()
         host = address or await self._own_address(component)
         async with (
             self._registered(component, sensor, PictureReader(host), host) as (reader, url),
-            aclosing(self._received(reader, url, component, timeout)) as pictures,
+            aclosing(self._received(reader, url, component, (timeout, silence))) as pictures,
         ):
             async for picture in pictures:
                 yield picture
@@ -266,7 +302,7 @@ class Camera:
                 finally:
                     await end()
         finally:
-            self._receiver = None
+            self._counters, self._receiver = reader.receiver.counters, None
             reader.close()
 
     async def _renew(self, component: ComponentInfo, sensor: int, url: str) -> None:
@@ -276,17 +312,18 @@ class Camera:
                 await self._register(component, sensor, url)
 
     async def _received(
-        self, reader: Reader[P_co], url: str, component: ComponentInfo, timeout: float
+        self, reader: Reader[P_co], url: str, component: ComponentInfo, patience: tuple[float, float]
     ) -> AsyncGenerator[P_co, None]:
+        """Pictures of the reader; `patience` is the time for the first and for each further one, s."""
         loop, arrived, descriptor = asyncio.get_running_loop(), asyncio.Event(), reader.fileno()
         loop.add_reader(descriptor, arrived.set)
         try:
-            end = loop.time() + timeout
+            end = loop.time() + patience[0]
             while True:
                 frame = reader.take()
                 if frame is not None:
                     yield frame
-                    end = loop.time() + SILENCE
+                    end = loop.time() + patience[1]
                     continue
                 arrived.clear()
                 try:
@@ -296,6 +333,25 @@ class Camera:
                     raise ResponseTimeout(_nothing(component, url, reader)) from None
         finally:
             loop.remove_reader(descriptor)
+
+
+async def set_stream(
+    service: ServiceClient,
+    sensor: int,
+    size: FrameSize | None,
+    rate: int | None,
+    bit_rate: int | None,
+    *,
+    authority: int = DEFAULT_AUTHORITY,
+) -> None:
+    """Set size, pictures a second and kbit/s of the video of a sensor, as `Camera.set_video`."""
+    order = SetDigitalVideoSensorConfiguration
+    wanted = order.DigitalVideoSensorConfigurationRec(
+        sensor, frame_size=size, frame_rate=rate, maximum_bit_rate=bit_rate
+    )
+    async with service.control(authority):
+        await service.resume()
+        await service.configure(order(order.RequestIdRec(1), [wanted]), "the settings of its video")
 
 
 def _nothing(component: ComponentInfo, url: str, reader: Reader[P_co]) -> str:

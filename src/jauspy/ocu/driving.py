@@ -15,6 +15,7 @@ from jauspy.arguments import check_number
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ControlRejected, EventRejected, RequestError, ResponseTimeout
 from jauspy.geometry.poses import PlanarPose, wrap_angle
+from jauspy.ids import JausID
 from jauspy.messages.mobility import (
     QueryLocalPose,
     ReportLocalPose,
@@ -88,6 +89,7 @@ class Driving:
         self._connection = connection
         self._offering = offering
         self._stream: CommandStream | None = None
+        self._streams_to: JausID | None = None
         self._limits: VelocityLimits | None = None
 
     def driver(self) -> ServiceClient:
@@ -106,10 +108,27 @@ class Driving:
         limits = await self._known_limits()
         if limits is not None:
             limits.check(linear, angular)
+        await self._stream_to(driver, self._command(driver, linear, angular), seconds)
+
+    async def drive_effort(self, linear: float, angular: float, seconds: float | None) -> None:
+        """See `Robot.drive_effort`."""
+        for value, use in ((linear, "linear"), (angular, "angular")):
+            check_number(value, use)
+            if not -100 <= value <= 100:
+                raise ConfigError(f"{use}={value:g} is outside -100..100 percent")
+        check_number(seconds, "seconds", optional=True)
+        driver = self._offering(WRENCH)
+        if driver is None:
+            raise ConfigError(f"this robot takes no efforts: it does not offer {WRENCH}")
+        effort = SetWrenchEffort(propulsive_linear_effort_x=linear, propulsive_rotational_effort_z=-angular)
+        await self._stream_to(driver, effort, seconds)
+
+    async def _stream_to(self, driver: ServiceClient, command: Message, seconds: float | None) -> None:
+        """Send this command repeatedly, until the next one or for a number of seconds."""
         stream = await self._opened(driver)
         if not stream.active:
             await check_ready(self._connection, driver.id)
-        await stream.send(self._command(driver, linear, angular))
+        await stream.send(command)
         if seconds is not None:
             try:
                 await self._while_active(stream, driver, seconds)
@@ -157,10 +176,12 @@ class Driving:
         *,
         speed: float,
         tolerance: float,
+        accept: float | None,
         timeout: float,
         progress: Callable[[Progress], None] | None,
     ) -> RobotPose:
         """See `Robot.go_to`."""
+        check_number(accept, "accept", optional=True)
         for value, use in ((x, "x"), (y, "y"), (speed, "speed"), (tolerance, "tolerance"), (timeout, "timeout")):
             check_number(value, use)
         check_number(yaw, "yaw", optional=True)
@@ -182,11 +203,13 @@ class Driving:
             waypoint_tolerance=tolerance,
         )
         await self._connection.send_checked(driver.id, waypoint, ack=True)
-        way = _Way(self, goal, tolerance, progress)
+        way = _Way(self, goal, tolerance if accept is None else accept, progress)
         try:
             return await way.follow(lambda: self._travel(driver, speed, timeout), timeout)
-        except BaseException:
+        except BaseException as error:
             if driver.id in self._connection.controls:
+                if isinstance(error, RequestError):
+                    self._connection.controls.check(driver.id, waypoint)  # a lost control explains it
                 await self._connection.deliver(driver.id, self._command(self.driver(), 0.0, 0.0))
             raise
 
@@ -200,8 +223,9 @@ class Driving:
     async def _opened(self, driver: ServiceClient) -> CommandStream:
         if driver.id not in self._connection.controls:
             raise ControlRejected(NOT_CONTROLLED.format(driver.id))
-        if self._stream is None:
-            self._stream = await driver.streaming(RATE).__aenter__()
+        if self._stream is None or self._streams_to != driver.id:
+            await self.close()
+            self._stream, self._streams_to = await driver.streaming(RATE).__aenter__(), driver.id
         return self._stream
 
     async def _while_active(self, stream: CommandStream, driver: ServiceClient, seconds: float) -> None:
@@ -285,6 +309,8 @@ class _Way:
                 if done and left <= self._tolerance and stands:
                     return pose
                 before = (pose.x, pose.y)
+                if done:
+                    await asyncio.sleep(PROGRESS_INTERVAL)
                 if clock() - began > timeout:
                     raise RequestError(
                         f"the robot is {left:.2f} m from ({self._goal.x:g}, {self._goal.y:g}) after "

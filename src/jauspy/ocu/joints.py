@@ -12,13 +12,13 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.arguments import check_number, described
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.geometry.vectors import Rotation, X, Y, Z, rotation_from_quaternion
+from jauspy.joint_values import position_records, velocity_records
 from jauspy.messages.description import QueryJointDescription, ReportJointDescription
 from jauspy.messages.manipulator import (
     JointEffortRec,
-    JointPositionRec,
-    JointVelocityRec,
     QueryJointPositions,
     QueryManipulatorSpecifications,
     QueryPanTiltJointPositions,
@@ -131,24 +131,23 @@ async def joint_table(connection: Connection, component: ComponentInfo) -> Joint
     return JointTable(tuple(map(DescribedJoint, names)))
 
 
+def positions_query(component: ComponentInfo) -> QueryJointPositions | QueryPanTiltJointPositions:
+    """The query for the positions of this component's joints."""
+    return QueryJointPositions() if component.find(POSITION_SENSOR) else QueryPanTiltJointPositions()
+
+
+def positions_in(report: Message) -> list[float]:
+    """The positions in an answer to `positions_query`, base to tip, with the signs of the component (AS6057)."""
+    if isinstance(report, ReportJointPositions):
+        return [float(each.joint_position.value) for each in report.joint_position_list]
+    assert isinstance(report, ReportPanTiltJointPositions)
+    return [report.joint1_position, report.joint2_position]
+
+
 async def reported(connection: Connection, component: ComponentInfo) -> list[float]:
     """The present positions, base to tip, with the signs of the component (AS6057)."""
-    if component.find(POSITION_SENSOR):
-        report = await connection.query(component.id, QueryJointPositions(), expects=ReportJointPositions)
-        assert isinstance(report, ReportJointPositions)
-        return [float(each.joint_position.value) for each in report.joint_position_list]
-    angles = await connection.query(component.id, QueryPanTiltJointPositions(), expects=ReportPanTiltJointPositions)
-    assert isinstance(angles, ReportPanTiltJointPositions)
-    return [angles.joint1_position, angles.joint2_position]
-
-
-def position_records(table: JointTable, values: Sequence[float]) -> list[JointPositionRec]:
-    """The records of a command, base to tip."""
-    make, kinds = JointPositionRec.JointPosition, JointPositionRec.JointPositionChoice
-    return [
-        JointPositionRec(make(kinds(1 if joint.is_revolute else 2), value))
-        for joint, value in zip(table.joints, values, strict=True)
-    ]
+    query = positions_query(component)
+    return positions_in(await connection.query(component.id, query, expects=query.REPORT))
 
 
 def table_of(report: ReportJointDescription) -> JointTable:
@@ -210,14 +209,12 @@ class metres(float):  # noqa: N801 - it is used as a function
 
 def joint_positions(*positions: float) -> SetJointPositions:
     """One position for each joint, base to tip: radians, or `metres(...)`."""
-    make, kinds = JointPositionRec.JointPosition, JointPositionRec.JointPositionChoice
-    return SetJointPositions([JointPositionRec(make(kinds(_kind(each)), float(each))) for each in _checked(positions)])
+    return SetJointPositions(position_records(map(float, _checked(positions)), _typed(positions)))
 
 
 def joint_velocities(*velocities: float) -> SetJointVelocity:
     """One velocity for each joint, base to tip: rad/s, or `metres(...)` per second."""
-    make, kinds = JointVelocityRec.JointVelocity, JointVelocityRec.JointVelocityChoice
-    return SetJointVelocity([JointVelocityRec(make(kinds(_kind(each)), float(each))) for each in _checked(velocities)])
+    return SetJointVelocity(velocity_records(map(float, _checked(velocities)), _typed(velocities)))
 
 
 def joint_efforts(*percent: float) -> SetJointEffort:
@@ -231,46 +228,5 @@ def _checked(values: tuple[float, ...]) -> tuple[float, ...]:
     return values
 
 
-def _kind(value: float) -> int:
-    return 2 if isinstance(value, metres) else 1
-
-
-DURATION_ROUNDING: Final = 1e-6
-"""Seconds by which a duration may be shorter than possible (rounding)."""
-
-
-@dataclass(frozen=True, slots=True)
-class MotionLimits:
-    """Limits of a joint's motion: rad/s and rad/s^2, or m/s and m/s^2; infinite where there is none.
-
-    The speed profile is a trapezoid.
-    """
-
-    speed: float = math.inf
-    acceleration: float = math.inf
-    deceleration: float = math.inf
-
-    @property
-    def _ramps(self) -> float:
-        """Seconds that both ramps take for a unit of speed, halved: what they add to the time at that speed."""
-        return (1.0 / self.acceleration + 1.0 / self.deceleration) / 2.0
-
-    def least_duration(self, way: float) -> float:
-        """The least time in seconds for a motion of this many radians or metres."""
-        way, ramps = abs(way), self._ramps
-        if not way:
-            return 0.0
-        if not ramps:
-            return way / self.speed
-        top = min(self.speed, math.sqrt(way / ramps))
-        return way / top + ramps * top
-
-    def speed_for(self, way: float, duration: float) -> float | None:
-        """The speed with which the motion takes `duration` seconds; None if the joint is not as fast."""
-        way, ramps = abs(way), self._ramps
-        if duration < self.least_duration(way) - DURATION_ROUNDING or not duration:
-            return None
-        if not ramps:
-            return way / duration
-        speed = (duration - math.sqrt(max(0.0, duration * duration - 4.0 * ramps * way))) / (2.0 * ramps)
-        return min(speed, self.speed)
+def _typed(values: tuple[float, ...]) -> list[DescribedJoint]:
+    return [DescribedJoint("", not isinstance(each, metres)) for each in values]

@@ -10,23 +10,27 @@ from datetime import UTC, datetime
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Final, Self
 
-from jauspy.arguments import async_only, check_text
-from jauspy.errors import ConfigError
+from jauspy.arguments import async_only, check_number, check_text
+from jauspy.errors import ConfigError, RequestError
 from jauspy.ids import JausID
+from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import QueryForceTorque, ReportForceTorque
 from jauspy.ocu.arm import POSE_DRIVER, POSITION_DRIVER, Arm
 from jauspy.ocu.camera import VIDEO, Camera
+from jauspy.ocu.cell import Connector, Conveyor, ModularArm, PartStation, ServoModule
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
 from jauspy.ocu.driving import TOLERANCE, VELOCITY, WRENCH, Driving, Progress
 from jauspy.ocu.gripper import DRIVER as GRIPPER_DRIVER, Gripper
 from jauspy.ocu.joints import PAN_TILT_SENSOR, POSITION_SENSOR, joint_table, reported
 from jauspy.ocu.service import ServiceClient
-from jauspy.ocu.state import Joints, RobotPose
+from jauspy.ocu.state import ForceTorque, Joints, RobotPose
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.printable import printable
 
 MOVING: Final = (VELOCITY, WRENCH, "mobility:LocalWaypointDriver", POSITION_DRIVER, POSE_DRIVER, GRIPPER_DRIVER)
 """Services that move a robot; a component that offers one of them is controlled by `Robot.control`."""
+FORCE_TORQUE: Final = "ForceTorqueSensor"
+ALL_FIELDS: Final = 0xFF
 DEFAULT_SPEED: Final = 0.5
 """m/s on the way to a point."""
 
@@ -63,6 +67,33 @@ class ComponentClient:
     def camera(self) -> Camera:
         """Its camera, if it has one only."""
         return Camera(self._connection, (self.info,), None)
+
+    # --- modules of a factory cell ------------------------------------------------------------------------------------
+
+    @property
+    def modular_arm(self) -> ModularArm:
+        """The arm of servo modules that it moves."""
+        return ModularArm(self.service("ModularArm"))
+
+    def connector(self, number: int = 1) -> Connector:
+        """One of its vacuum connectors, by number from 1."""
+        check_number(number, "number", whole=True)
+        return Connector(self.service("VacuumConnector"), number)
+
+    @property
+    def servo(self) -> ServoModule:
+        """Its servo."""
+        return ServoModule(self.service("ServoModule"))
+
+    @property
+    def conveyor(self) -> Conveyor:
+        """Its belt."""
+        return Conveyor(self.service("Conveyor"))
+
+    @property
+    def part_station(self) -> PartStation:
+        """Its sensor of parts, and the power of modules."""
+        return PartStation(self.service("PartSensor"), self.service("ModulePower"))
 
 
 class Robot:
@@ -150,6 +181,10 @@ class Robot:
         """
         await self._driving.drive(linear, angular, seconds)
 
+    async def drive_effort(self, linear: float = 0.0, angular: float = 0.0, *, seconds: float | None = None) -> None:
+        """Drive with efforts in percent, forward and counterclockwise, and without steering; otherwise as `drive`."""
+        await self._driving.drive_effort(linear, angular, seconds)
+
     async def speed_limits(self) -> tuple[float, float]:
         """The greatest velocities for `drive` that the robot reports, in m/s and rad/s; infinite if it reports none."""
         return await self._driving.speed_limits()
@@ -167,17 +202,19 @@ class Robot:
         frame: str = "local",
         speed: float = DEFAULT_SPEED,
         tolerance: float = TOLERANCE,
+        accept: float | None = None,
         timeout: float = 120.0,
         progress: Callable[[Progress], None] | None = None,
     ) -> RobotPose:
         """Drive to a point (metres) and wait until the robot has arrived; returns its pose.
 
         Obstacles are not avoided. `frame`: "local", the frame of `pose()`, or "robot", forward and left of the present
-        pose. `progress` is called five times a second with the remaining distance. Raises `RequestError` when the robot
-        does not arrive within `timeout` seconds. If the call is cancelled, the robot stops.
+        pose. The robot is told to come within `tolerance` metres; where it stands then may be `accept` metres off, by
+        default the same. `progress` is called five times a second with the remaining distance. Raises `RequestError`
+        when the robot does not arrive within `timeout` seconds. If the call is cancelled, the robot stops.
         """
         return await self._driving.go_to(
-            x, y, yaw, frame, speed=speed, tolerance=tolerance, timeout=timeout, progress=progress
+            x, y, yaw, frame, speed=speed, tolerance=tolerance, accept=accept, timeout=timeout, progress=progress
         )
 
     async def pose(self) -> RobotPose:
@@ -196,6 +233,19 @@ class Robot:
                 found[f"{component.id} {name}" if name in found else name] = value
         return Joints(found, datetime.now(UTC))
 
+    async def force_torque(self, sensor: int = 1) -> ForceTorque:
+        """What a force-torque sensor measures, as between arm and gripper; `sensor` is its number from 1."""
+        check_number(sensor, "sensor", whole=True)
+        client = self.service(FORCE_TORQUE)
+        record = QueryForceTorque.QueryForceTorqueRec(sensor, QueryForceTorque.CoordinateSystem.VEHICLE, ALL_FIELDS)
+        report = await client.query(QueryForceTorque([record]), expects=ReportForceTorque)
+        for each in report.report_force_torque_list:
+            # JAUS's axes: y to the right, z down
+            force = each.force_x or 0.0, -(each.force_y or 0.0), -(each.force_z or 0.0)
+            torque = each.torque_x or 0.0, -(each.torque_y or 0.0), -(each.torque_z or 0.0)
+            return ForceTorque(force, torque, datetime.now(UTC))
+        raise RequestError(f"{client.id} has no force-torque sensor {sensor}")
+
     @property
     def arm(self) -> Arm:
         """Its arm: the component that moves a tool, or else the only one that moves joints to positions."""
@@ -203,7 +253,7 @@ class Robot:
         return self._arm_of(with_tool if len(with_tool) == 1 else joints)
 
     def manipulator(self, which: int | str | JausID) -> Arm:
-        """The joints that a component moves, by number (103) or id: another arm, or flippers."""
+        """The joints that a component moves, by number (103) or id: another arm, flippers, or a pan-tilt unit."""
         return self._arm_of([self.component(which).info])
 
     @property

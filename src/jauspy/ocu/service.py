@@ -14,6 +14,7 @@ from jauspy.codec.message import Message, Query
 from jauspy.errors import RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus, Resume, Standby
+from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.ocu.commands import CommandStream, perform
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.control import DEFAULT_AUTHORITY, REMEDIES, Control
@@ -98,6 +99,16 @@ class ServiceClient:
         With `ack` it is resent until the component acknowledges it. If it does not, `ResponseTimeout` is raised.
         """
         await self._connection.send_checked(self.id, message, ack=ack)
+
+    async def configure(self, settings: Message, what: str = "the settings") -> None:
+        """Send settings of sensors; raises `RequestError` with the component's reason if it refuses them.
+
+        `what` names the settings in the error. Needs control.
+        """
+        answer = await self.query(settings, expects=ConfirmSensorConfiguration)
+        for each in answer.confirm_sensor_list:
+            if text := getattr(each, "error_message", ""):
+                raise RequestError(f"{self.id} refused {what}: {text}")
 
     async def perform(self, command: Message, *, within: float) -> None:
         """Send a command and wait until it has been carried out, for example until an arm has reached its target.

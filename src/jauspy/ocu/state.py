@@ -8,6 +8,7 @@ from datetime import UTC, datetime, timedelta
 from typing import Final
 
 from jauspy.geometry.poses import Pose, jaus_pose
+from jauspy.geometry.vectors import Vector
 from jauspy.messages.core import TimeStamp
 from jauspy.messages.mobility import ReportLocalPose
 
@@ -26,6 +27,18 @@ class RobotPose:
     yaw: float = 0.0
     time: datetime | None = None
     """Time of the measurement; None when the robot does not report it."""
+
+
+@dataclass(frozen=True, slots=True)
+class ForceTorque:
+    """What a tool, and all that it carries and touches, does to a sensor, with the robot's axes (REP-103: z is up)."""
+
+    force: Vector
+    """Newtons; the weight of a tool is a negative force along z."""
+    torque: Vector
+    """Newton metres, about the sensor."""
+    time: datetime
+    """When the report arrived: it has no time stamp."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,19 +7,26 @@ from datetime import datetime
 from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
+from jauspy.messages.cell.v1_0 import ReportServoState
 from jauspy.messages.core import ReportStatus
 from jauspy.messages.manipulator import SetJointPositions
+from jauspy.ocu.camera import SILENCE
+from jauspy.ocu.cell import PartObservation
 from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.discovery import News
 from jauspy.ocu.driving import Progress, TOLERANCE
-from jauspy.ocu.joints import JointTable, MotionLimits
+from jauspy.ocu.joints import JointTable
 from jauspy.ocu.lists import ELEMENT_TIMEOUT, Element
+from jauspy.ocu.motion_limits import MotionLimits
 from jauspy.ocu.robot import DEFAULT_SPEED
-from jauspy.ocu.state import Joints, RobotPose
+from jauspy.ocu.state import ForceTorque, Joints, RobotPose
 from jauspy.ocu.stills import Photo
 from jauspy.ocu.subscription import EventRequest, R
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
+from jauspy.platform.modular.arm import ArmController, ModularArmState
+from jauspy.platform.modular.cell import ConveyorState
+from jauspy.platform.modular.connector import ConnectorState
 from jauspy.protocol.delivery import Delivery
 from jauspy.sync.portal import Facade, OpensPortal, Portal
 from jauspy.transport import Transport
@@ -31,6 +38,11 @@ if TYPE_CHECKING:
     from jauspy.video.frames import Frame
 from jauspy.ocu.arm import Arm as _Arm
 from jauspy.ocu.camera import Camera as _Camera
+from jauspy.ocu.cell import Connector as _Connector
+from jauspy.ocu.cell import Conveyor as _Conveyor
+from jauspy.ocu.cell import ModularArm as _ModularArm
+from jauspy.ocu.cell import PartStation as _PartStation
+from jauspy.ocu.cell import ServoModule as _ServoModule
 from jauspy.ocu.client import OCU as _OCU
 from jauspy.ocu.commands import CommandStream as _CommandStream
 from jauspy.ocu.control import Control as _Control
@@ -372,6 +384,13 @@ class ServiceClient(Facade[_ServiceClient]):
         """
         self._portal.run(self._async.send(message, ack=ack))
 
+    def configure(self, settings: Message, what: str = 'the settings') -> None:
+        """Send settings of sensors; raises `RequestError` with the component's reason if it refuses them.
+
+        `what` names the settings in the error. Needs control.
+        """
+        self._portal.run(self._async.configure(settings, what))
+
     def perform(self, command: Message, *, within: float) -> None:
         """Send a command and wait until it has been carried out, for example until an arm has reached its target.
 
@@ -492,7 +511,7 @@ class ServiceClient(Facade[_ServiceClient]):
 
 
 class Arm(Facade[_Arm]):
-    """An arm, or another group of joints such as flippers; radians or metres by the name of each joint.
+    """An arm, or another group of joints such as flippers or a pan-tilt unit; radians or metres by name of the joint.
 
     Names and positions are those of the robot's description (URDF), when the robot has jauspy's service
     JointDescription, as jauspy's own robots have; else those of its specification (AS6057).
@@ -507,6 +526,13 @@ class Arm(Facade[_Arm]):
         """The present positions by name, in radians or metres; raises `ResponseTimeout`."""
         return self._portal.run(self._async.joints())
 
+    def watch(self, rate: float = 20.0, *, silence: float | None = None) -> Generator[Joints, None, None]:
+        """The positions by name at `rate` Hz, as in `for joints in arm.watch()`, by a subscription.
+
+        Raises `ResponseTimeout` when no report has arrived for `silence` seconds, by default ten periods, at least 2 s.
+        """
+        return self._portal.iterate(self._async.watch(rate, silence=silence))
+
     def limits(self) -> dict[str, tuple[float, float]]:
         """The least and the greatest position of each joint, in radians or metres."""
         return self._portal.run(self._async.limits())
@@ -514,6 +540,14 @@ class Arm(Facade[_Arm]):
     def motion_limits(self) -> dict[str, MotionLimits]:
         """Limits of speed and acceleration of each joint, from its motion profile, or else from its description."""
         return self._portal.run(self._async.motion_limits())
+
+    def set_motion_limits(self, limits: Mapping[str, MotionLimits]) -> None:
+        """Set speed and acceleration of these joints in the motion profile; the others keep theirs.
+
+        The profile is that of the robot, for all clients: it applies to motions that begin later, and stays. A robot
+        clamps it to what its joints can do.
+        """
+        self._portal.run(self._async.set_motion_limits(limits))
 
     def description(self) -> JointTable:
         """The joints from base to tip, with type, limits and greatest speed."""
@@ -526,22 +560,31 @@ class Arm(Facade[_Arm]):
         """
         return self._portal.run(self._async.joint_positions(**positions))
 
+    def begin(self, joints: Mapping[str, float]) -> None:
+        """Have joints begin to move, as in `{"elbow": 0.6}`; returns when the command is acknowledged.
+
+        The others hold. A component that is not Ready ignores the command; `move` checks that, and waits for the end.
+        """
+        self._portal.run(self._async.begin(joints))
+
     def move(
         self,
         joints: Mapping[str, float],
         *,
         speed: float | Mapping[str, float] | None = None,
         duration: float | None = None,
+        tolerance: float | None = None,
         timeout: float = 60.0,
     ) -> Joints:
         """Move joints, as in `{"elbow": 0.6}`, and wait until they are there; the others hold. Returns the positions.
 
         `speed` limits every joint, in rad/s or m/s, or those that it names; without it the robot's motion profile
-        applies. With `duration` all joints take that many seconds. Raises `ConfigError` for unknown joints, positions
-        out of range and a duration that is too short, `RequestError` when the arm does not arrive within `timeout`
-        seconds (after `duration`). If the call is cancelled, the arm stops.
+        applies. With `duration` all joints take that many seconds. With `tolerance` it waits until the joints rest
+        within so many rad or m of their positions, by their reports, and that suffices. Raises `ConfigError` for
+        unknown joints, positions out of range and a duration that is too short, `RequestError` when the arm does not
+        arrive within `timeout` seconds (after `duration`). If the call is cancelled, the arm stops.
         """
-        return self._portal.run(self._async.move(joints, speed=speed, duration=duration, timeout=timeout))
+        return self._portal.run(self._async.move(joints, speed=speed, duration=duration, tolerance=tolerance, timeout=timeout))
 
     def move_tool_at(
         self,
@@ -678,6 +721,11 @@ class Camera(Facade[_Camera]):
         """A text for users: what `frames` or `encoded` wait for until a picture arrives, as in "a first packet"."""
         return self._async.waiting
 
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """What was received for the last `frames` or `encoded`: `pictures`, packets `lost`, pictures `damaged`, ..."""
+        return self._async.counters
+
     def taken(self, picture: Picture) -> datetime | None:
         """When a picture of `encoded` was taken, by the robot's clock; None before its first report of the time."""
         return self._async.taken(picture)
@@ -686,21 +734,47 @@ class Camera(Facade[_Camera]):
         """Request a picture that can be decoded without others (IDR); without effect when nothing is received."""
         self._async.refresh()
 
-    def frames(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Frame, None, None]:
+    def set_video(
+        self,
+        *,
+        size: tuple[int, int] | None = None,
+        rate: int | None = None,
+        bit_rate: int | None = None,
+        authority: int = DEFAULT_AUTHORITY,
+    ) -> None:
+        """Set the video's size (width, height in pixels), pictures a second and kbit/s, for all who watch.
+
+        None leaves a setting as it is. Takes control for a moment; raises `RequestError` with what was refused.
+        """
+        self._portal.run(self._async.set_video(size=size, rate=rate, bit_rate=bit_rate, authority=authority))
+
+    def frames(
+        self,
+        *,
+        address: str | None = None,
+        timeout: float = 20.0,
+        silence: float = SILENCE,
+    ) -> Generator[Frame, None, None]:
         """Frames as they arrive: NumPy arrays of uint8, (height, width, 3), in BGR, with `.time`; extra `video`.
 
         A slow reader gets the newest one. `address` is the IP address of this machine to which the robot sends; by
         default the one from which the robot is reached. Raises `RequestError` when no first frame arrives within
-        `timeout` seconds, or none for 5 s later. The camera stops sending when the loop is left.
+        `timeout` seconds, or none for `silence` seconds later. The camera stops sending when the loop is left.
         """
-        return self._portal.iterate(self._async.frames(address=address, timeout=timeout))
+        return self._portal.iterate(self._async.frames(address=address, timeout=timeout, silence=silence))
 
-    def encoded(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Picture, None, None]:
+    def encoded(
+        self,
+        *,
+        address: str | None = None,
+        timeout: float = 20.0,
+        silence: float = SILENCE,
+    ) -> Generator[Picture, None, None]:
         """Pictures as the camera encodes them (H.264), beginning with an IDR picture; otherwise as `frames`.
 
         After a lost packet, pictures are dropped until the next IDR picture.
         """
-        return self._portal.iterate(self._async.encoded(address=address, timeout=timeout))
+        return self._portal.iterate(self._async.encoded(address=address, timeout=timeout, silence=silence))
 
     def still(self, *, size: tuple[int, int] | None = None, format: str | None = None, timeout: float = 10.0) -> Photo:
         """Take a still image, returned as the content of a file; see `ServiceClient.still`.
@@ -708,6 +782,96 @@ class Camera(Facade[_Camera]):
         Raises `ResponseTimeout` when none arrives within `timeout` seconds.
         """
         return self._portal.run(self._async.still(size=size, format=format, timeout=timeout))
+
+
+class ModularArm(Facade[_ModularArm]):
+    """An arm of any number of servo modules, which the robot finds by what is attached. Radians, base to tip."""
+
+    def state(self) -> ModularArmState:
+        """Joints and motion; without `base`, `tip` and `parts`, which are in its specification."""
+        return self._portal.run(self._async.state())
+
+    def begin(self, positions: Sequence[float], duration: float = 0.0) -> None:
+        """Begin a motion to these positions that takes `duration` seconds; NaN leaves a joint where it is told to be.
+
+        With 0 seconds it is as fast as the joints' limits allow. `state().error` says why the robot refused it.
+        """
+        self._portal.run(self._async.begin(positions, duration))
+
+    def move(
+        self,
+        positions: Sequence[float],
+        duration: float = 0.0,
+        *,
+        timeout: float | None = None,
+    ) -> ModularArmState:
+        """As `begin`, and wait until the joints are there; returns the state.
+
+        Raises `RequestError` when the robot refuses the motion, or has not ended it after `timeout` seconds: by default
+        three times the duration, and at least 8 s.
+        """
+        return self._portal.run(self._async.move(positions, duration, timeout=timeout))
+
+    def stop(self) -> None:
+        """Brake along the present path, and hold."""
+        self._portal.run(self._async.stop())
+
+    def set_controller(self, controller: ArmController) -> None:
+        """Select how the joints follow: a PID controller each, or the model of the arm as it is assembled."""
+        self._portal.run(self._async.set_controller(controller))
+
+
+class Connector(Facade[_Connector]):
+    """A vacuum connector of a part, or a vacuum gripper."""
+
+    @property
+    def number(self) -> int:
+        """Its number among those of the part, from 1."""
+        return self._async.number
+
+    def state(self) -> ConnectorState:
+        """What it holds, with what force; `last_error` says why it holds nothing."""
+        return self._portal.run(self._async.state())
+
+    def enable(self) -> None:
+        """Start the pump: it attaches what touches it."""
+        self._portal.run(self._async.enable())
+
+    def disable(self) -> None:
+        """Let air in: it releases what it holds."""
+        self._portal.run(self._async.disable())
+
+
+class ServoModule(Facade[_ServoModule]):
+    """A servo module, which moves a joint of a modular arm, or a wheel."""
+
+    def state(self) -> ReportServoState:
+        """All that it measures: position, velocity, torque, temperature, orientation and rates of its housing."""
+        return self._portal.run(self._async.state())
+
+
+class Conveyor(Facade[_Conveyor]):
+    """A belt."""
+
+    def state(self) -> ConveyorState:
+        """Its speed in m/s, and how far it has travelled, in metres."""
+        return self._portal.run(self._async.state())
+
+    def run(self, speed: float) -> None:
+        """Run at this speed, in m/s; negative is backward, and zero brakes gently."""
+        self._portal.run(self._async.run(speed))
+
+
+class PartStation(Facade[_PartStation]):
+    """The sensor of parts, and the switch of modules' power."""
+
+    def observe(self) -> PartObservation:
+        """The last observation."""
+        return self._portal.run(self._async.observe())
+
+    def switch(self, modules: Sequence[str], *, on: bool) -> None:
+        """Switch the power of modules on or off, by their names."""
+        self._portal.run(self._async.switch(modules, on=on))
 
 
 class RobotControl(Facade[_RobotControl]):
@@ -797,6 +961,30 @@ class ComponentClient(Facade[_ComponentClient]):
         """Its camera, if it has one only."""
         return Camera(self._portal, self._async.camera)
 
+    @property
+    def modular_arm(self) -> ModularArm:
+        """The arm of servo modules that it moves."""
+        return ModularArm(self._portal, self._async.modular_arm)
+
+    def connector(self, number: int = 1) -> Connector:
+        """One of its vacuum connectors, by number from 1."""
+        return Connector(self._portal, self._async.connector(number))
+
+    @property
+    def servo(self) -> ServoModule:
+        """Its servo."""
+        return ServoModule(self._portal, self._async.servo)
+
+    @property
+    def conveyor(self) -> Conveyor:
+        """Its belt."""
+        return Conveyor(self._portal, self._async.conveyor)
+
+    @property
+    def part_station(self) -> PartStation:
+        """Its sensor of parts, and the power of modules."""
+        return PartStation(self._portal, self._async.part_station)
+
 
 class Robot(Facade[_Robot]):
     """The client of a discovered subsystem; `info` is its description at the time of discovery.
@@ -857,6 +1045,10 @@ class Robot(Facade[_Robot]):
         """
         self._portal.run(self._async.drive(linear, angular, seconds=seconds))
 
+    def drive_effort(self, linear: float = 0.0, angular: float = 0.0, *, seconds: float | None = None) -> None:
+        """Drive with efforts in percent, forward and counterclockwise, and without steering; otherwise as `drive`."""
+        self._portal.run(self._async.drive_effort(linear, angular, seconds=seconds))
+
     def speed_limits(self) -> tuple[float, float]:
         """The greatest velocities for `drive` that the robot reports, in m/s and rad/s; infinite if it reports none."""
         return self._portal.run(self._async.speed_limits())
@@ -874,16 +1066,18 @@ class Robot(Facade[_Robot]):
         frame: str = 'local',
         speed: float = DEFAULT_SPEED,
         tolerance: float = TOLERANCE,
+        accept: float | None = None,
         timeout: float = 120.0,
         progress: Callable[[Progress], None] | None = None,
     ) -> RobotPose:
         """Drive to a point (metres) and wait until the robot has arrived; returns its pose.
 
         Obstacles are not avoided. `frame`: "local", the frame of `pose()`, or "robot", forward and left of the present
-        pose. `progress` is called five times a second with the remaining distance. Raises `RequestError` when the robot
-        does not arrive within `timeout` seconds. If the call is cancelled, the robot stops.
+        pose. The robot is told to come within `tolerance` metres; where it stands then may be `accept` metres off, by
+        default the same. `progress` is called five times a second with the remaining distance. Raises `RequestError`
+        when the robot does not arrive within `timeout` seconds. If the call is cancelled, the robot stops.
         """
-        return self._portal.run(self._async.go_to(x, y, yaw, frame=frame, speed=speed, tolerance=tolerance, timeout=timeout, progress=progress))
+        return self._portal.run(self._async.go_to(x, y, yaw, frame=frame, speed=speed, tolerance=tolerance, accept=accept, timeout=timeout, progress=progress))
 
     def pose(self) -> RobotPose:
         """The present pose in the robot's local frame, metres and radians."""
@@ -893,13 +1087,17 @@ class Robot(Facade[_Robot]):
         """Positions of all joints that are reported, in radians or metres by their names in the description (URDF)."""
         return self._portal.run(self._async.joints())
 
+    def force_torque(self, sensor: int = 1) -> ForceTorque:
+        """What a force-torque sensor measures, as between arm and gripper; `sensor` is its number from 1."""
+        return self._portal.run(self._async.force_torque(sensor))
+
     @property
     def arm(self) -> Arm:
         """Its arm: the component that moves a tool, or else the only one that moves joints to positions."""
         return Arm(self._portal, self._async.arm)
 
     def manipulator(self, which: int | str | JausID) -> Arm:
-        """The joints that a component moves, by number (103) or id: another arm, or flippers."""
+        """The joints that a component moves, by number (103) or id: another arm, flippers, or a pan-tilt unit."""
         return Arm(self._portal, self._async.manipulator(which))
 
     @property

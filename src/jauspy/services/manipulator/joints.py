@@ -11,6 +11,7 @@ from typing import Final, TypeAlias
 from jauspy.codec.message import Message
 from jauspy.geometry.denavit_hartenberg import DHLink
 from jauspy.geometry.urdf import Joint
+from jauspy.joint_values import kind_of, position_records, velocity_records
 from jauspy.messages.manipulator import (
     ActuatorForceTorqueRec,
     JointEffortRec,
@@ -37,8 +38,6 @@ from jauspy.services.units import effort_or_zero
 CHECK_PERIOD: Final = 0.05
 """Seconds from a command to the first check whether its motion has ended, and between two checks."""
 _TIMER: Final = "joint positions"
-REVOLUTE, PRISMATIC = 1, 2
-"""The two kinds of value in a field."""
 
 Choices: TypeAlias = Sequence[tuple[int, float]]
 """Kind and value of each field, base to tip."""
@@ -231,12 +230,8 @@ def _effort_target(share: float, joint: Joint, profile: MotionProfile) -> Target
 
 def joint_values(choices: Choices, links: Sequence[DHLink]) -> list[float] | None:
     """The values; None unless there is one of the right kind for each joint."""
-    kinds = [_kind(link) for link in links]
+    kinds = [kind_of(link) for link in links]
     return [value for _, value in choices] if [kind for kind, _ in choices] == kinds else None
-
-
-def _kind(link: DHLink) -> int:
-    return REVOLUTE if link.is_revolute else PRISMATIC
 
 
 def read_positions(records: Sequence[JointPositionRec]) -> Choices:
@@ -254,29 +249,11 @@ def read_efforts(records: Sequence[ActuatorForceTorqueRec]) -> Choices:
     return [(record.joint_force_torque.choice, record.joint_force_torque.value) for record in records]
 
 
-def position_records(found: Sequence[float], links: Sequence[DHLink]) -> list[JointPositionRec]:
-    """A record for each joint: radians or metres."""
-    make, choice = JointPositionRec.JointPosition, JointPositionRec.JointPositionChoice
-    return [
-        JointPositionRec(joint_position=make(choice(_kind(link)), value))
-        for value, link in zip(found, links, strict=True)
-    ]
-
-
-def velocity_records(found: Sequence[float], links: Sequence[DHLink]) -> list[JointVelocityRec]:
-    """A record for each joint: rad/s or m/s."""
-    make, choice = JointVelocityRec.JointVelocity, JointVelocityRec.JointVelocityChoice
-    return [
-        JointVelocityRec(joint_velocity=make(choice(_kind(link)), value))
-        for value, link in zip(found, links, strict=True)
-    ]
-
-
 def effort_records(found: Sequence[float], links: Sequence[DHLink]) -> list[ActuatorForceTorqueRec]:
     """A record for each joint: newton metres or newtons."""
     make, choice = ActuatorForceTorqueRec.JointForceTorque, ActuatorForceTorqueRec.JointForceTorqueChoice
     return [
-        ActuatorForceTorqueRec(joint_force_torque=make(choice(_kind(link)), value))
+        ActuatorForceTorqueRec(joint_force_torque=make(choice(kind_of(link)), value))
         for value, link in zip(found, links, strict=True)
     ]
 

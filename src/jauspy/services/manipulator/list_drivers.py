@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Final
 
 from jauspy.codec.message import Message
+from jauspy.joint_values import position_records
 from jauspy.messages.manipulator import (
     ReportActiveElement,
     ReportCommandedJointPositions,
@@ -14,7 +15,7 @@ from jauspy.messages.manipulator import (
 from jauspy.services.core.list_manager import ListDriver, ListManager
 from jauspy.services.manipulator.arm import ArmDriver
 from jauspy.services.manipulator.end_effector import ToolPoseDriver, commanded_pose
-from jauspy.services.manipulator.joints import CHECK_PERIOD, joint_values, position_records, read_positions
+from jauspy.services.manipulator.joints import CHECK_PERIOD, joint_values, read_positions
 
 
 class ManipulatorListDriver(ArmDriver, urn="urn:jaus:jss:manipulator:ManipulatorListDriver"):

@@ -1,13 +1,11 @@
 """What counts as grasped and lifted, by an arm that feels what it is told to."""
 
-from types import SimpleNamespace
-
 import pytest
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.grasp import Grasp
+from jauspy.demo import plan
+from jauspy.demo.grasp import Grasp
 from jauspy.robot.robot_files import load, robot_model
 
 
@@ -22,8 +20,8 @@ class Arm:
     async def go(self, *_: float) -> float:
         return 0.001
 
-    async def tool(self) -> tuple[float, float, float]:
-        return 0.8, 0.0, next(self._heights)
+    async def tool_height(self) -> float:
+        return next(self._heights)
 
     async def weight(self) -> float:
         return next(self._weights)
@@ -53,8 +51,7 @@ async def test_lift_requires_height_width_and_weight(
     monkeypatch: pytest.MonkeyPatch, felt: tuple[float, float, float, float], grasped: bool, lifted: bool
 ) -> None:
     monkeypatch.setattr(plan, "HOLD_TIME", 0.0)
-    camera = SimpleNamespace(service=lambda _: None)
-    grasp = Grasp(Arm(*felt), None, robot_model(load("inc1")), camera, size=(640, 480), goals=plan.PLANS["yard"])
+    grasp = Grasp(Arm(*felt), None, robot_model(load("inc1")), None, size=(640, 480), goals=plan.PLANS["yard"])
     assert (await grasp.reach()).reached
     assert (await grasp.close()).reached is grasped
     assert (await grasp.lift()).reached is lifted

@@ -7,7 +7,7 @@ import math
 import time
 from collections import deque
 from collections.abc import AsyncIterator, Sequence
-from contextlib import AsyncExitStack, asynccontextmanager
+from contextlib import AsyncExitStack, aclosing, asynccontextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from statistics import median
@@ -17,71 +17,71 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.arm import Flippers
-from jauspy.cli.demo.grasp import ARM_CAMERA, STILL_FILE, Grasp, aim
-from jauspy.cli.demo.plan import Plan
-from jauspy.cli.demo.report import DemoState, Report, StageResult, View, time_limit
-from jauspy.cli.demo.tour import Tour
-from jauspy.cli.video import StreamSettings, change_stream, registered, url_of
+from jauspy.demo import plan
+from jauspy.demo.grasp import ARM_CAMERA, STILL_FILE, Grasp, aim
+from jauspy.demo.plan import Plan
+from jauspy.demo.report import DemoState, Report, StageResult, View
+from jauspy.demo.tour import Tour
+from jauspy.errors import RequestError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid, Points, save_map, transformed
 from jauspy.mapping.live import LiveMapping
 from jauspy.mapping.mapper import MAX_RANGE, Mapper
-from jauspy.ocu import OCU, Control
+from jauspy.ocu import OCU, Camera, Robot, RobotControl
 from jauspy.ocu.frames import RobotFrames
-from jauspy.ocu.robot import ComponentClient, Robot
-from jauspy.platform.video_settings import FRAME_SIZES, FrameSize
 from jauspy.robot.config import CameraTable, RobotConfig
-from jauspy.video.receiver import RtpReceiver
 from jauspy.video.recorder import Recorder
 
 LOCALHOST: Final = "127.0.0.1"
-SENSOR: Final = 1
 MAX_LATENCIES: Final = 3000
 
 
 @dataclass(slots=True)
 class VideoRecording:
-    """A camera's video: its receiver, its file and the measured delays."""
+    """A camera's video: its file and the measured delays."""
 
     name: str
-    receiver: RtpReceiver
+    camera: Camera
     recorder: Recorder
     wanted: int
     """Pictures per second that the camera is set to."""
     latencies: deque[float] = field(default_factory=lambda: deque(maxlen=MAX_LATENCIES))
     began: float = field(default_factory=time.monotonic)
     ended: float = 0.0
+    failure: str = ""
+    """Why no more pictures came."""
 
-    def take(self) -> None:
-        """Read the received packets."""
-        now = time.time()
-        for picture in self.receiver.take():
-            self.recorder.add(picture)
-            if (taken := self.receiver.taken(picture)) is not None:
-                self.latencies.append(now - taken)
+    async def run(self) -> None:
+        """Record until this is cancelled, or no picture has come for `plan.CAMERA_TIMEOUT`."""
+        pictures = self.camera.encoded(address=LOCALHOST, timeout=plan.CAMERA_TIMEOUT, silence=plan.CAMERA_TIMEOUT)
+        try:
+            async with aclosing(pictures):
+                async for picture in pictures:
+                    self.recorder.add(picture)
+                    if (taken := self.camera.taken(picture)) is not None:
+                        self.latencies.append(time.time() - taken.timestamp())
+        except RequestError as error:
+            self.failure = f"camera {self.name}: {error}"
 
     async def begins(self) -> None:
         """Wait for the first picture; raises `RequestError` after `plan.CAMERA_TIMEOUT`."""
-        async with time_limit(
-            plan.CAMERA_TIMEOUT, lambda: f"camera {self.name}: no picture in {plan.CAMERA_TIMEOUT:g} s"
-        ):
-            while not self.recorder.pictures:  # noqa: ASYNC110 - the socket's reader adds them
-                await asyncio.sleep(0.05)
+        while not self.recorder.pictures:
+            if self.failure:
+                raise RequestError(self.failure)
+            await asyncio.sleep(0.05)
         self.began = time.monotonic()
 
     def result(self) -> StageResult:
         """Rate, losses and delay; no packet may be lost."""
-        pictures, counters = self.recorder.pictures, self.receiver.counters
+        pictures, counters = self.recorder.pictures, self.camera.counters
         lost, damaged = counters.get("lost", 0), counters.get("damaged", 0)
         rate = pictures / max(self.ended - self.began, 1e-3)
         late = median(self.latencies) if self.latencies else 0.0
         return StageResult(
             f"{self.name} video",
             f"{pictures} pictures ({rate:.1f} of {self.wanted} Hz), {lost or 'no'} packets lost, "
-            f"{damaged or 'none'} damaged; {1e3 * late:.0f} ms delay (median)",
-            pictures > 0 and not lost and not damaged,
+            f"{damaged or 'none'} damaged; {1e3 * late:.0f} ms delay (median)" + (self.failure and f"; {self.failure}"),
+            pictures > 0 and not lost and not damaged and not self.failure,
             {
                 "pictures": pictures,
                 "rate": rate,
@@ -95,20 +95,19 @@ class VideoRecording:
 
 @asynccontextmanager
 async def recorded(
-    ocu: OCU, camera: ComponentClient, setup: CameraTable, file: Path, size: FrameSize
+    camera: Camera, setup: CameraTable, file: Path, size: tuple[int, int]
 ) -> AsyncIterator[VideoRecording]:
     """Record the camera's video in that size while this context is open."""
-    await change_stream(camera, SENSOR, StreamSettings(size, setup.rate), authority=plan.AUTHORITY)
-    loop = asyncio.get_running_loop()
-    with RtpReceiver(LOCALHOST) as receiver, Recorder(file) as recorder:
-        recording = VideoRecording(setup.name, receiver, recorder, setup.rate)
-        loop.add_reader(receiver.fileno(), recording.take)
+    await camera.set_video(size=size, rate=setup.rate, authority=plan.AUTHORITY)
+    with Recorder(file) as recorder:
+        recording = VideoRecording(setup.name, camera, recorder, setup.rate)
+        running = asyncio.create_task(recording.run(), name=f"video of {setup.name}")
         try:
-            async with registered(ocu, camera.id, SENSOR, url_of((LOCALHOST, receiver.port))):
-                yield recording
-                recording.ended = time.monotonic()
+            yield recording
         finally:
-            loop.remove_reader(receiver.fileno())
+            recording.ended = time.monotonic()
+            running.cancel()
+            await asyncio.wait({running})
 
 
 MAP_SIZE: Final = 20.0
@@ -238,9 +237,17 @@ class FullTour(Tour):
     """The tour in a world with something to grasp."""
 
     def __init__(
-        self, ocu: OCU, config: RobotConfig, view: View, report: Report, folder: Path, *, goals: Plan, size: FrameSize
+        self,
+        ocu: OCU,
+        config: RobotConfig,
+        view: View,
+        report: Report,
+        folder: Path,
+        *,
+        goals: Plan,
+        size: tuple[int, int],
     ) -> None:
-        """`size` is that of the videos."""
+        """`size` is that of the videos: width and height in pixels."""
         super().__init__(ocu, config, view, report, folder, goals=goals)
         self._size = size
 
@@ -248,12 +255,12 @@ class FullTour(Tour):
         """Run all steps; see `Tour.run`."""
         robot = await self._discover()
         async with AsyncExitStack() as stack:
-            driving, flippers, arm = await self._begin(stack, robot)
+            control, arm = await self._begin(stack, robot)
             recordings = await self._record(stack, robot)
-            await self._drive(robot, driving, flippers)
+            await self._drive(robot, control)
             await self._aim(stack, robot)
-            frames, camera = RobotFrames(robot, self._model, self._config.movers), self._camera(robot, ARM_CAMERA)
-            grasp = Grasp(arm, frames, self._model, camera, size=FRAME_SIZES[self._size], goals=self._plan)
+            frames, camera = RobotFrames(robot, self._model, self._config.movers), robot.camera(ARM_CAMERA)
+            grasp = Grasp(arm, frames, self._model, camera, size=self._size, goals=self._plan)
             thing = self._plan.thing.name
             self._step("look", f"Look for the {thing} with the arm's camera")
             self._add(await grasp.look(self._folder))
@@ -275,30 +282,26 @@ class FullTour(Tour):
             if module.camera is not None:
                 self._view.step(f"Record camera {module.camera} of {self._config.id_of(module)}")
                 file = self._folder / f"{module.camera}.mp4"
-                recording = recorded(
-                    self._ocu, robot.component(module.component), setups[module.camera], file, self._size
-                )
+                recording = recorded(robot.camera(module.camera), setups[module.camera], file, self._size)
                 recordings[module.camera] = await stack.enter_async_context(recording)
                 self._state.recordings[module.camera] = recordings[module.camera]
                 self._report.files.append(file.name)
         await asyncio.gather(*(recording.begins() for recording in recordings.values()))
         return recordings
 
-    async def _drive(self, robot: Robot, driving: Control, flippers: Flippers) -> None:
+    async def _drive(self, robot: Robot, control: RobotControl) -> None:
         mapping = MapRecording(robot, self._state)
         async with mapping.made():
             self._step("drive", f"Drive {self._plan.drive}, mapping on the way")
-            self._add(await self._drive_there(robot, driving, flippers))
+            self._add(await self._drive_there(robot, control))
             found, files = await mapping.finish(self._folder)
         self._add(found)
         self._report.files += files
 
     async def _aim(self, stack: AsyncExitStack, robot: Robot) -> None:
         self._step("aim", "Point the camera on the chassis to it")
-        self._add(await aim(stack, self._camera(robot, CHASSIS_CAMERA), self._plan.aim))
-
-    def _camera(self, robot: Robot, name: str) -> ComponentClient:
-        return robot.component(next(each.component for each in self._config.modules if each.camera == name))
+        mount = next(each.component for each in self._config.modules if each.camera == CHASSIS_CAMERA)
+        self._add(await aim(stack, robot, mount, self._plan.aim))
 
     def _draw(self) -> None:
         plot_joints(self._state, self._folder / "joints.png")

@@ -7,11 +7,12 @@ from types import SimpleNamespace
 import pytest
 from rich.console import Console
 
-from jauspy.cli.demo.report import LiveView, StageResult, View
+from jauspy.cli import console
+from jauspy.demo.report import LiveView, StageResult, View
 
 
 def test_plain_output_marks_results(capsys: pytest.CaptureFixture[str]) -> None:
-    with View() as view:
+    with View(console.print_lines) as view:
         view.step("Lift the can")
         view.add(StageResult("lift", "13 cm", reached=True))
         view.add(StageResult("look", "nothing red", reached=False))
@@ -23,13 +24,14 @@ def test_plain_output_marks_results(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_table_shows_the_known_values() -> None:
-    view, page = LiveView(), Console(file=io.StringIO(), width=120)
+    page = Console(file=io.StringIO(), width=120)
+    view = LiveView(page)
     page.print(view.table())
     assert "robot" not in page.file.getvalue()
     state = view.state
-    state.pose, state.finger = (1.5, -0.25, math.pi / 2), 0.025
+    state.pose, state.width = (1.5, -0.25, math.pi / 2), 0.05
     state.moved([0.0, math.pi / 2])
-    recording = SimpleNamespace(recorder=SimpleNamespace(pictures=77), receiver=SimpleNamespace(counters={"lost": 3}))
+    recording = SimpleNamespace(recorder=SimpleNamespace(pictures=77), camera=SimpleNamespace(counters={"lost": 3}))
     state.recordings["arm"] = recording
     page.print(view.table())
     shown = page.file.getvalue()

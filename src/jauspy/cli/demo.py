@@ -17,16 +17,16 @@ from typing import Annotated, Any, Final, NamedTuple
 import typer
 
 from jauspy.cli import console
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.plan import Plan
-from jauspy.cli.demo.report import LiveView, Report, StageResult, View, time_limit
-from jauspy.cli.demo.tour import Tour
 from jauspy.cli.options import DEFAULT_PORT, Port
 from jauspy.cli.processes import ChildFailed, ChildProcess, run
+from jauspy.demo import plan
+from jauspy.demo.plan import Plan
+from jauspy.demo.report import LiveView, Report, StageResult, View, time_limit
+from jauspy.demo.tour import Tour
 from jauspy.errors import ConfigError, RequestError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.ocu import OCU
-from jauspy.platform.video_settings import SUPPORTED_FRAME_SIZES, FrameSize
+from jauspy.platform.video_settings import SUPPORTED_FRAME_SIZES
 from jauspy.robot import robot_files
 
 DEFAULT_WORLD: Final = "yard"
@@ -72,7 +72,7 @@ def demo(
     pixels = _size(size)
     if world not in plan.PLANS:
         raise typer.BadParameter(f"{world!r} is not one of {', '.join(plan.PLANS)}", param_hint="--world")
-    view = View() if plain or not console.is_terminal() else LiveView()
+    view = View(console.print_lines) if plain or not console.is_terminal() else LiveView(console.stdout())
     try:
         report = run(play(port, backend, view, output, size=pixels, world=world))
     except KeyboardInterrupt:
@@ -87,9 +87,8 @@ def demo(
         raise typer.Exit(1)
 
 
-def _size(text: str) -> FrameSize:
-
-    named = {f"{width}x{height}": size for size, (width, height) in SUPPORTED_FRAME_SIZES.items()}
+def _size(text: str) -> tuple[int, int]:
+    named = {f"{width}x{height}": (width, height) for width, height in SUPPORTED_FRAME_SIZES.values()}
     if text not in named:
         raise typer.BadParameter(f"{text!r} is not one of {', '.join(named)}", param_hint="--size")
     return named[text]
@@ -109,7 +108,7 @@ REQUIRED_PACKAGES: Final = {
 COUNTERS_TIMEOUT: Final = 5.0  # seconds from SIGUSR1 to the robot's counters
 
 
-async def play(port: int, backend: str, view: View, folder: Path, *, size: FrameSize, world: str) -> Report:
+async def play(port: int, backend: str, view: View, folder: Path, *, size: tuple[int, int], world: str) -> Report:
     """Start node manager and robot, run the tour, stop them.
 
     Local sockets are in a temporary directory and UDP uses the loopback address, so that other JAUS systems on this
@@ -195,7 +194,7 @@ def true_place(place: Place, goals: Plan) -> StageResult:
     )
 
 
-def _whole_tour(folder: Path, size: FrameSize) -> Callable[..., Tour]:
+def _whole_tour(folder: Path, size: tuple[int, int]) -> Callable[..., Tour]:
     """Check packages and the output directory, and import what is slow to import, before processes are started."""
     missing = [title for package, title in REQUIRED_PACKAGES.items() if find_spec(package) is None]
     if missing:
@@ -209,7 +208,7 @@ def _whole_tour(folder: Path, size: FrameSize) -> Callable[..., Tour]:
         raise ConfigError(
             f"{folder}: cannot be created: {error.strerror}; choose another directory with --output"
         ) from error
-    from jauspy.cli.demo.full_tour import FullTour
+    from jauspy.demo.full_tour import FullTour
 
     return partial(FullTour, size=size)
 

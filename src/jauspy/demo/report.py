@@ -14,18 +14,18 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
+from rich.console import Console
 from rich.live import Live
 from rich.panel import Panel
 from rich.table import Table
 from rich.text import Text
 
-from jauspy.cli import console
 from jauspy.errors import RequestError
 from jauspy.messages.mobility import ReportLocalPose
 from jauspy.ocu import OCU, SubsystemInfo
 
 if TYPE_CHECKING:
-    from jauspy.cli.demo.full_tour import VideoRecording
+    from jauspy.demo.full_tour import VideoRecording
 
 MARKS: Final[Mapping[bool | None, tuple[str, str]]] = {
     True: ("✓", "green"),
@@ -91,7 +91,8 @@ class DemoState:
     pose: tuple[float, float, float] | None = None
     speed: float = 0.0
     joints: Sequence[float] = ()
-    finger: float | None = None
+    width: float | None = None
+    """Metres between the fingers."""
     recordings: dict[str, VideoRecording] = field(default_factory=dict)
     scans: int = 0
     controlled: bool = False
@@ -122,9 +123,10 @@ class DemoState:
 
 
 class View:
-    """Prints a line for each step and result."""
+    """Prints a line for each step and result with `print_line`; nothing without it."""
 
-    def __init__(self) -> None:
+    def __init__(self, print_line: Callable[[str], None] | None = None) -> None:
+        self._print_line = print_line
         self.state = DemoState()
         self.ocu: OCU | None = None
 
@@ -156,18 +158,17 @@ class View:
         self._line(Text.assemble("  ", (mark, style), f" {result.stage}: {result.measured}"))
 
     def _line(self, text: Text) -> None:
-        console.print_lines(f"{self.state.elapsed:6.1f} s  {text.plain}")
+        if self._print_line is not None:
+            self._print_line(f"{self.state.elapsed:6.1f} s  {text.plain}")
 
 
 class LiveView(View):
-    """Shows a live table below the lines, drawn by a thread."""
+    """Shows a live table below the lines on a terminal, drawn by a thread."""
 
-    def __init__(self) -> None:
+    def __init__(self, terminal: Console) -> None:
         super().__init__()
         self._phase = ""
-        self._live = Live(
-            console=console.stdout(), get_renderable=self.table, refresh_per_second=REFRESH_RATE, transient=True
-        )
+        self._live = Live(console=terminal, get_renderable=self.table, refresh_per_second=REFRESH_RATE, transient=True)
 
     def __enter__(self) -> Self:
         self._live.start()
@@ -202,11 +203,11 @@ class LiveView(View):
             rows["robot"] = f"x {x:+.2f} m  y {y:+.2f} m  heading {math.degrees(yaw):+.1f}°  {state.speed:.2f} m/s"
         if state.joints:
             rows["arm"] = "  ".join(f"{math.degrees(joint):+7.1f}°" for joint in state.joints)
-        if state.finger is not None:
-            rows["fingers"] = f"{200.0 * state.finger:.2f} cm apart"
+        if state.width is not None:
+            rows["fingers"] = f"{100.0 * state.width:.2f} cm apart"
         for name, recording in state.recordings.items():
             rows[f"{name} video"] = (
-                f"{recording.recorder.pictures} pictures, {recording.receiver.counters.get('lost', 0)} packets lost"
+                f"{recording.recorder.pictures} pictures, {recording.camera.counters.get('lost', 0)} packets lost"
             )
         if state.scans:
             rows["map"] = f"{state.scans} scans"

@@ -9,7 +9,7 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 
 import numpy as np
 
-from jauspy.cli.demo import grasp
+from jauspy.demo import grasp
 from jauspy.geometry.poses import Pose, Transform
 
 FOV = math.radians(80.0)

@@ -11,16 +11,16 @@ from typing import TYPE_CHECKING, Final
 import cv2
 import numpy as np
 
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.arm import Arm
-from jauspy.cli.demo.plan import Plan
-from jauspy.cli.demo.report import StageResult, time_limit
+from jauspy.demo import plan
+from jauspy.demo.arm import Arm
+from jauspy.demo.plan import Plan
+from jauspy.demo.report import StageResult
 from jauspy.errors import RequestError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector, difference
-from jauspy.messages.manipulator import QueryPanTiltJointPositions, SetPanTiltJointPositions
+from jauspy.ocu.camera import Camera
 from jauspy.ocu.frames import LOCAL, RobotFrames
-from jauspy.ocu.robot import ComponentClient
+from jauspy.ocu.robot import Robot
 from jauspy.platform.description import RobotModel
 
 if TYPE_CHECKING:
@@ -44,18 +44,18 @@ class Grasp:
         arm: Arm,
         frames: RobotFrames,
         model: RobotModel,
-        camera: ComponentClient,
+        camera: Camera,
         *,
         size: tuple[int, int],
         goals: Plan,
     ) -> None:
-        """`camera` is the component of the arm's camera, `size` that of its stills."""
+        """`camera` is that of the arm, `size` that of its stills: width and height in pixels."""
         self._arm, self._frames, self._plan = arm, frames, goals
-        self._camera, self._size = camera.service("StillImage"), size
+        self._camera, self._size = camera, size
         self._setup = next(camera for camera in model.cameras if camera.name == ARM_CAMERA)
         self._around = (0.0, 0.0, 0.0)
         self._empty = 0.0
-        self._grasped: Vector = (0.0, 0.0, 0.0)
+        self._grasped = 0.0
 
     async def look(self, folder: Path) -> StageResult:
         """Find the thing in a still of the arm's camera, and compute its position from the camera's pose."""
@@ -103,7 +103,7 @@ class Grasp:
     async def close(self) -> StageResult:
         """Close the gripper around it."""
         thing, width = self._plan.thing, await self._arm.close_gripper()
-        self._grasped = await self._arm.tool()
+        self._grasped = await self._arm.tool_height()
         return StageResult(
             "grasp",
             f"the fingers stop {100 * width:.2f} cm apart, at a {thing.name} of {100 * thing.width:g} cm",
@@ -115,18 +115,18 @@ class Grasp:
         """Lift and hold it; check its weight at the wrist and the distance of the fingers."""
         await self._go(*self._plan.over)
         weight = await self._arm.weight() - self._empty
-        top = await self._arm.tool()
+        top = await self._arm.tool_height()
         await asyncio.sleep(plan.HOLD_TIME)
-        end, width = await self._arm.tool(), await self._arm.width()
-        lifted = min(top[2], end[2]) - self._grasped[2]
+        end, width = await self._arm.tool_height(), await self._arm.width()
+        lifted = min(top, end) - self._grasped
         thing = self._plan.thing
         held = abs(width - thing.width) <= WIDTH_TOLERANCE and abs(weight - thing.weight) <= WEIGHT_TOLERANCE
         return StageResult(
             "lift",
             f"{100 * lifted:.1f} cm by the arm's pose, held {plan.HOLD_TIME:g} s; the wrist measures {weight:.2f} kg, "
             f"the fingers are {100 * width:.2f} cm apart",
-            lifted >= plan.MIN_LIFT and held and top[2] - end[2] <= MAX_SINK,
-            {"lifted": lifted, "weight": weight, "width": width, "sunk": top[2] - end[2]},
+            lifted >= plan.MIN_LIFT and held and top - end <= MAX_SINK,
+            {"lifted": lifted, "weight": weight, "width": width, "sunk": top - end},
         )
 
     async def _go(self, farther: float, higher: float) -> float:
@@ -190,20 +190,14 @@ AIM_TOLERANCE: Final = 0.01
 """Radians."""
 
 
-async def aim(stack: AsyncExitStack, mount: ComponentClient, at: tuple[float, float]) -> StageResult:
+async def aim(stack: AsyncExitStack, robot: Robot, mount: int, at: tuple[float, float]) -> StageResult:
     """Move pan and tilt to these angles, rad right and up; the mount stays controlled until `stack` closes."""
-    driver, sensor = mount.service("PanTiltJointPositionDriver"), mount.service("PanTiltJointPositionSensor")
-    await stack.enter_async_context(driver.control(plan.AUTHORITY))
-    await driver.resume()
-    await driver.send(SetPanTiltJointPositions(*at), ack=True)
-    async with time_limit(plan.MOVE_TIMEOUT, lambda: f"the mount of {mount.id} does not reach {at} rad"):
-        while True:
-            report = await sensor.query(QueryPanTiltJointPositions())
-            off = max(abs(report.joint1_position - at[0]), abs(report.joint2_position - at[1]))
-            if off <= AIM_TOLERANCE:
-                break
-            await asyncio.sleep(0.05)
-    up = math.degrees(report.joint2_position)
+    await stack.enter_async_context(robot.control(mount, authority=plan.AUTHORITY))
+    unit = robot.manipulator(mount)
+    joints = await unit.description()
+    reached = await unit.move(joints.from_reported(at), tolerance=AIM_TOLERANCE, timeout=plan.MOVE_TIMEOUT)
+    pan, tilt = joints.to_reported(reached.positions)
+    off, up = max(abs(pan - at[0]), abs(tilt - at[1])), math.degrees(tilt)
     return StageResult(
         "aim", f"the chassis' camera looks {abs(up):.1f}° {'up' if up > 0.0 else 'down'}", True, {"off": off}
     )

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from rich.console import Console
 
-from jauspy.cli.demo.report import Report, StageResult
+from jauspy.demo.report import Report, StageResult
 
 DRIVE = StageResult("drive", "2 m, 3.0 cm off", True, {"distance_error": 0.03})
 TIME = StageResult("real time", "99.0 % held", None, {"held": 0.99})

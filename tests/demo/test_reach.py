@@ -4,23 +4,34 @@ import math
 
 import pytest
 
-from jauspy.cli.demo import plan
-from jauspy.cli.demo.arm import ArmKinematics
-from jauspy.cli.demo.plan import Plan
+from jauspy.demo import plan
+from jauspy.demo.arm import ArmKinematics
+from jauspy.demo.plan import Plan
 from jauspy.errors import RequestError
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry
+from jauspy.geometry.poses import Transform
 from jauspy.robot.robot_files import load, robot_model
+
+MODEL = robot_model(load("inc1"))
+GROUP = MODEL.groups["arm"]
+GEOMETRY = manipulator_geometry(MODEL.description.chain(GROUP.base, GROUP.tip))
 
 
 @pytest.fixture(scope="module")
 def hand() -> ArmKinematics:
-    return ArmKinematics(robot_model(load("inc1")))
+    return ArmKinematics(MODEL)
+
+
+def last_link(joints: dict[str, float]) -> Transform:
+    """The pose of the arm's last link in the base link's frame, by its specification."""
+    return GEOMETRY.forward(GEOMETRY.from_urdf([joints[name] for name in GROUP.joints]))
 
 
 @pytest.mark.parametrize("target", [(0.9, 0.0, 0.41), (0.85, 0.12, 0.53), (0.7, -0.2, 0.7), (0.2, 0.6, 0.5)])
 def test_tool_reaches_the_pose_and_is_level(hand: ArmKinematics, target: tuple[float, float, float]) -> None:
-    last = hand.geometry.forward(hand.joints(*hand.around(target)))
-    assert last.apply(hand.geometry.tool) == pytest.approx(target, abs=1e-6)
-    along = last.rotate(hand.geometry.tool)
+    last = last_link(hand.joints(*hand.around(target)))
+    assert last.apply(GEOMETRY.tool) == pytest.approx(target, abs=1e-6)
+    along = last.rotate(GEOMETRY.tool)
     assert along[2] == pytest.approx(0.0, abs=1e-6)
     assert math.atan2(along[1], along[0]) == pytest.approx(math.atan2(target[1], target[0] - hand.axis))
 
@@ -28,10 +39,10 @@ def test_tool_reaches_the_pose_and_is_level(hand: ArmKinematics, target: tuple[f
 @pytest.mark.parametrize("goals", plan.PLANS.values(), ids=plan.PLANS)
 def test_gripper_points_down_in_the_view_pose(hand: ArmKinematics, goals: Plan) -> None:
     distance, height, pitch = goals.view
-    last = hand.geometry.forward(hand.joints(0.3, distance, height, pitch))
-    x, y, z = last.apply(hand.geometry.tool)
+    last = last_link(hand.joints(0.3, distance, height, pitch))
+    x, y, z = last.apply(GEOMETRY.tool)
     assert (math.hypot(x - hand.axis, y), z) == pytest.approx((distance, height))
-    along = last.rotate(hand.geometry.tool)
+    along = last.rotate(GEOMETRY.tool)
     assert math.atan2(along[2], math.hypot(along[0], along[1])) == pytest.approx(pitch)
 
 

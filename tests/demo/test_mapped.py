@@ -6,7 +6,7 @@ import pytest
 
 pytest.importorskip("numpy", reason="NumPy is not installed")
 
-from jauspy.cli.demo.full_tour import MIN_AGREEMENT, HoldoutMapper
+from jauspy.demo.full_tour import MIN_AGREEMENT, HoldoutMapper
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid
 

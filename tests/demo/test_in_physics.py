@@ -15,10 +15,11 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 
 import cv2
 
-from jauspy.cli.demo import Place, plan, true_place
-from jauspy.cli.demo.grasp import ARM_CAMERA, Grasp
-from jauspy.cli.demo.report import Report, StageResult, View
-from jauspy.cli.demo.tour import Tour
+from jauspy.cli.demo import Place, true_place
+from jauspy.demo import plan
+from jauspy.demo.grasp import ARM_CAMERA, Grasp
+from jauspy.demo.report import Report, StageResult, View
+from jauspy.demo.tour import Tour
 from jauspy.geometry.poses import PlanarPose
 from jauspy.ocu.frames import RobotFrames
 from jauspy.robot.robot_files import load
@@ -39,9 +40,6 @@ class Camera:
     def __init__(self, simulated: SimulatedRobot) -> None:
         self._eye = simulated.cameras[ARM_CAMERA].open()
 
-    def service(self, _: str) -> Camera:
-        return self
-
     async def still(self, **_: object) -> SimpleNamespace:
         self.close = self._eye.close
         picture = cv2.cvtColor(self._eye.look(*SIZE).image, cv2.COLOR_RGB2BGR)
@@ -57,8 +55,8 @@ class GraspTour(Tour):
     async def run(self) -> None:
         robot = await self._discover()
         async with AsyncExitStack() as stack:
-            driving, flippers, arm = await self._begin(stack, robot)
-            self._add(await self._drive_there(robot, driving, flippers))
+            control, arm = await self._begin(stack, robot)
+            self._add(await self._drive_there(robot, control))
             camera = Camera(self.simulated)
             grasp = Grasp(arm, RobotFrames(robot, self._model), self._model, camera, size=SIZE, goals=self._plan)
             stages: tuple[Callable[[], object], ...] = (grasp.reach, grasp.close, grasp.lift)

@@ -10,16 +10,16 @@ from typer.testing import CliRunner
 
 from jauspy.backends.kinematic import KinematicRobot
 from jauspy.cli import demo as processes
-from jauspy.cli.demo import Place, RobotOutput, _whole_tour, plan, true_place
+from jauspy.cli.demo import Place, RobotOutput, _whole_tour, true_place
 from jauspy.cli.main import app
 from jauspy.cli.up import print_truth
+from jauspy.demo import plan
 from jauspy.errors import ConfigError, RequestError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.platform.contract import Snapshot
 from jauspy.platform.localization import LocalizationSetup
-from jauspy.platform.video_settings import FrameSize
 
-SIZE = FrameSize.VGA_640_X480
+SIZE = (640, 480)
 
 
 def test_missing_package_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
