@@ -187,7 +187,8 @@ def test_states_of_a_replaced_parent(jsidl):
     assert jsidl.lint("unknown-state") == [
         (
             "initial state 'Receiving.Ready.Controlled.Available.Standby' does not exist, and would with the built-in "
-            f"Management 1.1, which {jsidl.paths[0]} replaces with other states; use the built-in one, or correct the path"
+            f"Management 1.1, which {jsidl.paths[0]} replaces with other states; use the built-in one, or correct the "
+            "path"
         )
     ]
 
