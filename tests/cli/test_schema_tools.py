@@ -190,3 +190,63 @@ def test_wrong_usage_causes_one_sentence(lamp, tmp_path):
     change(lamp, "core.TimeStamp", "core.TimeStump")
     assert run("generate", lamp, "-o", tmp_path / "acme", status=2).stderr.startswith(f"Error: {lamp}:")
     assert not (tmp_path / "acme").exists()
+
+
+# --- generate --stubs -----------------------------------------------------------------------------------------------
+
+USE_STUBS = """
+from lamp_messages import SetLamp, registry
+assert registry.by_name("SetLamp") is SetLamp
+print(SetLamp(brightness=7).encode().hex())
+"""
+
+
+@pytest.mark.parametrize("source", ["vendor/Lamp.xml", "vendor", "vendor/*.xml"])
+def test_stubs_of_a_module_that_loads_the_definitions(lamp, tmp_path, monkeypatch, source):
+    """The module finds them from its own folder, wherever it is imported."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "src").mkdir()
+    result = run("generate", source, "--stubs", "-o", "src/lamp_messages.py")
+    assert result.stdout.splitlines() == [
+        "src/lamp_messages.py",
+        "src/lamp_messages.pyi",
+        "1 messages. Import with src in PYTHONPATH: from lamp_messages import registry",
+    ]
+    assert "class SetLamp(jd.Message):" in (tmp_path / "src" / "lamp_messages.pyi").read_text()
+    assert python(USE_STUBS, tmp_path / "src") == "01d00007"
+
+
+def test_stubs_are_written_again_but_foreign_files_are_kept(lamp, tmp_path):
+    for _ in range(2):
+        run("generate", lamp, "--stubs", "-o", tmp_path / "lamp_messages")
+    mine = tmp_path / "lamp_messages.pyi"
+    mine.write_text("mine: int\n")
+    result = run("generate", lamp, "--stubs", "-o", tmp_path / "lamp_messages.py", status=2)
+    assert result.stderr.startswith(f"Error: {mine} would be overwritten and was not generated; use --force")
+    assert mine.read_text() == "mine: int\n"
+
+
+def told(*arguments):
+    """The sentence about wrong arguments, which is shown in a box."""
+    return " ".join(run(*arguments, status=2).output.replace("│", " ").split())
+
+
+@pytest.mark.parametrize("output", ["a-b.py", "messages.pyi", "class", "vendor"])
+def test_stubs_need_the_file_of_a_module(lamp, tmp_path, monkeypatch, output):
+    monkeypatch.chdir(tmp_path)
+    reason = f"'{output}' is not the file of a Python module; name it as in battery_messages.py"
+    assert reason in told("generate", lamp, "--stubs", "-o", output)
+
+
+def test_stubs_have_no_package(lamp, tmp_path):
+    error = told("generate", lamp, "--stubs", "-o", tmp_path / "messages.py", "--package", "acme")
+    assert "--stubs writes a module, which has no package; leave it out" in error
+
+
+def test_paths_of_definitions_are_texts_in_the_module(lamp, tmp_path):
+    """Names of folders may have any character."""
+    folder = tmp_path / 'a"b\\c[d]{e}\n'
+    folder.mkdir()
+    (folder / "it's.xml").write_text(lamp.read_text())
+    run("generate", folder / "it's.xml", "--stubs", "-o", tmp_path / "lamp_messages.py")
+    assert python(USE_STUBS, tmp_path) == "01d00007"

@@ -11,7 +11,16 @@ from pathlib import Path
 
 import pytest
 from hypothesis import example, given, settings, strategies as st
-from tests.helpers.definitions import HOLES, assert_declares_only, assert_is_stub, definition, loaded
+from tests.helpers.definitions import (
+    HOLES,
+    assert_declares_only,
+    assert_is_stub,
+    assert_loads_only,
+    assert_types_only,
+    definition,
+    loaded,
+)
+from tests.helpers.stubs import assert_agree
 
 import jauspy
 from jauspy.cli.new.component import package
@@ -19,6 +28,7 @@ from jauspy.codec.codegen import identifier
 from jauspy.codec.names import attribute, class_name, constant, method, set_package, version_package
 from jauspy.codec.registry import MessageEntry
 from jauspy.codec.source import generate
+from jauspy.codec.stubs import make_stubs
 from jauspy.errors import JausError, SchemaError
 from jauspy.schema.loader import load_beside_builtin, load_own
 
@@ -66,6 +76,10 @@ def test_any_text_anywhere(texts: dict[str, str]) -> None:
         registry = loaded(file)
         if registry is None:
             return
+        stubs = make_stubs(load_own([file]), [file.name])
+        assert_loads_only(stubs.module)
+        assert_types_only(stubs.stub)
+        assert_agree(stubs, folder)
         for path, source in generate(load_own([file]), module, "jauspy.messages").items():
             assert_declares_only(source, module)
             target = folder / module / path
@@ -117,6 +131,8 @@ def test_any_text_in_a_component(texts: dict[str, str]) -> None:
     assert problem.isprintable()
     if files:
         assert_is_stub(str(files["services.py"]))
+        assert_loads_only(str(files["messages.py"]))
+        assert_types_only(str(files["messages.pyi"]))
         for name in ("__init__.py", "__main__.py", "test_it.py"):
             compile(files[name], name, "exec")
 

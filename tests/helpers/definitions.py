@@ -55,22 +55,60 @@ def assert_declares_only(source: str, package: str) -> None:
             assert not name.startswith("__") or name in ("__name__", "__all__", "__getattr__", "__dir__")
 
 
-_STUBS: Final = _DECLARATIONS | {"FunctionDef", "Return", "Import"}
+_METHODS: Final = _DECLARATIONS | {"FunctionDef", "Return", "Import"}
 
 
 def assert_is_stub(source: str) -> None:
-    """Services are classes with methods that do nothing; only definitions are loaded, and services made."""
+    """Services are classes with methods that do nothing; only services are made."""
     tree = ast.parse(source)
-    assert {type(node).__name__ for node in ast.walk(tree)} <= _STUBS
+    assert {type(node).__name__ for node in ast.walk(tree)} <= _METHODS
     classes = {node.name for node in tree.body if isinstance(node, ast.ClassDef)}
     for node in ast.walk(tree):
         if isinstance(node, ast.Import | ast.ImportFrom):
-            known = ("__future__", "pathlib", "typing", "jauspy")
+            known = ("__future__", "jauspy", "it.messages")
             assert node.module in known if isinstance(node, ast.ImportFrom) else node.names[0].name in known
         if isinstance(node, ast.FunctionDef):
             assert all(isinstance(each, ast.Expr | ast.Return) for each in node.body)
         if isinstance(node, ast.Call):
-            assert ast.unparse(node.func) in {"jauspy.load", "Path", "Path(__file__).with_name", *classes}
+            assert ast.unparse(node.func) in classes
+
+
+def assert_loads_only(source: str) -> None:
+    """A module loads files below its folder, and looks up messages by texts."""
+    tree = ast.parse(source)
+    _, path, package, here, load, *messages = tree.body
+    assert [ast.unparse(node) for node in (path, package, here)] == [
+        "from pathlib import Path",
+        "import jauspy",
+        "_HERE = Path(__file__).parent",
+    ]
+    assert isinstance(load, ast.Assign)
+    assert isinstance(load.value, ast.Call)
+    assert ast.unparse(load.value.func) == "jauspy.load"
+    for argument in load.value.args:
+        assert isinstance(argument, ast.BinOp)
+        assert isinstance(argument.right, ast.Constant)
+    for node in messages:
+        assert isinstance(node, ast.Assign)
+        assert isinstance(node.value, ast.Call)
+        assert ast.unparse(node.value.func) == "registry.by_name"
+        given = [*node.value.args, *(keyword.value for keyword in node.value.keywords)]
+        assert all(isinstance(argument, ast.Constant) for argument in given)
+
+
+def assert_types_only(source: str) -> None:
+    """A stub declares classes, fields, constants and `by_name`; nothing is called but `jd.record`."""
+    tree = ast.parse(source)
+    assert {type(node).__name__ for node in ast.walk(tree)} <= _DECLARATIONS | {"FunctionDef", "Import"}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            assert node.module in ("enum", "jauspy.codec")
+        if isinstance(node, ast.Import):
+            assert [alias.name for alias in node.names] == ["typing"]
+        if isinstance(node, ast.Call):
+            assert ast.unparse(node) in ("jd.record()", "jd.record(kw_only=True)")
+        if isinstance(node, ast.FunctionDef):
+            assert (node.name, ast.unparse(node.body)) == ("by_name", "...")
 
 
 def loaded(file: Path) -> Registry | None:

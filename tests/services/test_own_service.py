@@ -112,6 +112,26 @@ def test_user_defined_service_runs_and_can_be_subscribed(own, make) -> None:
     assert (content if isinstance(content, bytes) else content.encode()) == report(cycles=512).encode()
 
 
+@pytest.mark.parametrize("parameter", ['<parameter type="QueryBattery" value="msg"/>', ""])
+def test_transition_named_after_an_input_is_on_its_receipt(tmp_path: Path, make, parameter: str) -> None:
+    """As in the JAUS Toolset, also without a parameter for the message."""
+    file = tmp_path / "Battery.xml"
+    named = JSIDL.replace('name="transport.Receive"', 'name="QueryBattery"')
+    file.write_text(named.replace('<parameter type="QueryBattery" value="msg"/>', parameter))
+    registry = jauspy.load(file)
+    query, report = registry.by_name("QueryBattery"), registry.by_name("ReportBattery")
+
+    class Battery(Service, urn="urn:example:Battery"):
+        def report_battery(self, query: Any) -> Any:
+            assert query.presence_vector == 1
+            return report(charge=80, cycles=512)
+
+    rig = make(Battery(), schema=load_files([file, *builtin_paths()]), registry=registry)
+    rig.host.receive(query(1).encode(), rig.ID.parse("42.1.1"), rig.now)
+    (outgoing,) = rig.host.poll_output(rig.now)
+    assert report.decode(outgoing.payload) == report(charge=80)
+
+
 def test_experimental_message_ids_can_be_subscribed(tmp_path: Path, make) -> None:
     """From D000h on, a code does not say what kind of message it is."""
     file = tmp_path / "Battery.xml"

@@ -251,9 +251,9 @@ class Registry:
         `service` is a URN or the end of one, as in `mobility:PrimitiveDriver`.
         """
         hints = Hints(service, version)
-        for entry in self._names.get(name.casefold(), ()):
-            if hints.fit(entry):
-                return entry.load()
+        found = [entry for entry in self._names.get(name.casefold(), ()) if hints.fit(entry)]
+        if found:  # as spelt, if there is such a message; then the first
+            return min(found, key=lambda entry: (entry.name != name, service not in (None, entry.service))).load()
         names = sorted({entry.name for entry in self._entries if hints.fit(entry)})
         by_key = {known.casefold(): known for known in names}
         close = [by_key[key] for key in get_close_matches(name.casefold(), by_key, 3, 0.6)]

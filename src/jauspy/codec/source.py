@@ -7,7 +7,7 @@ and docstrings.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import MISSING, fields
 from importlib import import_module
 from types import NoneType, UnionType
@@ -59,6 +59,15 @@ def docstring(text: str) -> list[str]:
     """The lines of a docstring."""
     lines = [_escaped(line) for line in text.split("\n")]
     return [f'"""{lines[0]}"""'] if len(lines) == 1 else [f'"""{lines[0]}', *lines[1:-1], f'{lines[-1]}"""']
+
+
+def type_source(kind: Any, ref: Callable[[type], str]) -> str:
+    """The type of a field; `ref` returns the name of a class."""
+    if isinstance(kind, UnionType):
+        return " | ".join(type_source(part, ref) for part in get_args(kind))
+    if get_origin(kind) is list:
+        return f"list[{type_source(get_args(kind)[0], ref)}]"
+    return "None" if kind is NoneType else ref(kind)
 
 
 def filled(parts: Iterable[str]) -> list[str]:
@@ -131,12 +140,12 @@ class _Writer:
             return ["@jd.derived(_SERVICE)", *([head, *indent(body)] if body else [f"{head} ..."])]
         layout = cls.layout()
         nested = {name: part for name, part in names.items() if isinstance(part, type) and name != "REPORT"}
-        lines = [*doc, *report, *(f"{name} = {self._ref(it)}" for name, it in nested.items() if not _inside(it, cls))]
+        lines = [*doc, *report, *(f"{name} = {self._ref(it)}" for name, it in nested.items() if not is_nested(it, cls))]
         for part in nested.values():
-            if _inside(part, cls):
-                lines += ["", *(self._class(part) if issubclass(part, Struct) else _enum(part))]
+            if is_nested(part, cls):
+                lines += ["", *(self._class(part) if issubclass(part, Struct) else enum_class(part))]
         body = self._fields(cls, layout)
-        lines += ["", *body] if any(_inside(part, cls) for part in nested.values()) else body
+        lines += ["", *body] if any(is_nested(part, cls) for part in nested.values()) else body
         return [f"@jd.{self._decorator(cls, layout)}", f"class {cls.__name__}(jd.{base.__name__}):", *indent(lines)]
 
     def _decorator(self, cls: type[Struct], layout: Item) -> str:
@@ -168,7 +177,10 @@ class _Writer:
         elif isinstance(layout, Bits):
             parts = {bit.name: bit for bit in layout.bits}
         found: Any = fields(cls)  # type: ignore[arg-type]  # built classes are dataclasses
-        return [f"{one.name}: {self._type(one.type)}{self._value(one.default, parts.get(one.name))}" for one in found]
+        return [
+            f"{one.name}: {type_source(one.type, self._ref)}{self._value(one.default, parts.get(one.name))}"
+            for one in found
+        ]
 
     def _value(self, default: object, part: Slot | Bit | None) -> str:
         match part:
@@ -187,13 +199,6 @@ class _Writer:
         before = self._refs
         text = self._values(part) if isinstance(part, Values) else self._item(part)
         return text if self._refs == before else f"lambda: {text}"
-
-    def _type(self, kind: Any) -> str:
-        if isinstance(kind, UnionType):
-            return " | ".join(map(self._type, get_args(kind)))
-        if get_origin(kind) is list:
-            return f"list[{self._type(get_args(kind)[0])}]"
-        return "None" if kind is NoneType else self._ref(kind)
 
     def _values(self, values: Values) -> str:
         if values.anything:
@@ -233,7 +238,7 @@ def _count(count: Count) -> str:
     return f"jd.Count({quote(count.code)}, {count.minimum}, {count.maximum})"
 
 
-def _inside(part: type, cls: type) -> bool:
+def is_nested(part: type, cls: type) -> bool:
     """True for a class nested in another one, not only offered by it."""
     return part.__module__ == cls.__module__ and part.__qualname__ == f"{cls.__qualname__}.{part.__name__}"
 
@@ -243,7 +248,8 @@ def _reports_first(classes: Iterable[type[Struct]]) -> Iterable[type[Struct]]:
     return dict.fromkeys(part for cls in classes for part in (cls.__dict__.get("REPORT", cls), cls))
 
 
-def _enum(cls: Any) -> list[str]:
+def enum_class(cls: Any) -> list[str]:
+    """An enumeration."""
     return [f"class {cls.__name__}(IntEnum):", *indent(f"{one.name} = {one.value}" for one in cls)]
 
 

@@ -7,7 +7,7 @@ Guards are predicate calls joined by `&&`, `||`, `!` and parentheses. `parse` re
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias, TypeVar
 
@@ -20,14 +20,18 @@ from jauspy.schema.model import ActionCall, Behavior, Parameter, Start, State, S
 Kind = Literal["simple", "internal", "push", "pop"]
 
 _KINDS: Mapping[str, Kind] = {"simple": "simple", "internal": "internal", "push": "push", "pop": "pop"}
-_ANY_TRIGGER = ""
+_ANY_TRIGGER: Final = ""
+_RECEIVE: Final = "Receive"
 
 
-def read_behavior(element: Element | None) -> Behavior | None:
-    """Read the protocol behaviour of a service."""
+def read_behavior(element: Element | None, inputs: Collection[str]) -> Behavior | None:
+    """Read the protocol behaviour of a service; `inputs` are the names of its input messages.
+
+    A transition with the name of an input is on Receive of this message, as in the JAUS Toolset.
+    """
     if element is None:
         return None
-    machines = tuple(_machine(part) for part in element.iterchildren("state_machine"))
+    machines = tuple(_machine(part, inputs) for part in element.iterchildren("state_machine"))
     _unique(element.iterchildren("state_machine"))
     return Behavior(
         machines=machines,
@@ -54,42 +58,42 @@ def _start(element: Element, machines: tuple[StateMachine, ...]) -> Start:
     raise wrong(element, f"no state machine '{start.machine}'{known}")
 
 
-def _machine(element: Element) -> StateMachine:
+def _machine(element: Element, inputs: Collection[str]) -> StateMachine:
     return StateMachine(
         name=required(element, "name"),
-        states=_states(element),
-        default_transitions=_defaults(element),
+        states=_states(element, inputs),
+        default_transitions=_defaults(element, inputs),
     )
 
 
-def _states(parent: Element) -> tuple[State, ...]:
+def _states(parent: Element, inputs: Collection[str]) -> tuple[State, ...]:
     _unique(parent.iterchildren("state"))
-    return tuple(_state(part) for part in parent.iterchildren("state"))
+    return tuple(_state(part, inputs) for part in parent.iterchildren("state"))
 
 
-def _state(element: Element) -> State:
+def _state(element: Element, inputs: Collection[str]) -> State:
     return State(
         name=required(element, "name"),
         initial=element.get("initial_state"),
         entry=_actions(element.find("entry")),
         exit=_actions(element.find("exit")),
-        transitions=_transitions(element),
-        states=_states(element),
-        default_transitions=_defaults(element),
+        transitions=_transitions(element, inputs),
+        states=_states(element, inputs),
+        default_transitions=_defaults(element, inputs),
         where=location(element),
     )
 
 
-def _defaults(parent: Element) -> tuple[Transition, ...]:
+def _defaults(parent: Element, inputs: Collection[str]) -> tuple[Transition, ...]:
     element = parent.find("default_state")
-    return () if element is None else _transitions(element)
+    return () if element is None else _transitions(element, inputs)
 
 
-def _transitions(parent: Element) -> tuple[Transition, ...]:
-    return tuple(_transition(part) for part in parent.iterchildren("transition", "default_transition"))
+def _transitions(parent: Element, inputs: Collection[str]) -> tuple[Transition, ...]:
+    return tuple(_transition(part, inputs) for part in parent.iterchildren("transition", "default_transition"))
 
 
-def _transition(element: Element) -> Transition:
+def _transition(element: Element, inputs: Collection[str]) -> Transition:
     kind = next(child for child in element if child.tag in _KINDS)
     if kind.tag == "pop" and (len(kind) or "transition" in kind.attrib):
         raise wrong(kind, "a pop that triggers another transition is not supported; no published service has one")
@@ -97,12 +101,17 @@ def _transition(element: Element) -> Transition:
         raise wrong(kind, "a push with a second transition is not supported; no published service has one")
     end_state = kind.find("end_state")
     guard = element.find("guard")
+    trigger = element.get("name", _ANY_TRIGGER)
+    parameters = tuple(
+        Parameter(required(part, "type"), required(part, "value")) for part in element.iterchildren("parameter")
+    )
+    if trigger in inputs:
+        message = next((each for each in parameters if each.type == trigger), Parameter(trigger, "msg"))
+        trigger, parameters = _RECEIVE, (message, *(each for each in parameters if each is not message))
     return Transition(
-        trigger=element.get("name", _ANY_TRIGGER),
+        trigger=trigger,
         kind=_KINDS[str(kind.tag)],
-        parameters=tuple(
-            Parameter(required(part, "type"), required(part, "value")) for part in element.iterchildren("parameter")
-        ),
+        parameters=parameters,
         guard="" if guard is None else " ".join(required(guard, "condition").split()),
         end_state=None if end_state is None else required(end_state, "state"),
         actions=_actions(element),

@@ -159,7 +159,7 @@ def read_service(element: Element, jsidl: str, scope: NameScope) -> ServiceDefin
         inputs=inputs,
         outputs=outputs,
         internal_events=read_events(element.find("internal_events_set"), scope),
-        behavior=read_behavior(element.find("protocol_behavior")),
+        behavior=read_behavior(element.find("protocol_behavior"), {message.name for message in inputs}),
         where=location(element),
     )
 

@@ -72,10 +72,31 @@ def test_package_of_a_user_defined_service():
     result = new("battery", "--service", "Battery", "--schemas", "battery.xml")
     assert result.exit_code == 0, result.output
     assert Path("battery/battery.xml").read_text() == Path("battery.xml").read_text()
-    assert "def report_battery(self, query: Any) -> Any:" in Path("battery/services.py").read_text()
+    methods = Path("battery/services.py").read_text()
+    assert "def report_battery(self, query: QueryBattery) -> ReportBattery | None:" in methods
     check("ruff", "check", "battery")
+    check("ruff", "format", "--check", "--config", str(RUFF_CONFIG), "battery")
     check("mypy", "--strict", "battery")
     assert "1 passed" in check("pytest", "-p", "jauspy.testing.plugin", "-q", "battery")
+
+
+@pytest.mark.slow
+def test_package_of_a_service_with_commands_and_states():
+    """Its methods have the types of their messages, and mypy finds a report of the wrong type."""
+    winch = ["--states", "Idle,Pulling", "--command", "PullCable(speed:meter per second) Idle->Pulling"]
+    run.invoke(app, ["new", "definition", "urn:example:Winch", "tension:newton", *winch])
+    assert new("winch", "--schemas", "winch.xml").exit_code == 0
+    check("ruff", "check", "winch")
+    check("mypy", "--strict", "winch")
+    assert "1 passed" in check("pytest", "-p", "jauspy.testing.plugin", "-q", "winch")
+    services = Path("winch/services.py")
+    text = services.read_text()
+    assert "def pull_cable(self, msg: PullCable) -> None:" in text
+    services.write_text(text.replace("return None", "return ReportWinch(tension=query.tension)"))
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "winch"], capture_output=True, text=True, check=False
+    )
+    assert '"QueryWinch" has no attribute "tension"' in done.stdout
 
 
 def test_the_only_service_of_a_file_needs_no_name():

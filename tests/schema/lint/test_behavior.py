@@ -36,9 +36,20 @@ TRIGGERS = {
         transition("Timedout", here=HERE),
         "no internal event 'Timedout' in the service or its ancestors; did you mean Timeout?; nothing fires this",
     ),
-    "a message as an event": (
-        transition("Msg", here=HERE),
-        "Msg is a message: the trigger is Receive with a parameter of type Msg",
+    "an ancestor's message as an event": (
+        transition("QueryEvents", here=HERE),
+        (
+            "QueryEvents is a message of an ancestor: the trigger is Receive with a parameter of type QueryEvents; "
+            "only inputs of the service itself are triggers by their name"
+        ),
+    ),
+    "its own message as an event": (transition("Msg"), None),
+    "its own output as an event": (
+        transition("Out", here=HERE),
+        (
+            "no internal event 'Out' in the service or its ancestors; known: BroadcastGlobal, BroadcastLocal, "
+            "CommandCompleted, CommandExpired, EventError, EventOccurred, Receive, Send, Timeout; nothing fires this"
+        ),
     ),
     "its own message": (transition("events.transport.Receive", parameter="Msg"), None),
     "an ancestor's message": (transition("events.transport.Receive", parameter="QueryEvents"), None),
@@ -153,6 +164,33 @@ STATES = {
 def test_unknown_states(jsidl, behavior, message):
     jsidl.service(behavior=behavior)
     assert any(message in found for found in jsidl.lint("unknown-state"))
+
+
+def test_states_of_a_replaced_parent(jsidl):
+    """The built-in Management 1.1 has a state Standby; the one beside the service, which replaces it, has not."""
+    access = CONTROL.replace('"access"', '"accessControl"')
+    fsm = "accessControl.events.transport.ReceiveFSM"
+    ready = '<state name="Receiving"><state name="Ready">{}</state></state>'
+    start = f'<start state_machine_name="{fsm}" state_name="Receiving.Ready"/>'
+    own = ready.format('<state name="Controlled"><state name="Idle"/></state>')
+    management = {"name": "Management", "urn": "urn:jaus:jss:core:Management", "version": "1.1"}
+    jsidl.service(**management, references=access, behavior=f'{start}<state_machine name="{fsm}">{own}</state_machine>')
+    derived = ready.format(f"""<state name="Controlled"><state name="Available" initial_state="Standby">{HERE}
+<state name="Ready"/></state></state>""")
+    jsidl.service(
+        references='<references><inherits_from name="management" id="{urn}" version="{version}"/></references>'.format(
+            **management
+        ),
+        behavior=f"""{start.replace(fsm, f"management.{fsm}")}
+<state_machine name="management.{fsm}">{derived}</state_machine>""",
+    )
+    assert jsidl.lint("unknown-state") == [
+        (
+            "initial state 'Receiving.Ready.Controlled.Available.Standby' does not exist, and would with the built-in "
+            f"Management 1.1, which {jsidl.paths[0]} replaces with other states; use the built-in one, or correct the "
+            "path"
+        )
+    ]
 
 
 def test_known_states(jsidl):

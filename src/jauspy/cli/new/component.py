@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import keyword
 import sys
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
 from difflib import get_close_matches
 from importlib.machinery import PathFinder
+from itertools import starmap
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -17,6 +19,7 @@ from jauspy.cli.new import write_new_folder
 from jauspy.codec.codegen import indent
 from jauspy.codec.names import class_name, unique
 from jauspy.codec.source import docstring, quote
+from jauspy.codec.stubs import MessageKey, make_stubs
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
 from jauspy.messages import registry
@@ -127,6 +130,8 @@ def _only_service(source: Path | None) -> str:
 
 FOLDER: Final = "definitions"
 """The folder of the package with the definitions of a user's folder."""
+MESSAGES: Final = "messages"
+"""The module of the package with the messages of a user's definitions."""
 _ENDS: Final = {"action": "", "predicate": "", "report": "; None sends nothing"}
 _RESULTS: Final[dict[str, list[str]]] = {"action": [], "predicate": ["return True"], "report": ["return None"]}
 
@@ -144,7 +149,11 @@ def package(
             f"jauspy provides {definition.id} in every component; to change its behaviour, subclass {theirs}"
         )
     mine = [each for each in line if each.id not in core]
-    writer = _Writer(mine, line, core, own=source)
+    beside = "" if source is None else FOLDER if source.is_dir() else source.name
+    definitions = Schema(services=()) if source is None else load_own([source])
+    stubs = make_stubs(definitions, [beside])
+    own = _OwnDefinitions(f"{name}.{MESSAGES}", {each.key for each in definitions.services}, stubs.names)
+    writer = _Writer(mine, line, core, own)
     whole = JausID(me.subsystem or 101, me.node or 1, me.component)  # the tests need an id even if it is assigned later
     urns = "".join(f"            {quote(each.id)},\n" for each in mine)
     files: dict[str, str | bytes] = {
@@ -155,6 +164,7 @@ def package(
         "README.md": _README.format(name=name, urn=definition.id, version=definition.version),
     }
     if source is not None:
+        files |= {f"{MESSAGES}.py": stubs.module, f"{MESSAGES}.pyi": stubs.stub}
         if source.name in files:
             raise ConfigError(f"{source} has the name of a file of the package; rename it, as in {name}.xml")
         for each in _files(source):
@@ -168,16 +178,26 @@ def core_services() -> dict[str, type[Service]]:
     return given | {urn: type(make()) for urn, make in INHERITED_DEFAULTS.items()}
 
 
+@dataclass(frozen=True, slots=True)
+class _OwnDefinitions:
+    """The user's services, and the module with their messages."""
+
+    module: str
+    services: Collection[tuple[str, str]]
+    """URN and version of each."""
+    messages: Mapping[MessageKey, str]
+    """The names in the module."""
+
+
 class _Writer:
     """Writes the module with the classes, and collects the messages to import."""
 
     def __init__(
-        self, mine: list[Definition], line: Sequence[Definition], core: dict[str, type[Service]], own: Path | None
+        self, mine: list[Definition], line: Sequence[Definition], core: dict[str, type[Service]], own: _OwnDefinitions
     ) -> None:
         self._mine, self._line, self._core, self._own = mine, line, core, own
         self._imports: dict[str, set[str]] = {}
-        self._any = False
-        taken = {"Any", "DEFINITIONS", "Path", *(message.name for each in line for message in each.messages)}
+        taken = {"registry", *own.messages.values(), *(message.name for each in line for message in each.messages)}
         self._names: dict[str, str] = {}
         for each in mine:
             taken.add(self._names.setdefault(each.id, unique(class_name(each.name), taken.__contains__)))
@@ -186,24 +206,18 @@ class _Writer:
         """The source of the module."""
         classes = "\n\n".join(self._class(each) for each in reversed(self._mine))
         names = ", ".join(f"{self._names[each.id]}()" for each in self._mine)
-        imports = "".join(
-            f"from {module} import (\n{''.join(f'    {each},{chr(10)}' for each in sorted(kinds, key=_order))})\n"
-            for module, kinds in sorted(self._imports.items())
-        )
-        head = '"""Services of the component: fill in the methods."""\n\nfrom __future__ import annotations\n\n'
-        if self._own is not None:
-            head += "from pathlib import Path\n"
-        if self._any:
-            head += "from typing import Any\n"
-        head += "\n" * (self._own is not None or self._any) + "import jauspy\n" + imports
-        if self._own is not None:
-            beside = FOLDER if self._own.is_dir() else self._own.name
-            head += f"\nDEFINITIONS = jauspy.load(Path(__file__).with_name({quote(beside)}))\n"
-        return f"{head}\n\n{classes}{_SERVICES.format(names=names)}"
+        own = self._imports.pop(self._own.module, None)
+        imports = "import jauspy\n" + "".join(starmap(_import, sorted(self._imports.items())))
+        if own is not None:
+            imports += "\n" + _import(self._own.module, own)
+        head = '"""Services of the component: fill in the methods."""\n\nfrom __future__ import annotations'
+        return f"{head}\n\n{imports}\n\n{classes}{_SERVICES.format(names=names)}"
 
     def _class(self, definition: Definition) -> str:
-        own = self._is_own(definition)
-        more = "definitions=DEFINITIONS" if own else f"version={quote(definition.version)}"
+        more = f"version={quote(definition.version)}"
+        if definition.key in self._own.services:
+            more = "definitions=registry"
+            self._imports.setdefault(self._own.module, set()).add("registry")
         needs = {each.method: each for each in reversed(required_methods(definition))}  # the first of each name
         methods = [
             self._method(definition, each) for each in reversed(needs.values()) if not self._inherits(definition, each)
@@ -243,15 +257,15 @@ class _Writer:
         return "\n".join(["", _signature(need.method, ", ".join(parameters), result), *indent(body, 2)])
 
     def _optional(self, definition: Definition, name: str) -> str:
-        found = self._type(definition, name) if name else "jauspy.Message"
-        return found if found == "Any" else f"{found} | None"
+        return f"{self._type(definition, name) if name else 'jauspy.Message'} | None"
 
     def _type(self, definition: Definition, name: str) -> str:
         line = self._line[self._line.index(definition) :]
         owner = next((each for each in line if any(m.name == name for m in each.messages)), definition)
-        if self._is_own(owner):
-            self._any = True
-            return "Any"
+        own = self._own.messages.get(MessageKey(owner.id, owner.version, name))
+        if own is not None:
+            self._imports.setdefault(self._own.module, set()).add(own)
+            return own
         code = next(message.code for message in owner.messages if message.name == name)
         entry = next(
             each
@@ -261,10 +275,9 @@ class _Writer:
         self._imports.setdefault(entry.module, set()).add(entry.cls)
         return entry.cls
 
-    def _is_own(self, definition: Definition) -> bool:
-        file = definition.where.file if definition.where else ""
-        own, path = self._own, Path(file).resolve()
-        return own is not None and (path == own.resolve() or own.resolve() in path.parents)
+
+def _import(module: str, names: set[str]) -> str:
+    return f"from {module} import (\n{''.join(f'    {name},{chr(10)}' for name in sorted(names, key=_order))})\n"
 
 
 def _order(name: str) -> tuple[bool, str]:

@@ -86,7 +86,7 @@ def refused(context: LintContext) -> Iterator[Problem]:
                     case "event_def":
                         read_event(element, scope)
                     case _:
-                        read_behavior(element)
+                        read_behavior(element, ())
             except SchemaError as error:
                 yield problem_of(error)
             except RecursionError:

@@ -10,7 +10,7 @@ from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
 from jauspy.schema.behavior import calls, parse
-from jauspy.schema.document import suggestion
+from jauspy.schema.document import file_of, suggestion
 from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import ActionCall, Behavior, SourceLocation, State, Transition
 from jauspy.schema.state_tree import MergedMachine, merge_machines, short_name as short, transitions_of, walk_states
@@ -72,7 +72,8 @@ def _dead(transition: Transition, known: _Known) -> str:
     if not event or event in known.events or event == RECEIVE:
         return ""
     if event in known.inputs:
-        return f"{event} is a message: the trigger is Receive with a parameter of type {event}"
+        reason = f"{event} is a message of an ancestor: the trigger is Receive with a parameter of type {event}"
+        return f"{reason}; only inputs of the service itself are triggers by their name"
     hint = suggestion(event, known.events)
     return f"no internal event '{event}' in the service or its ancestors{hint}; nothing fires this"
 
@@ -197,32 +198,46 @@ def unknown_state(context: LintContext) -> Iterator[Problem]:
         if behavior is None or _incomplete(context.lineage(service)):
             continue
         machines = _machines(context, context.lineage(service))
-        for start in behavior.start:
-            yield from _missing(machines, start.machine, start.state, "start state", location_of(start.where))
-        for machine in behavior.machines:
-            for path, state in walk_states(machine.states):
-                if state.initial is not None and not _names_itself(machines, machine.name, path, state):
-                    initial = f"{path}.{state.initial}"
-                    yield from _missing(machines, machine.name, initial, "initial state", location_of(state.where))
-            for transition in transitions_of(Behavior(machines=(machine,))):
-                if transition.end_state is not None:
-                    end = transition.end_state
-                    yield from _missing(machines, machine.name, end, "end state", location_of(transition.where))
+        for machine, path, what, where in _named_states(machines, behavior):
+            found = machines.get(short(machine))
+            if found is not None and found.root.find(path) is None:
+                known = suggestion(path, [str(state) for state in found.root.all() if state.path])
+                advice = _replaced_parent(context, service, machine, path)
+                advice = advice or f"{known}; correct the path, it starts at the outermost state"
+                yield where, f"{what} '{path}' does not exist{advice}"
+
+
+def _named_states(machines: dict[str, MergedMachine], behavior: Behavior) -> Iterator[tuple[str, str, str, Location]]:
+    """The states that a definition refers to: machine, path, the kind of state and the location."""
+    for start in behavior.start:
+        yield start.machine, start.state, "start state", location_of(start.where)
+    for machine in behavior.machines:
+        for path, state in walk_states(machine.states):
+            if state.initial is not None and not _names_itself(machines, machine.name, path, state):
+                yield machine.name, f"{path}.{state.initial}", "initial state", location_of(state.where)
+        for transition in transitions_of(Behavior(machines=(machine,))):
+            if transition.end_state is not None:
+                yield machine.name, transition.end_state, "end state", location_of(transition.where)
+
+
+def _replaced_parent(context: LintContext, service: Element, machine: str, path: str) -> str:
+    """Names the ancestor that replaces a built-in one whose machine has the state; empty if there is none."""
+    line = context.lineage(service)
+    for ancestor in line[1:]:
+        built_in = context.replaced(ancestor)
+        if built_in is not None:
+            found = _machines(context, [built_in, *context.lineage(ancestor)[1:]]).get(short(machine))
+            if found is not None and found.root.find(path) is not None:
+                name = f"{built_in.get('name')} {built_in.get('version')}"
+                reason = f", and would with the built-in {name}, which {file_of(ancestor)} replaces with other states"
+                return f"{reason}; use the built-in one, or correct the path"
+    return ""
 
 
 def _names_itself(machines: dict[str, MergedMachine], machine: str, path: str, state: State) -> bool:
     """True for a state without children that is its own initial state, as in some definitions; this has no effect."""
     merged = machines[short(machine)].root.find(path)
     return state.initial == state.name and merged is not None and not merged.children
-
-
-def _missing(
-    machines: dict[str, MergedMachine], machine: str, path: str, what: str, where: SourceLocation
-) -> Iterator[Problem]:
-    found = machines.get(short(machine))
-    if found is not None and found.root.find(path) is None:
-        known = suggestion(path, [str(state) for state in found.root.all() if state.path])
-        yield where, f"{what} '{path}' does not exist{known}; correct the path, it starts at the outermost state"
 
 
 def unreachable_state(context: LintContext) -> Iterator[Problem]:

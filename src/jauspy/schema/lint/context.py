@@ -127,6 +127,11 @@ class LintContext:
         found = [(key, root) for key, root in self._versions.get(urn, ()) if matches_version(key[1], wanted)]
         return max(found, key=lambda item: _order(item[0]))[1] if found else None
 
+    def replaced(self, service: Element) -> Element | None:
+        """The built-in definition that a checked service replaces, if there is one."""
+        key: Identity = ("service_def", *identity(service))
+        return builtin_roots()[key][1] if key in self.identities and key in builtin_roots() else None
+
     def lineage(self, service: Element) -> tuple[Element, ...]:
         """A service and its ancestors, nearest first."""
         return lineage(service, self.parent)
@@ -155,7 +160,8 @@ class LintContext:
         if service not in self._behaviors:
             element = service.find("protocol_behavior")
             readable = element is not None and self.is_sound(element)
-            self._behaviors[service] = self.attempt(lambda: read_behavior(element)) if readable else None
+            inputs = {message.get("name", "") for message in self.messages(service, "input_set")}
+            self._behaviors[service] = self.attempt(lambda: read_behavior(element, inputs)) if readable else None
         return self._behaviors[service]
 
     def definition(self, service: Element) -> ServiceDefinition:
