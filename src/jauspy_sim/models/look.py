@@ -13,6 +13,7 @@ from jauspy.geometry.urdf import Element, RobotDescription
 from jauspy.platform.description import RobotModel
 from jauspy_sim.models.groups import VISUAL
 from jauspy_sim.models.track_visuals import belted_links, mark
+from jauspy_sim.models.whips import mark_whip
 
 GLOSS: Final[Mapping[str, tuple[float, float]]] = {
     "olive": (0.25, 0.3),
@@ -53,7 +54,7 @@ def without_visuals(description: RobotDescription) -> RobotDescription:
 
 
 def polish(spec: mujoco.MjSpec, robot: RobotModel) -> None:
-    """Give the visual shapes of a robot the gloss of their materials, and mark treads to move with their belts."""
+    """Give the visual shapes of a robot the gloss of their materials, and mark treads and antennas to move."""
     description = robot.description
     belts = belted_links(description, robot.tracks) if robot.tracks else {}
     root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
@@ -69,6 +70,7 @@ def polish(spec: mujoco.MjSpec, robot: RobotModel) -> None:
             material = _material(visual)
             if (side := belts.get(str(link.get("name")))) is not None:
                 mark(geom, visual, side)
+            mark_whip(geom, visual)
             if material in GLOSS and not geom.material:
                 geom.material = material
                 if material in SHADOWLESS:

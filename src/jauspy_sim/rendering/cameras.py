@@ -26,6 +26,7 @@ from jauspy_sim.assembly import DrawnModel, redirect_warnings
 from jauspy_sim.gl_libraries import choose_gl
 from jauspy_sim.models.decals import footprint
 from jauspy_sim.models.track_visuals import Treads
+from jauspy_sim.models.whips import Whips
 from jauspy_sim.models.urdf import body_name
 from jauspy_sim.physics.sensors import cast_rays
 from jauspy_sim.rendering.decals import Decals
@@ -108,7 +109,7 @@ class SimulatedCameraSession:
         self._levels: list[float] = []
         self._renderer, self._model = _renderer(camera)
         self._data = mujoco.MjData(self._model)
-        self._treads = Treads(self._model)
+        self._treads, self._whips = Treads(self._model), Whips(self._model)
         found = None if camera.drawn is None or not isinstance(self._renderer, GlRenderer) else footprint(camera.drawn.robot)
         self._decals = None if found is None else Decals(self._model, camera.base, found)
         self._darkness: Darkness | None = None
@@ -195,7 +196,7 @@ class SimulatedCameraSession:
 
     def _update(self) -> float:
         taken, numbers = self._state.read()
-        self._place(np.frombuffer(numbers))
+        self._place(np.frombuffer(numbers), taken)
         if self._outside is not None:
             self._look_from_outside(self._outside, taken)
         return taken
@@ -224,7 +225,7 @@ class SimulatedCameraSession:
         x, y, z = (start + way * (max(far - self._hidden, MIN_AWAY) / far)).tolist()
         return x, y, z
 
-    def _place(self, numbers: NDArray[np.float64]) -> None:
+    def _place(self, numbers: NDArray[np.float64], now: float) -> None:
         model, data = self._model, self._data
         joints, bodies = model.nq, model.nq + 3 * model.nmocap
         data.qpos[:] = numbers[:joints]
@@ -236,6 +237,7 @@ class SimulatedCameraSession:
         self._levels = numbers[lamps:].tolist()
         mujoco.mj_kinematics(model, data)
         self._treads.place(data)
+        self._whips.place(data, now)
         if self._decals is not None:
             self._decals.place(data)
         mujoco.mj_comPos(model, data)

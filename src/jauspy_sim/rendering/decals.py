@@ -26,10 +26,12 @@ SHADOW_LAYER: Final = 0.0062
 LAYERS: Final = 1e-5
 """Metres between marks, which lie over each other."""
 
-ROLLED: Final = 0.07
+ROLLED: Final = 0.035
 """Opacity of a mark where a track has rolled."""
-SCUFFED: Final = 0.30
+SCUFFED: Final = 0.13
 """Where it has slid sideways."""
+PATCHY: Final = (0.5, 1.4)
+"""Factors of the opacity, by chance: no ground is alike everywhere."""
 FADING: Final = 14
 """The oldest marks, which fade."""
 GAP: Final = 0.8
@@ -96,11 +98,11 @@ class _Marks:
         middle = (footprint.feet[0].back + footprint.feet[0].front) / 2
         self._ends = np.array([(x - np.copysign(inset, x - middle), y, 0.0) for x, y in ends])
         self._last: Floats | None = None
-        self._next = 0
         self._places = np.zeros((MARKS, len(ends), 3))
         self._axes = np.tile(np.eye(3).ravel(), (MARKS, len(ends), 1))
         self._opacity = np.zeros((MARKS, len(ends)))
         self._turns = np.zeros(len(ends), np.int64)
+        self._patches = np.random.default_rng(1).uniform(*PATCHY, (MARKS, len(ends)))
 
     def add(self, position: Floats, axes: Floats, normal: Floats, point: Floats, strength: float) -> None:
         """Add the marks from the last pose to this one."""
@@ -124,7 +126,7 @@ class _Marks:
                 lift = MARK_LAYER + LAYERS * (slot * len(ends) + number)
                 self._places[slot, number] = self._last[number] + 0.5 * MARK_LENGTH * frame[:, 0] + lift * normal
                 self._axes[slot, number] = frame.ravel()
-                self._opacity[slot, number] = opacity
+                self._opacity[slot, number] = opacity * self._patches[slot, number]
                 self._turns[number] += 1
                 self._last[number] = self._last[number] + MARK_LENGTH * frame[:, 0]
 
