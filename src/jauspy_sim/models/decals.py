@@ -22,20 +22,20 @@ from jauspy_sim.models.track_visuals import belted_links
 
 SHADOW: Final = "contact shadow"
 MARK: Final = "track mark"
-MARKS: Final = 56
-"""Marks of each end of a track, after which the oldest ones are used again."""
-MARK_LENGTH: Final = 0.1
+MARKS: Final = 26
+"""Marks of each end of a track, after which the oldest ones are used again; each takes 15 us of a picture."""
+MARK_LENGTH: Final = 0.13
 """Metres."""
-BARS: Final = 3
+BARS: Final = 4
 """Grousers of a track in one mark."""
 
-SHEET: Final = 0.09
-"""Opacity of one sheet of the shadow: with ten of them, 39 % of the ground's light is left."""
+SHEET: Final = 0.13
+"""Opacity of one sheet of the shadow: with ten of them, a quarter of the ground's light is left."""
 SHEET_GAP: Final = 0.0003
 """Metres between sheets; a pixel's depth differs by a tenth of that at 3 m."""
-FOOT_SHEETS: Final = (-0.01, -0.002, 0.004, 0.010, 0.017, 0.025, 0.034, 0.045)
+FOOT_SHEETS: Final = (-0.005, 0.008, 0.020, 0.034)
 """Metres by which each sheet below a track or wheel reaches beyond it."""
-BODY_SHEETS: Final = (-0.14, -0.11, -0.08, -0.05, -0.02, 0.01, 0.04, 0.075, 0.11, 0.15)
+BODY_SHEETS: Final = (-0.12, -0.05, 0.01, 0.055, 0.10)
 """As `FOOT_SHEETS`, below the whole robot."""
 CORNER: Final = 4
 """Points of a quarter of a circle."""

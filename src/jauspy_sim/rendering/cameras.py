@@ -110,8 +110,7 @@ class SimulatedCameraSession:
         self._renderer, self._model = _renderer(camera)
         self._data = mujoco.MjData(self._model)
         self._treads, self._whips = Treads(self._model), Whips(self._model)
-        found = None if camera.drawn is None or not isinstance(self._renderer, GlRenderer) else footprint(camera.drawn.robot)
-        self._decals = None if found is None else Decals(self._model, camera.base, found)
+        self._decals = _decals(camera, self._model) if isinstance(self._renderer, GlRenderer) else None
         self._darkness: Darkness | None = None
         if camera.time_of_day is not TimeOfDay.DAY:
             from jauspy_sim.rendering.lamps import Darkness, light_evenly  # noqa: PLC0415 - OpenCV is for the cameras' processes
@@ -266,6 +265,11 @@ def _renderer(camera: SimulatedCamera) -> tuple[Renderer, mujoco.MjModel]:
             _LOG.warning("%s does not work here: %s", way, error)
     model = _physics(camera)
     return RayRenderer(model, camera.number, camera.setup.fov), model
+
+
+def _decals(camera: SimulatedCamera, model: mujoco.MjModel) -> Decals | None:
+    below = None if camera.drawn is None else footprint(camera.drawn.robot)
+    return None if below is None else Decals(model, camera.base, below, marks=camera.setup.outside is not None)
 
 
 def _physics(camera: SimulatedCamera) -> mujoco.MjModel:

@@ -6,6 +6,7 @@ the marks of the time in which it looked.
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 import mujoco
@@ -14,6 +15,8 @@ import numpy as np
 from jauspy_sim.models.decals import MARK, MARK_LENGTH, MARKS, SHADOW, SHEET, Floats, Footprint
 from jauspy_sim.physics.sensors import cast_rays
 
+STILL: Final = 1e-4
+"""Metres or sines by which a robot must have moved until the ground below it is measured again."""
 HEIGHT: Final = 0.2
 """Metres above the base from which the ground is measured."""
 UNEVEN: Final = 0.06
@@ -26,13 +29,15 @@ SHADOW_LAYER: Final = 0.0062
 LAYERS: Final = 1e-5
 """Metres between marks, which lie over each other."""
 
-ROLLED: Final = 0.035
+ROLLED: Final = 0.06
 """Opacity of a mark where a track has rolled."""
 SCUFFED: Final = 0.13
 """Where it has slid sideways."""
+STRAIGHT: Final = 0.3
+"""Sine of the angle between a track and the way of its end, below which the leading end leaves no marks."""
 PATCHY: Final = (0.5, 1.4)
 """Factors of the opacity, by chance: no ground is alike everywhere."""
-FADING: Final = 14
+FADING: Final = 8
 """The oldest marks, which fade."""
 GAP: Final = 0.8
 """Metres between two pictures from which on no marks are between them."""
@@ -41,33 +46,43 @@ GAP: Final = 0.8
 class Decals:
     """The shadow and the marks of one robot."""
 
-    def __init__(self, model: mujoco.MjModel, base: int, footprint: Footprint) -> None:
-        """`base` is the body of the robot's base. The model has the shapes of `add_decals`."""
+    def __init__(self, model: mujoco.MjModel, base: int, footprint: Footprint, *, marks: bool = True) -> None:
+        """`base` is the body of the robot's base. The model has the shapes of `add_decals`.
+
+        Without `marks` tracks leave none: a camera on the robot hardly sees them, and they take time.
+        """
         self._model, self._base = model, base
         self._shadow = model.geom(f"{SHADOW} 0").id
-        first = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_GEOM, f"{MARK} 0")
+        first = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_GEOM, f"{MARK} 0") if marks else -1
         back, front, right, left = footprint.body
         ends = [(x, y) for x in (back, front) for y in (right, left)]
         self._corners = np.array([*((x, y, 0.0) for x, y in ends), ((back + front) / 2, (right + left) / 2, 0.0)])
         self._marks = None if first < 0 else _Marks(model, first, footprint)
+        self._pose = np.full(12, math.inf)
+        self._frame, self._place = np.eye(3), np.zeros(3)
 
     def place(self, data: mujoco.MjData) -> None:
         """Place the shapes below the robot's present pose, which `mj_kinematics` has computed."""
-        model, base = self._model, self._base
-        position, axes = data.xpos[base], data.xmat[base].reshape(3, 3)
-        ground = self._ground(data, position, axes)
-        if ground is None:
-            model.geom_rgba[self._shadow, 3] = 0.0
-        else:
-            normal, point, strength = ground
-            model.geom_rgba[self._shadow, 3] = SHEET * strength
-            frame = _frame(axes[:, 0], normal)
-            below = position - ((position - point) @ normal) * normal
-            _put(model, data, self._shadow, below + SHADOW_LAYER * normal, frame)
-            if self._marks is not None:
-                self._marks.add(position, axes, normal, point, strength)
+        position, axes = data.xpos[self._base], data.xmat[self._base].reshape(3, 3)
+        pose = np.concatenate([position, axes.ravel()])
+        if np.abs(pose - self._pose).max() > STILL:
+            self._pose = pose
+            self._follow(data, position, axes)
+        _put(self._model, data, self._shadow, self._place, self._frame)
         if self._marks is not None:
             self._marks.place(data)
+
+    def _follow(self, data: mujoco.MjData, position: Floats, axes: Floats) -> None:
+        ground = self._ground(data, position, axes)
+        if ground is None:
+            self._model.geom_rgba[self._shadow, 3] = 0.0
+            return
+        normal, point, strength = ground
+        self._model.geom_rgba[self._shadow, 3] = SHEET * strength
+        self._frame = _frame(axes[:, 0], normal)
+        self._place = position - ((position - point) @ normal - SHADOW_LAYER) * normal
+        if self._marks is not None:
+            self._marks.add(position, axes, normal, point, strength)
 
     def _ground(self, data: mujoco.MjData, position: Floats, axes: Floats) -> tuple[Floats, Floats, float] | None:
         """Normal and a point of the plane below the robot, and how well the robot stands on it, 0 to 1; or None."""
@@ -96,7 +111,9 @@ class _Marks:
         self._model, self._first, self._count = model, first, MARKS * len(ends)
         inset = 0.3 * (footprint.feet[0].left - footprint.feet[0].right)
         middle = (footprint.feet[0].back + footprint.feet[0].front) / 2
-        self._ends = np.array([(x - np.copysign(inset, x - middle), y, 0.0) for x, y in ends])
+        self._leads = np.array([np.copysign(1.0, x - middle) for x, _ in ends])
+        """1.0 for a front end, -1.0 for a rear one."""
+        self._ends = np.array([(x - inset * leads, y, 0.0) for (x, y), leads in zip(ends, self._leads, strict=True)])
         self._last: Floats | None = None
         self._places = np.zeros((MARKS, len(ends), 3))
         self._axes = np.tile(np.eye(3).ravel(), (MARKS, len(ends), 1))
@@ -120,7 +137,11 @@ class _Marks:
             if not count:
                 continue
             frame = _frame(way, normal)
-            opacity = ROLLED + (SCUFFED - ROLLED) * abs(float(frame[:, 0] @ axes[:, 1]))
+            sideways, ahead = abs(float(frame[:, 0] @ axes[:, 1])), float(frame[:, 0] @ axes[:, 0])
+            if sideways < STRAIGHT and ahead * self._leads[number] > 0.0:
+                self._last[number] = end
+                continue
+            opacity = ROLLED + (SCUFFED - ROLLED) * sideways
             for _ in range(count):
                 slot = self._turns[number] % MARKS
                 lift = MARK_LAYER + LAYERS * (slot * len(ends) + number)
