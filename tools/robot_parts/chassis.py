@@ -399,7 +399,10 @@ def body(size: Dimensions) -> Look:
     stowage = moved(hatch(0.115, 0.110), ends(size)[0] + 0.245, 0.0, size.deck)
     battery = merge(*(moved(hatch(0.150, 0.060), ends(size)[0] + 0.255, y, size.deck) for y in (-0.100, 0.100)))
     sides = merge(
-        *(moved(antenna_foot(), whip.foot[0], whip.foot[1], whip.foot[2] - WHIP_FOOT) for whip in antennas(size).values())
+        *(
+            moved(antenna_foot(), whip.foot[0], whip.foot[1], whip.foot[2] - WHIP_FOOT)
+            for whip in antennas(size).values()
+        )
     )
     carry = merge(*(moved(handle(0.12, 0.026), ends(size)[1] - 0.133, y, size.deck) for y in (-0.118, 0.118)))
     button = moved(stop_button(), ends(size)[1] - 0.245, 0.112, size.deck)

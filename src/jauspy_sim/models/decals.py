@@ -6,7 +6,7 @@ no transparent textures, so a soft edge is a stack of thin sheets, each slightly
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final, NamedTuple
 
 import mujoco
@@ -18,7 +18,6 @@ from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import CollisionBox, collision_boxes
 from jauspy.platform.description import RobotModel
 from jauspy_sim.models.groups import VISUAL
-from jauspy_sim.models.track_visuals import belted_links
 
 SHADOW: Final = "contact shadow"
 MARK: Final = "track mark"
@@ -29,13 +28,13 @@ MARK_LENGTH: Final = 0.13
 BARS: Final = 4
 """Grousers of a track in one mark."""
 
-SHEET: Final = 0.13
-"""Opacity of one sheet of the shadow: with ten of them, a quarter of the ground's light is left."""
+SHEET: Final = 0.1
+"""Opacity of one sheet of the shadow: with twelve of them, 28 % of the ground's light is left."""
 SHEET_GAP: Final = 0.0003
 """Metres between sheets; a pixel's depth differs by a tenth of that at 3 m."""
-FOOT_SHEETS: Final = (-0.005, 0.008, 0.020, 0.034)
+FOOT_SHEETS: Final = (-0.006, 0.003, 0.012, 0.022, 0.034)
 """Metres by which each sheet below a track or wheel reaches beyond it."""
-BODY_SHEETS: Final = (-0.12, -0.05, 0.01, 0.055, 0.10)
+BODY_SHEETS: Final = (-0.12, -0.07, -0.02, 0.015, 0.045, 0.07, 0.095)
 """As `FOOT_SHEETS`, below the whole robot."""
 CORNER: Final = 4
 """Points of a quarter of a circle."""
@@ -65,28 +64,32 @@ def footprint(robot: RobotModel) -> Footprint | None:
     boxes = list(collision_boxes(robot.description.urdf))
     frames = FrameTree(robot.description).poses({})
     if robot.tracks is not None:
-        links = belted_links(robot.description, robot.tracks)
-        driven = [robot.description.joint(side[0]).child for side in (robot.tracks.left, robot.tracks.right)]
-        feet = [_around(frames, [box for box in boxes if box.link == link]) for link in driven]
-    elif robot.wheels is not None:
-        links = {}
+        sides = [robot.description.joint(side[0]).child for side in (robot.tracks.left, robot.tracks.right)]
+        belts = [[box for box in boxes if box.link == link] for link in sides]
+        if not all(belts):
+            return None
+        around = [_around(frames, belt) for belt in belts]
+        # its ends are round
+        radii = [max(box.size[2] for box in belt) / 2 for belt in belts]
         feet = [
+            whole._replace(back=whole.back + radius, front=whole.front - radius)
+            for whole, radius in zip(around, radii, strict=True)
+        ]
+    elif robot.wheels is not None:
+        around = feet = [
             Rectangle(wheel.x - wheel.radius / 2, wheel.x + wheel.radius / 2, wheel.y - half, wheel.y + half)
             for wheel in robot.wheels.wheels
             if (half := wheel.radius / 4)
         ]
     else:
         return None
-    if not all(feet):
-        return None
-    hull = _around(frames, [box for box in boxes if box.link == robot.description.root() and box.link not in links])
-    backs, fronts, rights, lefts = zip(*(found for found in (hull, *feet) if found), strict=True)
-    body = Rectangle(min(backs), max(fronts), min(rights), max(lefts))
-    return Footprint(body, tuple(foot for foot in feet if foot))
+    hull = [box for box in boxes if box.link == robot.description.root()]
+    backs, fronts, rights, lefts = zip(*around, *([_around(frames, hull)] if hull else []), strict=True)
+    return Footprint(Rectangle(min(backs), max(fronts), min(rights), max(lefts)), tuple(feet))
 
 
-def _around(frames: dict[str, Transform], boxes: Sequence[CollisionBox]) -> Rectangle | None:
-    """The rectangle below boxes; None without any."""
+def _around(frames: Mapping[str, Transform], boxes: Sequence[CollisionBox]) -> Rectangle:
+    """The rectangle below boxes."""
     corners = [
         (frames[box.link] @ Transform.from_pose(box.origin)).apply((sx * x / 2, sy * y / 2, sz * z / 2))
         for box in boxes
@@ -95,8 +98,6 @@ def _around(frames: dict[str, Transform], boxes: Sequence[CollisionBox]) -> Rect
         for sy in (-1, 1)
         for sz in (-1, 1)
     ]
-    if not corners:
-        return None
     x, y, _ = zip(*corners, strict=True)
     return Rectangle(min(x), max(x), min(y), max(y))
 
@@ -148,11 +149,12 @@ def _corners(rectangle: Rectangle) -> Floats:
     return np.array([(front, left), (back, left), (back, right), (front, right)])
 
 
-def _add(spec: mujoco.MjSpec, name: str, sheets: Iterator[tuple[Floats, float]] | list[tuple[Floats, float]], count: int) -> None:
+def _add(spec: mujoco.MjSpec, name: str, sheets: Iterable[tuple[Floats, float]], count: int) -> None:
     """Add a mesh of convex sheets, seen from above, and shapes that show it."""
-    points, faces = [], []
+    points: list[Floats] = []
+    faces: list[tuple[int, int, int]] = []
     for outline, height in sheets:
-        first = sum(map(len, points))
+        first = sum(len(each) for each in points)
         points.append(np.column_stack([outline, np.full(len(outline), height)]))
         faces += [(first, first + corner, first + corner + 1) for corner in range(1, len(outline) - 1)]
     mesh = spec.add_mesh(name=name, inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL)

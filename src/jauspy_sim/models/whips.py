@@ -6,8 +6,8 @@ along z, if the element has these attributes (other programs ignore them):
 - `whip_frequency`, in Hz, of its natural oscillation;
 - `whip_length`, in metres, from there to its end.
 
-The end is a mass on a damped spring to where it is at rest. Each picture gives the way of that point since the last one,
-between which its velocity is taken as constant; the oscillation between two pictures is then exact.
+The end is a mass on a damped spring to where it is at rest. Between two pictures the velocity of that point is taken
+as constant; the oscillation is then exact.
 """
 
 from __future__ import annotations
@@ -36,7 +36,10 @@ Floats = NDArray[np.float64]
 
 
 def mark_whip(geom: mujoco.MjsGeom, visual: Element) -> None:
-    """Mark the shape of a visual element to swing, if it has the attributes; raises `ConfigError` for invalid values."""
+    """Mark the shape of a visual element to swing, if it has the attributes.
+
+    Raises `ConfigError` for invalid values.
+    """
     if visual.get("whip_frequency") is None and visual.get("whip_length") is None:
         return
     frequency, length = (numbers(visual, f"whip_{key}", 1, "0")[0] for key in ("frequency", "length"))
@@ -87,7 +90,8 @@ class Whips:
         velocity = (ends - before) / elapsed
         speed = self._speed + self._velocity - velocity
         self._velocity = velocity
-        # x'' = -w^2 x - 2 d w x' has the solution x(t) = exp(-d w t) (x cos(v t) + (x' + d w x) / v sin(v t)), v = w sqrt(1 - d^2)
+        # x'' = -w^2 x - 2 d w x' has, with v = w sqrt(1 - d^2), the solution
+        # x(t) = exp(-d w t) (x cos(v t) + (x' + d w x) / v sin(v t))
         decay, ringing = DAMPING * self._rates, self._rates * math.sqrt(1.0 - DAMPING**2)
         fading, cos, sin = np.exp(-decay * elapsed), np.cos(ringing * elapsed), np.sin(ringing * elapsed)
         slope = (speed + decay * self._swing) / ringing

@@ -26,8 +26,8 @@ from jauspy_sim.assembly import DrawnModel, redirect_warnings
 from jauspy_sim.gl_libraries import choose_gl
 from jauspy_sim.models.decals import footprint
 from jauspy_sim.models.track_visuals import Treads
-from jauspy_sim.models.whips import Whips
 from jauspy_sim.models.urdf import body_name
+from jauspy_sim.models.whips import Whips
 from jauspy_sim.physics.sensors import cast_rays
 from jauspy_sim.rendering.decals import Decals
 from jauspy_sim.rendering.gl import GlRenderer

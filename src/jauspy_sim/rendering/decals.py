@@ -109,11 +109,10 @@ class _Marks:
     def __init__(self, model: mujoco.MjModel, first: int, footprint: Footprint) -> None:
         ends = [(x, (foot.right + foot.left) / 2) for foot in footprint.feet for x in (foot.back, foot.front)]
         self._model, self._first, self._count = model, first, MARKS * len(ends)
-        inset = 0.3 * (footprint.feet[0].left - footprint.feet[0].right)
         middle = (footprint.feet[0].back + footprint.feet[0].front) / 2
         self._leads = np.array([np.copysign(1.0, x - middle) for x, _ in ends])
         """1.0 for a front end, -1.0 for a rear one."""
-        self._ends = np.array([(x - inset * leads, y, 0.0) for (x, y), leads in zip(ends, self._leads, strict=True)])
+        self._ends = np.array([(x, y, 0.0) for x, y in ends])
         self._last: Floats | None = None
         self._places = np.zeros((MARKS, len(ends), 3))
         self._axes = np.tile(np.eye(3).ravel(), (MARKS, len(ends), 1))
