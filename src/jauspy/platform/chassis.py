@@ -14,7 +14,7 @@ from jauspy.geometry.poses import AT_REST, ORIGIN, UNACCELERATED, Acceleration, 
 from jauspy.geometry.urdf import CollisionBox, Inertial, collision_boxes, inertials
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
-from jauspy.platform.description import RobotModel
+from jauspy.platform.description import RobotModel, TiltSetup
 
 if TYPE_CHECKING:
     from jauspy.platform.wheels import WheelSetup
@@ -58,6 +58,8 @@ class Chassis:
     bottom: float = 0.0
     mass: float = 50.3
     centre_of_gravity: tuple[float, float, float] = (0.0, 0.0, 0.16)
+    tilt_guard: TiltSetup | None = None
+    """The tilt at which it is stopped."""
 
 
 def chassis_of(robot: RobotModel) -> Chassis:
@@ -106,6 +108,7 @@ def _measured(robot: RobotModel, chassis: Chassis) -> Chassis:
         bottom=max(0.0, -found.low[2]),
         mass=found.mass,
         centre_of_gravity=found.centre_of_gravity,
+        tilt_guard=robot.tilt_guard,
     )
 
 

@@ -18,7 +18,7 @@ from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import EXACT, LocalizationSetup
 from jauspy.platform.ranging import LidarSetup
-from jauspy.platform.tables import NotNegative, Table, UrdfName
+from jauspy.platform.tables import Converted, NotNegative, Table, UrdfName
 
 if TYPE_CHECKING:
     from jauspy.backends.can.setup import CanSetup
@@ -86,6 +86,16 @@ class TrackSetup(Table):
 
 
 @dataclass(frozen=True, slots=True)
+class TiltSetup(Table):
+    """The table `tilt_guard`: the tilt at which the driver services stop the robot; 180 degrees is no limit."""
+
+    pitch: Annotated[float, Interval(ge=5.0, le=180.0), Converted(math.radians)] = math.radians(50.0)
+    """Radians (degrees in the file), nose up or down."""
+    roll: Annotated[float, Interval(ge=5.0, le=180.0), Converted(math.radians)] = math.radians(40.0)
+    """Radians (degrees in the file), to either side."""
+
+
+@dataclass(frozen=True, slots=True)
 class RobotModel:
     """All that a backend needs to make a robot."""
 
@@ -104,6 +114,8 @@ class RobotModel:
     """The drives on its CAN bus, for the backend `can`; a sentence if they do not match the robot."""
     wheels: WheelSetup | None = None
     """In place of tracks."""
+    tilt_guard: TiltSetup | None = None
+    """None: the robot may tilt as it likes."""
     localization: LocalizationSetup = EXACT
     """How it measures its pose; for robots with a chassis."""
     lamps: tuple[LampSetup, ...] = ()
