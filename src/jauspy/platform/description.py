@@ -89,9 +89,9 @@ class TrackSetup(Table):
 class TiltSetup(Table):
     """The table `tilt_guard`: the tilt at which the driver services stop the robot; 180 degrees is no limit."""
 
-    pitch: Annotated[float, Interval(ge=5.0, le=180.0), Converted(math.radians)] = math.radians(50.0)
+    pitch: Annotated[float, Interval(ge=5.0, le=180.0), Converted(math.radians)] = math.radians(60.0)
     """Radians (degrees in the file), nose up or down."""
-    roll: Annotated[float, Interval(ge=5.0, le=180.0), Converted(math.radians)] = math.radians(40.0)
+    roll: Annotated[float, Interval(ge=5.0, le=180.0), Converted(math.radians)] = math.radians(45.0)
     """Radians (degrees in the file), to either side."""
 
 
