@@ -15,8 +15,10 @@ import numpy as np
 from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.assembly import DrawnModel, build
 from jauspy_sim.models.decals import MARK, MARK_LENGTH, MARKS, SHADOW, SHEET, add_decals, footprint
+from jauspy_sim.models.whips import Whips
 from jauspy_sim.rendering.cameras import state_size
 from jauspy_sim.rendering.decals import Decals
+from jauspy_sim.robot import SimulatedRobot
 
 INC1 = replace(robot_model(load("inc1")), lidars=())
 FOOTPRINT = footprint(INC1)
@@ -155,3 +157,29 @@ def test_physics_has_none_of_it(name: str) -> None:
     assert (f"{SHADOW} 0" in shown) == (robot.tracks is not None or robot.wheels is not None)
     assert (f"{MARK} 0" in shown) == (robot.tracks is not None)
     assert state_size(drawn) == state_size(physics)
+
+
+def test_pictures_do_not_change_the_trajectory_by_a_bit() -> None:
+    """Of two robots with the same commands, one is drawn with all decorations each tenth of a second."""
+    ends = []
+    for is_drawn in (False, True):
+        robot = SimulatedRobot.open(replace(INC1, cameras=()), "empty")
+        model = DrawnModel(INC1, "empty").build() if is_drawn else None
+        if model is not None:
+            assert FOOTPRINT is not None
+            data, whips = mujoco.MjData(model), Whips(model)
+            decals = Decals(model, model.body("inc1/base_link").id, FOOTPRINT)
+        robot.drive.set_effort(0.5, 0.2)
+        for _ in range(20):
+            robot.advance(0.1)
+            if model is not None:
+                data.qpos[:], data.userdata[:] = robot.data.qpos, robot.data.userdata
+                mujoco.mj_kinematics(model, data)
+                whips.place(data, robot.time)
+                decals.place(data)
+        if model is not None:
+            shown = model.geom_rgba[[model.geom(f"{MARK} {number}").id for number in range(4 * MARKS)], 3]
+            assert (shown > 0.0).sum() > 4, "it was drawn"
+        ends.append((robot.data.qpos.tobytes(), robot.data.qvel.tobytes()))
+        robot.close()
+    assert ends[0] == ends[1]

@@ -7,6 +7,7 @@ import math
 
 import pytest
 
+from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose
 from jauspy.messages.core import QueryTime, RequestControl, Resume
 from jauspy.messages.mobility import (
@@ -18,8 +19,10 @@ from jauspy.messages.mobility import (
     SetVelocityCommand,
     SetWrenchEffort,
 )
-from jauspy.platform.chassis import Chassis
+from jauspy.platform.chassis import Chassis, chassis_of
 from jauspy.platform.description import TiltSetup
+from jauspy.robot.monitors import tilt_problem
+from jauspy.robot.robot_files import load, robot_model
 from jauspy.services.core import AccessControl, Events, Management, Time
 from jauspy.services.mobility import (
     LocalPoseSensor,
@@ -85,6 +88,7 @@ def test_a_tilted_robot_is_stopped_and_the_reason_is_said(rig, drive, pose, says
     assert drive.effort == (0.0, 0.0)
     assert rig.host.counters["tilt"] == 1
     assert says in caplog.text
+    assert says in tilt_problem(rig.host), "as `jauspy up` shows it"
     report = rig.ask(A, QueryWrenchEffort(0xFFFF))
     assert report.propulsive_linear_effort_x == pytest.approx(0.0, abs=2e-3)
 
@@ -133,6 +137,7 @@ def test_zero_lets_go(rig, drive, zero) -> None:
     rig.tell(A, zero)
     rig.tell(A, BACKWARD)
     assert drive.effort[0] == pytest.approx(-0.4, abs=1e-4)
+    assert not tilt_problem(rig.host)
 
 
 def test_it_is_stopped_again_when_it_tilts_further(rig, drive) -> None:
@@ -192,3 +197,15 @@ def test_the_allowance_counts_from_the_tilt_at_which_it_was_stopped() -> None:
     assert guard.allows(1.1)
     assert not guard.problem(tilted(pitch=-(70.0 + math.degrees(STEP) - 0.5)))
     assert guard.problem(tilted(pitch=-(70.0 + math.degrees(STEP) + 0.5)))
+
+
+@pytest.mark.parametrize("limit", ["pitch = 4.0", "roll = 181.0", 'pitch = "off"', "yaw = 10.0"])
+def test_limits_without_sense_are_refused(tmp_path, limit) -> None:
+    file = tmp_path / "robot.toml"
+    file.write_text(f'extends = "inc1"\n[tilt_guard]\n{limit}\n')
+    with pytest.raises(ConfigError, match=f"tilt_guard.{limit.split()[0]}"):
+        load(file)
+
+
+def test_inc1_has_limits_that_its_chassis_knows() -> None:
+    assert chassis_of(robot_model(load("inc1"))).tilt_guard == TiltSetup(math.radians(60.0), math.radians(45.0))

@@ -71,6 +71,8 @@ class Pilot:
         self._guard = TiltGuard(chassis.tilt_guard) if chassis.tilt_guard else None
         self.driver: DriveOwner | None = None
         """The service whose command is carried out; None while the platform stands."""
+        self.tilt_problem = ""
+        """Why the tilt guard stopped the robot, until it is commanded again."""
         self.travel_speed = 0.0
         """m/s, negative backward, of the waypoint drivers; zero while another service, or none, drives."""
 
@@ -140,6 +142,7 @@ class Pilot:
         if problem := guard.problem(self._drive.pose()):
             host.count("tilt", problem)
             _LOG.warning("%s: %s", host.id, problem)
+            self.tilt_problem = problem
             self._halt()
         else:
             host.set_timer(_TILT_TIMER, host.now + tilt_guard.PERIOD, self._watch_tilt)
@@ -147,6 +150,7 @@ class Pilot:
     def _set_driver(self, driver: DriveOwner | None) -> None:
         before, self.driver = self.driver, driver
         if driver is not None and before is None and self._guard is not None:
+            self.tilt_problem = ""
             self._clock.set_timer(_TILT_TIMER, self._clock.now, self._watch_tilt)
         if driver is None or not driver.uses_travel_speed:
             self.travel_speed = 0.0
