@@ -119,7 +119,20 @@ def running(link: str, name: str, part: Running, scale: str) -> list[str]:
     ]
 
 
-def macros(made: dict[str, Look], belts: dict[str, dict[str, Running]]) -> str:
+def swinging(link: str, name: str, whip: chassis.Whip) -> list[str]:
+    """The lines of visuals that swing; `jauspy_sim/models/whips.py` reads their attributes."""
+    origin = " ".join(f"{each:.5g}" for each in whip.foot)
+    return [
+        f'    <visual whip_frequency="{whip.frequency:.5g}" whip_length="{whip.length:.5g}"><origin xyz="{origin}"/>'
+        f'<geometry><mesh filename="meshes/{_mesh(link, name)}.{material}.obj"/></geometry>'
+        f'<material name="{material}"/></visual>'
+        for material in whip.look
+    ]
+
+
+def macros(
+    made: dict[str, Look], belts: dict[str, dict[str, Running]], whips: dict[str, dict[str, chassis.Whip]]
+) -> str:
     """The text of `looks.xacro`."""
     lines = [HEADER]
     for link, look in made.items():
@@ -129,6 +142,8 @@ def macros(made: dict[str, Look], belts: dict[str, dict[str, Running]]) -> str:
                 lines += [f'    <xacro:look link="{link}" material="{material}"{scale}/>' for material in look]
                 for part in belts.get(link, {}).items():
                     lines += running(link, *part, "1 -1 1" if scale else "1 1 1")
+                for antenna in whips.get(link, {}).items():
+                    lines += swinging(link, *antenna)
                 lines.append("  </xacro:macro>\n")
     return "\n".join([*lines[:-1], "  </xacro:macro>\n</robot>\n"])
 
@@ -140,12 +155,15 @@ def main() -> None:
     folder = parser.parse_args().output
     (folder / "meshes").mkdir(parents=True, exist_ok=True)
     size = read()
-    made, belts = looks(size), moving(size)
+    made, belts, whips = looks(size), moving(size), {"base_link": chassis.antennas(size)}
     for old in (folder / "meshes").glob("*.obj"):
         old.unlink()
     sizes = []
     parts = {
-        f"{link}_{name.rstrip(digits)}": part.look for link, found in belts.items() for name, part in found.items()
+        _mesh(link, name): part.look
+        for links in (belts, whips)
+        for link, found in links.items()
+        for name, part in found.items()
     }
     for link, look in {**made, **parts}.items():
         for material, mesh in look.items():
@@ -153,7 +171,7 @@ def main() -> None:
             file.write_text(obj(mesh))
             sizes.append(file.stat().st_size)
         print(f"{link:20} {sum(len(mesh.triangles) for mesh in look.values()):6} triangles")
-    (folder / "looks.xacro").write_text(macros(made, belts))
+    (folder / "looks.xacro").write_text(macros(made, belts, whips))
     print(f"{len(sizes)} meshes, {sum(sizes) / 1e6:.2f} MB")
 
 

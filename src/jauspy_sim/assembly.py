@@ -20,6 +20,7 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy.platform.wheels import Wheel, WheelKind, WheelSetup
+from jauspy_sim.models.decals import add_decals
 from jauspy_sim.models.groups import COLLISION, VISUAL
 from jauspy_sim.models.look import polish, show_solids, without_visuals
 from jauspy_sim.models.self_contacts import depth_below_base, exclude_touching
@@ -78,6 +79,7 @@ class DrawnModel:
         """Build the model, whose state has the layout of the model for physics."""
         spec = world_spec(self.world, self.robot.model_path)
         draw_floors_as_meshes(spec)
+        add_decals(spec, self.robot)
         return build_in(spec, self.robot, _what(self.robot, self.world), drawn=True)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
@@ -23,6 +24,36 @@ def test_a_chasing_camera_comes_around_when_the_robot_turns():
     assert soon[0] < -0.9
     later = [view.ends(10.1 + 0.05 * step, base(1.0, yaw=math.pi / 2))[0] for step in range(200)]
     assert later[-1] == pytest.approx((1.0, -2.0, 1.0), abs=0.01)
+
+
+@pytest.mark.parametrize("rate", [10.0, 50.0])
+def test_a_camera_starts_and_stops_softly_and_keeps_the_robot_in_view(rate):
+    """At full speed, with a stop at once: no jump of the camera, and the robot within 15 degrees of the middle."""
+    speed, view = 1.9, OutsideView(OutsideSetup(Viewpoint.CHASE, distance=2.2, height=1.3, angle=math.pi / 2.0))
+    xs, times = [], [number / rate for number in range(int(6.0 * rate))]
+    for time in times:
+        x = speed * min(time, 3.0)
+        position, target = view.ends(100.0 + time, base(x))
+        xs.append(position[0])
+        to_robot = looking(position, target).inverse().apply((x, 0.0, 0.35))
+        assert math.atan2(math.hypot(to_robot[1], to_robot[2]), to_robot[0]) < math.radians(15.0)
+    speeds = [(after - before) * rate for before, after in itertools.pairwise(xs)]
+    assert speeds[0] < 0.35 * speed, "it is not locked to the robot"
+    half = int(3.0 * rate)
+    assert speeds[half - 2] == pytest.approx(speed, rel=0.01)
+    assert speeds[half] > 0.5 * speed, "nor does it stop with it"
+    assert speeds[-1] == pytest.approx(0.0, abs=0.01)
+    assert max(speeds) < 1.01 * speed
+    assert xs[-1] == pytest.approx(speed * 3.0, abs=0.02)
+
+
+def test_bumps_do_not_shake_a_chasing_camera():
+    view = OutsideView(OutsideSetup(Viewpoint.CHASE))
+    heights = []
+    for number in range(100):
+        bumped = Transform.from_pose(Pose(0.0, 0.0, 0.05 * (number % 2), 0.0, 0.0, 0.0))
+        heights.append(view.ends(0.05 * number, bumped)[0][2])
+    assert max(heights[50:]) - min(heights[50:]) < 0.012
 
 
 def test_an_orbit_takes_its_period():

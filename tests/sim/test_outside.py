@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
 
 import pytest
@@ -13,6 +14,7 @@ import numpy as np
 
 from jauspy.platform.camera import CameraSetup, OutsideSetup, Viewpoint
 from jauspy.robot.robot_files import load, robot_model
+from jauspy_sim.rendering.cameras import MIN_AWAY, RETREAT
 from jauspy_sim.robot import SimulatedRobot
 
 CAMERAS = {
@@ -66,3 +68,23 @@ def test_a_wall_does_not_come_between(robot, look):
     at = session._data.cam_xpos[robot.cameras["walled"].number]
     assert -3.0 < at[0] < -2.0  # the wall behind begins at -3
     assert np.isfinite(at).all()
+
+
+def test_the_camera_comes_near_at_once_and_goes_back_slowly(robot, look):
+    session, _ = look("chase")
+    far = np.array([-0.5, 2.0, 1.2])
+    behind_wall = np.array([-9.0, 0.0, 1.2])
+    target = (0.0, 0.0, 0.35)
+    free = float(np.linalg.norm(far - target))
+
+    def distance(position, now):
+        return math.dist(session._unhidden(tuple(position), target, now), target)
+
+    assert distance(far, 1000.0) == pytest.approx(free)
+    near = distance(behind_wall, 1000.1)
+    assert near < 3.2
+    hidden = float(np.linalg.norm(behind_wall - target)) - near
+    back = [distance(far, 1000.1 + 0.1 * step) for step in range(60)]
+    assert back[1] == pytest.approx(max(free - hidden * math.exp(-0.1 / RETREAT), MIN_AWAY))
+    assert all(one <= other + 1e-9 for one, other in itertools.pairwise(back))
+    assert back[-1] == pytest.approx(free, abs=0.01)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 import shapely
@@ -32,6 +33,20 @@ from robot_parts.tracks import OUTWARD, merge, moved
 REARWARD = turned(y=-math.pi / 2.0)
 """Turns what stands on z to the rear."""
 HALF_HULL = 0.158
+WHIP_FOOT = 0.018
+"""Height of an antenna's spring above what its foot stands on."""
+
+
+class Whip(NamedTuple):
+    """An antenna that swings about its foot."""
+
+    look: Look
+    """On z = 0."""
+    foot: tuple[float, float, float]
+    """In the frame of the link."""
+    length: float
+    frequency: float
+    """Hz, of its natural oscillation."""
 
 
 LOW = 0.050
@@ -181,24 +196,37 @@ def stop_button() -> Look:
     }
 
 
+def antenna_foot() -> Look:
+    """What an antenna stands on, on z = 0."""
+    return {"dark": lathe([(0.015, 0.0), (0.015, 0.010), (0.011, 0.016), (0.008, WHIP_FOOT)], 18)}
+
+
 def antenna(height: float) -> Look:
-    """A whip on a spring, on z = 0."""
-    base = lathe([(0.015, 0.0), (0.015, 0.010), (0.011, 0.016), (0.008, 0.018)], 18)
-    turns = [(0.0062 * math.cos(a), 0.0062 * math.sin(a), 0.018 + 0.024 * a / 31.4) for a in np.linspace(0.0, 31.4, 40)]
+    """A whip on its spring, which begins at z = 0; `height` is that of its end above the foot's."""
+    turns = [(0.0062 * math.cos(a), 0.0062 * math.sin(a), 0.024 * a / 31.4) for a in np.linspace(0.0, 31.4, 40)]
     spring = swept([(float(x), float(y), float(z)) for x, y, z in turns], 0.0016, 4, 1)
     whip = lathe(
         [
-            (0.006, 0.042),
-            (0.006, 0.060),
-            (0.0034, 0.064),
-            (0.0026, height - 0.004),
-            (0.0042, height - 0.004),
-            (0.0042, height + 0.004),
-            (0.0, height + 0.004),
+            (0.006, 0.042 - WHIP_FOOT),
+            (0.006, 0.060 - WHIP_FOOT),
+            (0.0034, 0.064 - WHIP_FOOT),
+            (0.0026, height - 0.004 - WHIP_FOOT),
+            (0.0042, height - 0.004 - WHIP_FOOT),
+            (0.0042, height + 0.004 - WHIP_FOOT),
+            (0.0, height + 0.004 - WHIP_FOOT),
         ],
         8,
     )
-    return {"dark": base, "steel": spring, "black": whip}
+    return {"steel": spring, "black": whip}
+
+
+def antennas(size: Dimensions) -> dict[str, Whip]:
+    """The antennas at the back of the deck; the longer one swings more slowly."""
+    x, z = ends(size)[0] + 0.056, size.deck + 0.042 + WHIP_FOOT
+    return {
+        f"antenna_{side}": Whip(antenna(height), (x, y, z), height - WHIP_FOOT, frequency)
+        for side, y, height, frequency in (("left", 0.105, 0.36, 3.1), ("right", -0.105, 0.30, 3.9))
+    }
 
 
 def electronics(size: Dimensions) -> Look:
@@ -371,7 +399,10 @@ def body(size: Dimensions) -> Look:
     stowage = moved(hatch(0.115, 0.110), ends(size)[0] + 0.245, 0.0, size.deck)
     battery = merge(*(moved(hatch(0.150, 0.060), ends(size)[0] + 0.255, y, size.deck) for y in (-0.100, 0.100)))
     sides = merge(
-        *(moved(antenna(h), ends(size)[0] + 0.056, y, size.deck + 0.042) for y, h in ((0.105, 0.36), (-0.105, 0.30)))
+        *(
+            moved(antenna_foot(), whip.foot[0], whip.foot[1], whip.foot[2] - WHIP_FOOT)
+            for whip in antennas(size).values()
+        )
     )
     carry = merge(*(moved(handle(0.12, 0.026), ends(size)[1] - 0.133, y, size.deck) for y in (-0.118, 0.118)))
     button = moved(stop_button(), ends(size)[1] - 0.245, 0.112, size.deck)

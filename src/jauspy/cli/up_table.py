@@ -90,7 +90,7 @@ class RobotStatus:
     faults: Mapping[str, str] = field(default_factory=dict)
     """What has failed, by the id of the component that is in Failure for it."""
     overloads: Mapping[str, str] = field(default_factory=dict)
-    """What joints cannot carry, by the ids of components and the names of joints."""
+    """What joints cannot carry, and a tilt that stopped the robot, by the ids of components and the names of joints."""
 
 
 @dataclass(slots=True)

@@ -11,7 +11,7 @@ from dataclasses import MISSING, dataclass, fields
 from importlib import import_module
 from typing import Any, Final, NamedTuple
 
-from jauspy.codec.build import Module, build
+from jauspy.codec.build import MessageModule, build
 from jauspy.codec.codegen import identifier, indent, keywords_only
 from jauspy.codec.layout import Composite
 from jauspy.codec.message import Message, Struct
@@ -98,7 +98,7 @@ class _Writer:
     """Writes the stub."""
 
     def __init__(
-        self, modules: Iterable[Module], entries: Iterable[MessageEntry], names: Mapping[MessageKey, str]
+        self, modules: Iterable[MessageModule], entries: Iterable[MessageEntry], names: Mapping[MessageKey, str]
     ) -> None:
         self._by_name: dict[str, str] = {}
         self._top: dict[tuple[str, str], str] = {}

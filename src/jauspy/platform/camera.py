@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeAlias
 from annotated_types import Interval
 
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.vectors import Vector, cross, difference, dot, scaled
+from jauspy.geometry.vectors import Vector, add, cross, difference, dot, scaled
 from jauspy.platform.imaging_settings import IDEAL, ImagingSetup
 from jauspy.platform.tables import Converted, Prepared, Table, UrdfName
 
@@ -172,9 +172,37 @@ class CameraSource(Protocol):
 
 LAG: Final = 0.8
 """Time constant, in seconds, with which a chasing camera follows a turn of the robot."""
+FOLLOWING: Final = 0.35
+"""Seconds that a camera is behind a robot at constant speed. What is shorter, such as a bump, does not move it."""
+AIMING: Final = 0.15
+"""Seconds that the point at which it looks is behind the robot."""
+MAX_AIM_ERROR: Final = 0.2
+"""Greatest distance of that point from the robot, as a fraction of the camera's distance: the robot stays in view."""
 MIN_HEIGHT: Final = 0.15
 """Least height of a camera above the world's zero, in metres."""
 _UP: Final = (0.0, 0.0, 1.0)
+
+
+class _Smoothed:
+    """A point that follows another one as a critically damped spring does: it starts and stops without a jerk."""
+
+    def __init__(self, delay: float) -> None:
+        """`delay`: seconds that it is behind a point that moves at constant speed."""
+        self._rate = 2.0 / delay
+        self._offset: Vector | None = None
+        self._velocity = (0.0, 0.0, 0.0)
+        self._last = (0.0, 0.0, 0.0)
+
+    def follow(self, point: Vector, elapsed: float) -> Vector:
+        """The place after `elapsed` seconds in which the other point was at `point`; at first, that point itself."""
+        before = (0.0, 0.0, 0.0) if self._offset is None else add(self._offset, difference(self._last, point))
+        # x'' = -w^2 x - 2 w x' has the solution x(t) = (x + (v + w x) t) exp(-w t)
+        rate, decay = self._rate, math.exp(-self._rate * elapsed)
+        slope = add(self._velocity, scaled(before, rate))
+        self._offset = scaled(add(before, scaled(slope, elapsed)), decay)
+        self._velocity = scaled(difference(self._velocity, scaled(slope, rate * elapsed)), decay)
+        self._last = point
+        return add(point, self._offset)
 
 
 class OutsideView:
@@ -184,6 +212,7 @@ class OutsideView:
         self._setup = setup
         self._began = self._last = math.nan
         self._heading = 0.0
+        self._centre, self._aim = _Smoothed(FOLLOWING), _Smoothed(AIMING)
 
     @property
     def follows(self) -> bool:
@@ -196,21 +225,28 @@ class OutsideView:
         `base` is the robot's, `time` in seconds.
         """
         setup, (x, y, z) = self._setup, base.position
-        robot = (x, y, z + setup.aim)
-        if setup.view is Viewpoint.FIXED:
-            return setup.position, robot if setup.target is None else setup.target
+        elapsed = 0.0 if math.isnan(self._last) else max(time - self._last, 0.0)
+        centre = self._centre.follow(base.position, elapsed)
+        aim = self._aim.follow((x, y, z + setup.aim), elapsed)
         heading = math.atan2(base.rotation[1][0], base.rotation[0][0])
         if math.isnan(self._last):
             self._began, self._heading = time, heading
-        elapsed = 0.0 if math.isnan(self._last) else max(time - self._last, 0.0)
         self._last = time
         turn = math.remainder(heading - self._heading, math.tau)
         self._heading += turn * -math.expm1(-elapsed / LAG)
+        position = self._position(centre, time)
+        target = _near(aim, (x, y, z + setup.aim), MAX_AIM_ERROR * _length(difference(aim, position)))
+        return position, setup.target if setup.view is Viewpoint.FIXED and setup.target is not None else target
+
+    def _position(self, centre: Vector, time: float) -> Vector:
+        setup, (x, y, z) = self._setup, centre
+        if setup.view is Viewpoint.FIXED:
+            return setup.position
         around = self._heading + setup.angle + math.pi
         if setup.view is Viewpoint.ORBIT:
             around = setup.angle + math.pi + math.tau * (time - self._began) / setup.period
         away = setup.distance
-        return (x + away * math.cos(around), y + away * math.sin(around), max(z + setup.height, MIN_HEIGHT)), robot
+        return x + away * math.cos(around), y + away * math.sin(around), max(z + setup.height, MIN_HEIGHT)
 
 
 def looking(position: Vector, target: Vector) -> Transform:
@@ -223,5 +259,16 @@ def looking(position: Vector, target: Vector) -> Transform:
     return Transform((rows[0], rows[1], rows[2]), position)
 
 
+def _near(point: Vector, other: Vector, most: float) -> Vector:
+    """The point, or the nearest one to it that is at most so far from the other."""
+    away = difference(point, other)
+    far = _length(away)
+    return point if far <= most else add(other, scaled(away, most / far))
+
+
+def _length(a: Vector) -> float:
+    return math.sqrt(dot(a, a))
+
+
 def _unit(a: Vector) -> Vector:
-    return scaled(a, 1.0 / math.sqrt(dot(a, a)))
+    return scaled(a, 1.0 / _length(a))

@@ -12,7 +12,7 @@ from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import CollisionBox, Inertial, collision_boxes, inertials
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.description import RobotModel
+from jauspy.platform.description import RobotModel, TiltSetup
 from jauspy.platform.wheels import WheelSetup
 
 SPEED_ON_GROUND: Final = 0.95
@@ -52,6 +52,8 @@ class Chassis:
     bottom: float = 0.0
     mass: float = 50.3
     centre_of_gravity: tuple[float, float, float] = (0.0, 0.0, 0.16)
+    tilt_guard: TiltSetup | None = None
+    """The tilt at which it is stopped."""
 
 
 def chassis_of(robot: RobotModel) -> Chassis:
@@ -100,6 +102,7 @@ def _measured(robot: RobotModel, chassis: Chassis) -> Chassis:
         bottom=max(0.0, -found.low[2]),
         mass=found.mass,
         centre_of_gravity=found.centre_of_gravity,
+        tilt_guard=robot.tilt_guard,
     )
 
 

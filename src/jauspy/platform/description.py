@@ -5,6 +5,7 @@ Frames and units are URDF's (REP-103): metres, radians, kilograms; a joint's fra
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Final
@@ -20,7 +21,7 @@ from jauspy.platform.localization import EXACT, LocalizationSetup
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.servo_drives import CanSetup
-from jauspy.platform.tables import Table, UrdfName
+from jauspy.platform.tables import Converted, Table, UrdfName
 from jauspy.platform.wheels import WheelSetup
 
 WORLD_SUFFIXES: Final = (".xml", ".mjcf", ".sdf", ".world", ".toml")
@@ -64,6 +65,16 @@ class TrackSetup(Table):
 
 
 @dataclass(frozen=True, slots=True)
+class TiltSetup(Table):
+    """The table `tilt_guard`: the tilt at which the driver services stop the robot; 180 degrees is no limit."""
+
+    pitch: Annotated[float, Interval(ge=5.0, le=180.0), Converted(math.radians)] = math.radians(60.0)
+    """Radians (degrees in the file), nose up or down."""
+    roll: Annotated[float, Interval(ge=5.0, le=180.0), Converted(math.radians)] = math.radians(45.0)
+    """Radians (degrees in the file), to either side."""
+
+
+@dataclass(frozen=True, slots=True)
 class RobotModel:
     """All that a backend needs to make a robot."""
 
@@ -82,6 +93,8 @@ class RobotModel:
     """The drives on its CAN bus, for the backend `can`; a sentence if they do not match the robot."""
     wheels: WheelSetup | None = None
     """In place of tracks."""
+    tilt_guard: TiltSetup | None = None
+    """None: the robot may tilt as it likes."""
     localization: LocalizationSetup = EXACT
     """How it measures its pose; for robots with a chassis."""
     lamps: tuple[LampSetup, ...] = ()

@@ -24,7 +24,7 @@ from jauspy.cloud.depth import DepthSettings
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.platform.camera import CameraSetup, Quality
-from jauspy.platform.description import GroupSetup, TrackSetup
+from jauspy.platform.description import GroupSetup, TiltSetup, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.imaging_settings import ImagingSetup
 from jauspy.platform.joints import Gains, JointGains
@@ -330,6 +330,8 @@ class RobotConfig(StrictConfig):
     """The file in which commands are recorded, below the folder of the TOML file, where a relative path starts."""
     modules: tuple[ModuleConfig, ...]
     localization: LocalizationSetup = LocalizationSetup()
+    tilt_guard: TiltSetup | None = None
+    """The tilt at which the robot is stopped; without it, it may tilt as it likes."""
     tracks: TrackSetup | None = None
     wheels: WheelJoints | None = None
     """Without tracks and wheels the base is fixed to the world."""

@@ -16,6 +16,7 @@ from jauspy.robot.config import ModuleConfig
 from jauspy.robot.realtime import WHOLE_ROBOT, RealTime, described
 from jauspy.services.core import FailureRecovery
 from jauspy.services.host import Host
+from jauspy.services.mobility.driver import Driver
 
 _LOG: Final = get_logger("jauspy.robot")
 
@@ -81,6 +82,12 @@ def overload_text(joint: Joint, load: float) -> str:
         f"joint {joint.name} cannot carry its load ({load:.0f} {unit} of {joint.effort:.0f} {unit}): its brake holds; "
         "put the load down, or move the joint where the load pulls it"
     )
+
+
+def tilt_problem(host: Host) -> str:
+    """Why the tilt guard has stopped the robot that a component drives; empty if it has not."""
+    vehicles = (service.vehicle for service in host.services if isinstance(service, Driver))
+    return next((vehicle.pilot.tilt_problem for vehicle in vehicles), "")
 
 
 class LoadMonitor:

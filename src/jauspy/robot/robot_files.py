@@ -188,6 +188,7 @@ def _robot_model(config: RobotConfig) -> RobotModel:
         cell=config.cell,
         can=_can_setup(config, description, groups),
         wheels=wheel_setup(description, config.wheels) if config.wheels else None,
+        tilt_guard=config.tilt_guard,
         lamps=config.lights,
         time_of_day=config.time_of_day,
         localization=config.localization.with_receiver(has_origin=config.origin is not None),

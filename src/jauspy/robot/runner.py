@@ -28,7 +28,7 @@ from jauspy.robot.audit import AuditLog
 from jauspy.robot.audit_heads import HeadSender
 from jauspy.robot.config import ModuleConfig, RobotConfig
 from jauspy.robot.hosts import Announcement, check_parts, host_of
-from jauspy.robot.monitors import FaultMonitor, LoadMonitor, overloads, reason
+from jauspy.robot.monitors import FaultMonitor, LoadMonitor, overloads, reason, tilt_problem
 from jauspy.robot.operators import command_seals
 from jauspy.robot.realtime import RealTime
 from jauspy.robot.robot_files import robot_model, with_place
@@ -233,16 +233,21 @@ class RobotRunner:
 
     @property
     def overloads(self) -> Mapping[str, str]:
-        """Descriptions of loads that joints cannot carry, by the id of the component and the joint's name."""
+        """Descriptions of loads that joints cannot carry, by the id of the component and the joint's name.
+
+        Also of the tilt at which the robot was stopped.
+        """
         if self._realtime is None:
             return {}
         joints = {name: group.joints for name, group in self._realtime.groups.items()}
         snapshot = self._realtime.snapshot
-        return {
+        loads = {
             f"{each.id} {name}": text
             for each, module in self.running
             for name, text in overloads(module, joints, snapshot).items()
         }
+        tilts = {f"{each.id} tilt": tilt_problem(each.host) for each, _ in self.running}
+        return loads | {where: text for where, text in tilts.items() if text}
 
     @property
     def counters(self) -> Mapping[str, int]:

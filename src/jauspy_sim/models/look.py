@@ -14,6 +14,7 @@ from jauspy.platform.description import RobotModel
 from jauspy_sim.models.groups import VISUAL
 from jauspy_sim.models.track_visuals import belted_links, mark
 from jauspy_sim.models.urdf import material_colour
+from jauspy_sim.models.whips import mark_whip
 
 GLOSS: Final[Mapping[str, tuple[float, float]]] = {
     "olive": (0.25, 0.3),
@@ -54,7 +55,7 @@ def without_visuals(description: RobotDescription) -> RobotDescription:
 
 
 def polish(spec: mujoco.MjSpec, robot: RobotModel) -> None:
-    """Give the visual shapes of a robot the gloss of their materials, and mark treads to move with their belts."""
+    """Give the visual shapes of a robot the gloss of their materials, and mark treads and antennas to move."""
     description = robot.description
     belts = belted_links(description, robot.tracks) if robot.tracks else {}
     root = parse_tree(description.urdf)
@@ -70,6 +71,7 @@ def polish(spec: mujoco.MjSpec, robot: RobotModel) -> None:
             material = _material(visual)
             if (side := belts.get(str(link.get("name")))) is not None:
                 mark(geom, visual, side)
+            mark_whip(geom, visual)
             if material in GLOSS and not geom.material:
                 geom.material = material
                 if material in SHADOWLESS:

@@ -24,9 +24,12 @@ from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
 from jauspy.platform.shared_state import StateReader, StateWriter
 from jauspy_sim.assembly import DrawnModel, redirect_warnings
 from jauspy_sim.gl_libraries import choose_gl
+from jauspy_sim.models.decals import footprint
 from jauspy_sim.models.track_visuals import Treads
 from jauspy_sim.models.urdf import body_name
+from jauspy_sim.models.whips import Whips
 from jauspy_sim.physics.sensors import cast_rays
+from jauspy_sim.rendering.decals import Decals
 from jauspy_sim.rendering.gl import GlRenderer
 from jauspy_sim.rendering.rays import RayRenderer
 from jauspy_sim.rendering.renderer import Renderer
@@ -41,6 +44,8 @@ WALL_MARGIN: Final = 0.15
 """Metres between an outside camera and obstacles that would hide the robot."""
 MIN_AWAY: Final = 0.6
 """Least distance of an outside camera from the robot, in metres."""
+RETREAT: Final = 0.6
+"""Time constant, in seconds, with which an outside camera moves back once nothing hides the robot any more."""
 
 if TYPE_CHECKING:
     from jauspy_sim.rendering.lamps import Darkness
@@ -104,7 +109,8 @@ class SimulatedCameraSession:
         self._levels: list[float] = []
         self._renderer, self._model = _renderer(camera)
         self._data = mujoco.MjData(self._model)
-        self._treads = Treads(self._model)
+        self._treads, self._whips = Treads(self._model), Whips(self._model)
+        self._decals = _decals(camera, self._model) if isinstance(self._renderer, GlRenderer) else None
         self._darkness: Darkness | None = None
         if camera.time_of_day is not TimeOfDay.DAY:
             from jauspy_sim.rendering.lamps import Darkness, light_evenly  # noqa: PLC0415 - OpenCV is for the cameras' processes
@@ -115,6 +121,8 @@ class SimulatedCameraSession:
         self._sun: SunShadow | None = None
         self._outside = OutsideView(camera.setup.outside) if camera.setup.outside else None
         self._fov = camera.setup.fov
+        self._hidden, self._looked = 0.0, 0.0
+        """Metres by which the outside camera is nearer than its view wants, and when it looked last."""
 
     @property
     def description(self) -> str:
@@ -187,7 +195,7 @@ class SimulatedCameraSession:
 
     def _update(self) -> float:
         taken, numbers = self._state.read()
-        self._place(np.frombuffer(numbers))
+        self._place(np.frombuffer(numbers), taken)
         if self._outside is not None:
             self._look_from_outside(self._outside, taken)
         return taken
@@ -199,21 +207,24 @@ class SimulatedCameraSession:
         first, second, third = ((a, b, c) for a, b, c in data.xmat[self._base].reshape(3, 3).tolist())
         position, target = view.ends(now, Transform((first, second, third), (x, y, z)))
         if view.follows:
-            position = self._unhidden(position, target)
+            position = self._unhidden(position, target, now)
         frame = looking(position, target)
         data.cam_xpos[self._number] = frame.position
         # The columns are right, up and back.
         data.cam_xmat[self._number] = (np.array(frame.rotation) @ _MUJOCO_AXES).ravel()
 
-    def _unhidden(self, position: Vector, target: Vector) -> Vector:
+    def _unhidden(self, position: Vector, target: Vector, now: float) -> Vector:
+        """The position, nearer to the target while something is between: immediately, and slowly back again."""
         start, way = np.array(target), np.array(position) - np.array(target)
         far = float(np.linalg.norm(way))
-        found = float(cast_rays(self._model, self._data, start, way[None, :] / far)[0])
-        near = max(min(far, found - WALL_MARGIN), MIN_AWAY)
-        x, y, z = (start + way * (near / far)).tolist()
+        free = float(cast_rays(self._model, self._data, start, way[None, :] / far)[0]) - WALL_MARGIN
+        self._hidden *= math.exp(min(self._looked - now, 0.0) / RETREAT)
+        self._looked = now
+        self._hidden = max(self._hidden, far - free, 0.0)
+        x, y, z = (start + way * (max(far - self._hidden, MIN_AWAY) / far)).tolist()
         return x, y, z
 
-    def _place(self, numbers: NDArray[np.float64]) -> None:
+    def _place(self, numbers: NDArray[np.float64], now: float) -> None:
         model, data = self._model, self._data
         joints, bodies = model.nq, model.nq + 3 * model.nmocap
         data.qpos[:] = numbers[:joints]
@@ -225,6 +236,9 @@ class SimulatedCameraSession:
         self._levels = numbers[lamps:].tolist()
         mujoco.mj_kinematics(model, data)
         self._treads.place(data)
+        self._whips.place(data, now)
+        if self._decals is not None:
+            self._decals.place(data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_camlight(model, data)
 
@@ -251,6 +265,11 @@ def _renderer(camera: SimulatedCamera) -> tuple[Renderer, mujoco.MjModel]:
             _LOG.warning("%s does not work here: %s", way, error)
     model = _physics(camera)
     return RayRenderer(model, camera.number, camera.setup.fov), model
+
+
+def _decals(camera: SimulatedCamera, model: mujoco.MjModel) -> Decals | None:
+    below = None if camera.drawn is None else footprint(camera.drawn.robot)
+    return None if below is None else Decals(model, camera.base, below, marks=camera.setup.outside is not None)
 
 
 def _physics(camera: SimulatedCamera) -> mujoco.MjModel:

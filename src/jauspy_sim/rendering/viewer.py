@@ -13,6 +13,7 @@ import mujoco
 
 from jauspy.errors import ConfigError
 from jauspy_sim.models.track_visuals import Treads
+from jauspy_sim.models.whips import Whips
 
 DISPLAYS: Final = ("DISPLAY", "WAYLAND_DISPLAY")
 """Variables of the environment, one of which names a display."""
@@ -38,7 +39,7 @@ class Viewer:
         if not any(os.environ.get(name) for name in DISPLAYS):
             raise ConfigError("there is no display for a window: DISPLAY is not set; watch a camera instead")
         self._model, self._source, self._clock = model, data, clock
-        self._data, self._treads = mujoco.MjData(model), Treads(model)
+        self._data, self._treads, self._whips = mujoco.MjData(model), Treads(model), Whips(model)
         self._due = clock()
         self._copy()
         others = set(threading.enumerate())
@@ -78,6 +79,7 @@ class Viewer:
         data.userdata[:] = source.userdata
         mujoco.mj_kinematics(model, data)
         self._treads.place(data)
+        self._whips.place(data, source.time)
         mujoco.mj_comPos(model, data)
         mujoco.mj_camlight(model, data)
         mujoco.mj_tendon(model, data)

@@ -207,7 +207,9 @@ def unknown_state(context: LintContext) -> Iterator[Problem]:
                 yield where, f"{what} '{path}' does not exist{advice}"
 
 
-def _named_states(machines: dict[str, MergedMachine], behavior: Behavior) -> Iterator[tuple[str, str, str, SourceLocation]]:
+def _named_states(
+    machines: dict[str, MergedMachine], behavior: Behavior
+) -> Iterator[tuple[str, str, str, SourceLocation]]:
     """The states that a definition refers to: machine, path, the kind of state and the location."""
     for start in behavior.start:
         yield start.machine, start.state, "start state", location_of(start.where)

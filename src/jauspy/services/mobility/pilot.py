@@ -1,6 +1,6 @@
 """The pilot steers the chassis for the driver services of a component; the newest command preempts the others.
 
-See docs/adr/0037-guidance.md.
+See docs/adr/0037-guidance.md. A robot that may tip over is stopped (`TiltGuard`).
 """
 
 from __future__ import annotations
@@ -8,9 +8,12 @@ from __future__ import annotations
 from typing import Final, Protocol
 
 from jauspy.geometry.poses import jaus_pose, jaus_twist
+from jauspy.logs import get_logger
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
+from jauspy.services.mobility import tilt_guard
 from jauspy.services.mobility.courses import Course, Halt, VectorCourse, VelocityCourse
+from jauspy.services.mobility.tilt_guard import TiltGuard
 from jauspy.services.mobility.velocity_control import (
     STANDSTILL,
     AccelerationLimits,
@@ -25,6 +28,9 @@ PERIOD: Final = 0.02
 MAX_TIME_STEP: Final = 0.1
 """Seconds that one step counts at most, so that the velocity does not jump after a stall."""
 _TIMER: Final = "pilot"
+_TILT_TIMER: Final = "tilt guard"
+
+_LOG: Final = get_logger("jauspy.mobility")
 
 
 class DriveOwner(Protocol):
@@ -62,8 +68,11 @@ class Pilot:
         self._course: Course | None = None
         self._velocity = STANDSTILL
         self._last = 0.0
+        self._guard = TiltGuard(chassis.tilt_guard) if chassis.tilt_guard else None
         self.driver: DriveOwner | None = None
         """The service whose command is carried out; None while the platform stands."""
+        self.tilt_problem = ""
+        """Why the tilt guard stopped the robot, until it is commanded again."""
         self.travel_speed = 0.0
         """m/s, negative backward, of the waypoint drivers; zero while another service, or none, drives."""
 
@@ -73,6 +82,8 @@ class Pilot:
 
     def set_effort(self, driver: DriveOwner, forward: float, right: float, sideways: float = 0.0) -> None:
         """Open loop: set fractions of the full effort, -1..1, immediately: forward, turning right, and to the right."""
+        if self._refuses(driver, stops=not (forward or right or sideways)):
+            return
         self._set_driver(driver)
         self._end_course()
         self._set_efforts(forward, right, sideways)
@@ -80,6 +91,12 @@ class Pilot:
 
     def follow(self, driver: DriveOwner, course: Course) -> None:
         """Closed loop: change from the measured velocity to that of the course."""
+        stops = isinstance(course, VelocityCourse) and course.velocity == STANDSTILL
+        if isinstance(course, VelocityCourse | VectorCourse):
+            if self._refuses(driver, stops=stops):
+                return
+        elif self._guard is not None:
+            self._guard.let_go()  # a command with an end is given on purpose
         self._set_driver(driver)
         if self._course is None:
             self._control.reset()
@@ -96,12 +113,45 @@ class Pilot:
 
     def stop(self) -> None:
         """Stop immediately, whichever service drives. May be called twice."""
+        if self._guard is not None:
+            self._guard.let_go()
+        self._halt()
+
+    def _halt(self) -> None:
         self._end_course()
         self._drive.stop()
         self._set_driver(None)
 
+    def _refuses(self, driver: DriveOwner, *, stops: bool) -> bool:
+        """True, after `on_preempted`, while the tilt guard holds the robot. `stops`: the command lets go."""
+        guard = self._guard
+        if guard is None:
+            return False
+        if stops:
+            guard.let_go()
+        if guard.allows(self._clock.now):
+            return False
+        driver.on_preempted()
+        return True
+
+    def _watch_tilt(self) -> None:
+        """Stop a robot that is tilted too far, for as long as a service drives it."""
+        guard, host = self._guard, self._clock
+        if guard is None or self.driver is None:
+            return
+        if problem := guard.problem(self._drive.pose()):
+            host.count("tilt", problem)
+            _LOG.warning("%s: %s", host.id, problem)
+            self.tilt_problem = problem
+            self._halt()
+        else:
+            host.set_timer(_TILT_TIMER, host.now + tilt_guard.PERIOD, self._watch_tilt)
+
     def _set_driver(self, driver: DriveOwner | None) -> None:
         before, self.driver = self.driver, driver
+        if driver is not None and before is None and self._guard is not None:
+            self.tilt_problem = ""
+            self._clock.set_timer(_TILT_TIMER, self._clock.now, self._watch_tilt)
         if driver is None or not driver.uses_travel_speed:
             self.travel_speed = 0.0
         if before is not None and before is not driver:
