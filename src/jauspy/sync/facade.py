@@ -589,7 +589,8 @@ class Arm(Facade[_Arm]):
         Metres and radians in the robot's frame: x forward, y left, z up.
 
         `rpy` is roll, pitch and yaw of the tool link; without it the arm keeps the present attitude as well as it can.
-        `speed` limits every joint, in rad/s or m/s. Raises `RequestError` when the tool does not get there.
+        `speed` limits every joint, in rad/s or m/s. Raises `RequestError` when the tool does not get there; before
+        anything moves when the geometry that the arm reports shows that the pose is out of reach.
         """
         return self._portal.run(self._async.move_tool(position, rpy, speed=speed, timeout=timeout))
 
