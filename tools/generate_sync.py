@@ -22,6 +22,7 @@ CLASSES: Final = {
     "Arm": "arm",
     "Gripper": "gripper",
     "Camera": "camera",
+    "Lidar": "lidar",
     "RobotControl": "robot",
     "ComponentClient": "robot",
     "Robot": "robot",

@@ -10,6 +10,7 @@ from jauspy.ocu.discovery import Appeared, Changed, Vanished
 from jauspy.ocu.driving import Progress
 from jauspy.ocu.gripper import Gripper
 from jauspy.ocu.joints import joint_efforts, joint_positions, joint_velocities, metres
+from jauspy.ocu.lidar import Lidar, Scan
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.robot import ComponentClient, Robot, RobotControl
 from jauspy.ocu.service import ServiceClient
@@ -30,11 +31,13 @@ __all__ = [
     "Elements",
     "Gripper",
     "Joints",
+    "Lidar",
     "NodeInfo",
     "Progress",
     "Robot",
     "RobotControl",
     "RobotPose",
+    "Scan",
     "ServiceClient",
     "ServiceInfo",
     "Stats",

@@ -14,6 +14,7 @@ from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.discovery import News
 from jauspy.ocu.driving import Progress, TOLERANCE
 from jauspy.ocu.joints import JointTable, MotionLimits
+from jauspy.ocu.lidar import MAX_WAITING, SILENCE, Scan
 from jauspy.ocu.lists import ELEMENT_TIMEOUT, Element
 from jauspy.ocu.robot import DEFAULT_SPEED
 from jauspy.ocu.state import Joints, RobotPose
@@ -35,6 +36,7 @@ from jauspy.ocu.client import OCU as _OCU
 from jauspy.ocu.commands import CommandStream as _CommandStream
 from jauspy.ocu.control import Control as _Control
 from jauspy.ocu.gripper import Gripper as _Gripper
+from jauspy.ocu.lidar import Lidar as _Lidar
 from jauspy.ocu.lists import Elements as _Elements
 from jauspy.ocu.robot import ComponentClient as _ComponentClient
 from jauspy.ocu.robot import Robot as _Robot
@@ -711,6 +713,37 @@ class Camera(Facade[_Camera]):
         return self._portal.run(self._async.still(size=size, format=format, timeout=timeout))
 
 
+class Lidar(Facade[_Lidar]):
+    """One lidar of a robot; `name` is that of the sensor, None for the only one."""
+
+    @property
+    def name(self) -> str | None:
+        """The name that was given to `Robot.lidar`."""
+        return self._async.name
+
+    def scans(
+        self,
+        *,
+        rate: float | None = None,
+        buffer: int = MAX_WAITING,
+        silence: float = SILENCE,
+    ) -> Generator[Scan, None, None]:
+        """Scans as they are measured, or at `rate` Hz.
+
+        At most `buffer` scans wait to be read; a slow reader loses the oldest. Raises `ConfigError` when the robot has
+        no such lidar, and when no scan arrives for `silence` seconds `RequestError` with the robot's reason, or
+        `ResponseTimeout`. The robot stops sending when the loop is left.
+        """
+        return self._portal.iterate(self._async.scans(rate=rate, buffer=buffer, silence=silence))
+
+    def pose(self) -> RobotPose:
+        """Where it is mounted: the pose of its link in the robot's frame.
+
+        Raises `ConfigError` when the robot does not report a fixed place.
+        """
+        return self._portal.run(self._async.pose())
+
+
 class RobotControl(Facade[_RobotControl]):
     """Controls components of a robot in the block: takes control and resumes them; Standby and release at the end.
 
@@ -880,9 +913,10 @@ class Robot(Facade[_Robot]):
     ) -> RobotPose:
         """Drive to a point (metres) and wait until the robot has arrived; returns its pose.
 
-        Obstacles are not avoided. `frame`: "local", the frame of `pose()`, or "robot", forward and left of the present
-        pose. `progress` is called five times a second with the remaining distance. Raises `RequestError` when the robot
-        does not arrive within `timeout` seconds. If the call is cancelled, the robot stops.
+        With `yaw` (radians, counterclockwise) it then turns on the spot to this heading; without, it stays as it
+        arrived. Obstacles are not avoided. `frame`: "local", the frame of `pose()`, or "robot", forward and left of the
+        present pose. `progress` is called five times a second with the remaining distance. Raises `RequestError` when
+        the robot does not arrive within `timeout` seconds. If the call is cancelled, the robot stops.
         """
         return self._portal.run(self._async.go_to(x, y, yaw, frame=frame, speed=speed, tolerance=tolerance, timeout=timeout, progress=progress))
 
@@ -911,6 +945,10 @@ class Robot(Facade[_Robot]):
     def camera(self, name: str | None = None) -> Camera:
         """A camera by its name; the only one without a name."""
         return Camera(self._portal, self._async.camera(name))
+
+    def lidar(self, name: str | None = None) -> Lidar:
+        """A lidar by its name; the only one without a name."""
+        return Lidar(self._portal, self._async.lidar(name))
 
 
 class OCU(OpensPortal):
