@@ -76,6 +76,14 @@ async def test_verbs(node_manager: LocalNode) -> None:
 
 
 @pytest.mark.slow
+async def test_scans(node_manager: LocalNode) -> None:
+    async with node_manager.robot():
+        lines = (await run("scans.py", node_manager.local)).splitlines()
+    assert len(lines) == 10
+    assert all("nothing, 0 of 360 rays with an echo" in line for line in lines), "the kinematic robot sees nothing"
+
+
+@pytest.mark.slow
 async def test_sync_ocu(node_manager: LocalNode) -> None:
     async with node_manager.robot():
         output = await run("sync_ocu.py", node_manager.local)

@@ -27,6 +27,7 @@ CLASSES: Final = {
     "ServoModule": "cell",
     "Conveyor": "cell",
     "PartStation": "cell",
+    "Lidar": "lidar",
     "RobotControl": "robot",
     "ComponentClient": "robot",
     "Robot": "robot",

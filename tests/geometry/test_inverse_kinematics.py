@@ -75,6 +75,36 @@ def test_nearby_pose_is_reached_directly() -> None:
     assert found_by(arm, tool_at(arm, there)).positions == pytest.approx(there, abs=0.01)
 
 
+@pytest.mark.parametrize("whole_pose", [True, False])
+def test_of_several_solutions_the_one_with_the_shortest_motion_is_taken(whole_pose: bool) -> None:
+    """The elbow stays up: with the elbow down, which fits no better, the arm would turn over."""
+    start = (0.39, 1.6, -2.34, 0.74, 0.0)
+    arm = arm_of("inc1", start)
+    goal = tool_at(arm, list(arm.geometry.from_urdf((0.19, 1.63, -1.81, 0.18, 0.0))))
+    attitude = goal if whole_pose else tool_at(arm, list(arm.state().positions))
+    found = found_by(arm, Transform(attitude.rotation, goal.position))
+    assert found.reaches_pose is whole_pose
+    assert found.reaches_point
+    assert arm.geometry.to_urdf(found.positions) == pytest.approx((0.19, 1.63, -1.81, 0.18, 0.0), abs=0.03)
+    assert found.travel == pytest.approx(0.56, abs=0.05), "the wrist turns by 0.56 rad at 1.5 rad/s, the elbow by 0.53"
+
+
+def test_a_shorter_motion_is_looked_for_when_the_first_one_is_long() -> None:
+    arm, rng = arm_of("inc1"), random.Random(5)
+    longer = 0
+    for _ in range(10):
+        start, goal = random_positions(arm, rng), tool_at(arm, random_positions(arm, rng))
+        search = InverseKinematics(arm.geometry.links, arm.tool, goal, start, arm.limits)
+        first = None
+        while (found := search.advance(1)) is None:
+            first = search.best if first is None and search.best.reaches_pose else first
+        assert first is not None
+        assert found.reaches_pose
+        assert found.travel <= first.travel
+        longer += first.travel > found.travel + 0.3
+    assert longer
+
+
 def test_arms_of_any_kind_reach_their_poses() -> None:
     kinds = set()
     for seed in range(14):

@@ -20,7 +20,9 @@ from jauspy.ocu import MotionLimits
 from jauspy.ocu.driving import PROGRESS_INTERVAL, Driving
 from jauspy.ocu.state import datetime_of
 from jauspy.platform.chassis import Chassis
+from jauspy.platform.joints import JointState
 from jauspy.services.core import AccessControl
+from jauspy.services.manipulator.end_effector import EndEffectorPoseDriver
 from jauspy.services.mobility import PrimitiveDriver, Vehicle
 from jauspy.services.ugv import PlatformSpecifications
 from jauspy.testing import VirtualNetwork
@@ -466,10 +468,46 @@ async def test_tool_moves_in_the_frame_of_the_robot(inc1):
         assert left.y == pytest.approx(0.3, abs=0.01)
 
 
-async def test_tool_out_of_reach_says_how_far_it_is(inc1):
+async def test_without_rpy_the_tool_takes_the_short_way(inc1):
+    """And does not turn the arm over, through the chassis, for an attitude that is nearer by a part of a degree."""
     async with inc1.control("arm"):
-        with pytest.raises(RequestError, match=r"m and \d+° from the pose: it is out of reach"):
+        start = dict(zip((await inc1.arm.joints()).positions, (0.39, 1.6, -2.34, 0.74, 0.0), strict=True))
+        await inc1.arm.move(start)  # the tool at 0.6, 0.2, 0.45
+        before, begun = (await inc1.arm.joints()).positions, loop_time()
+        tool = await inc1.arm.move_tool((0.70, 0.11, 0.62))
+        after, seconds = (await inc1.arm.joints()).positions, loop_time() - begun
+    assert (tool.x, tool.y, tool.z) == pytest.approx((0.70, 0.11, 0.62), abs=0.002)
+    assert max(abs(after[name] - before[name]) for name in before) < 0.7
+    assert seconds < 2.0, "the other way takes 4.6 s"
+
+
+async def test_an_arm_that_sags_beside_the_pose_does_not_wait_for_the_timeout(inc1, robot, monkeypatch):
+    (arm,) = (each for each in robot.components if str(each.id) == "101.1.104")
+    joints = arm.host.service(EndEffectorPoseDriver).arm.joints
+    state = joints.state
+
+    def sagging() -> JointState:
+        there = state()
+        return replace(there, positions=tuple(position - 0.004 for position in there.positions))
+
+    monkeypatch.setattr(joints, "state", sagging)
+    async with inc1.control("arm"):
+        begun = loop_time()
+        await inc1.arm.move_tool((0.60, 0.0, 0.60))
+        assert loop_time() - begun < 10.0
+
+
+async def test_tool_out_of_reach_says_at_once_how_far_it_is(inc1):
+    async with inc1.control("arm"):
+        before, begun = (await inc1.arm.joints()).positions, loop_time()
+        with pytest.raises(RequestError, match=r"out of reach: the tool gets no nearer than 3\.8\d m"):
             await inc1.arm.move_tool(position=(5.0, 0.0, 0.3))
+        with pytest.raises(RequestError, match=r"only with another attitude, \d\d° from `rpy`"):
+            await inc1.arm.move_tool(position=(0.5, 0.0, 0.6), rpy=(0.0, 0.0, 1.5))
+        with pytest.raises(RequestError, match=rf"no nearer than 0\.\d\d m, with {SHOULDER} at its limit of -0\.5 rad"):
+            await inc1.arm.move_tool(position=(0.95, 0.0, -0.6))
+        assert (await inc1.arm.joints()).positions == before
+        assert loop_time() - begun < 1.0
         with pytest.raises(ConfigError, match=r"in radians; `math.radians\(90\)`"):
             await inc1.arm.move_tool(position=(0.6, 0.0, 0.3), rpy=(0, 90, 0))
 

@@ -31,6 +31,7 @@ from jauspy.cli.definitions import Definitions, SchemasOption, ServiceName, Serv
 from jauspy.cli.render import Styled, styled_fields
 from jauspy.codec.message import Message
 from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
+from jauspy.codec.rounding import rounded
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.printable import printable
@@ -338,7 +339,7 @@ def _content_json(content: Content) -> dict[str, Any]:
         "service": message.SERVICE if message else None,
         "version": message.VERSION if message else None,
         "also": [{"message": entry.name, "service": entry.service, "version": entry.version} for entry in others],
-        "fields": message.to_dict() if message else None,
+        "fields": rounded(message).to_dict() if message else None,
         "deviations": list(content.deviations),
         "problem": content.problem or None,
         "reencodes": content.reencodes,

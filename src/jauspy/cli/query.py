@@ -18,6 +18,7 @@ from jauspy.cli.processes import run
 from jauspy.cli.render import field_lines
 from jauspy.codec.layout import Composite
 from jauspy.codec.message import Message
+from jauspy.codec.rounding import rounded
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
@@ -153,7 +154,7 @@ def _show(answer: Message, source: JausID, *, first: bool = True) -> None:
             "source": str(source),
             "message": answer.NAME,
             "code": f"{answer.CODE:04X}",
-            "fields": answer.to_dict(),
+            "fields": rounded(answer).to_dict(),
         }
         if has_axes(answer):
             shown["axes"] = "JAUS"

@@ -33,7 +33,8 @@ from construct import (
 )
 
 from jauspy.codec.names import attributes, members
-from jauspy.codec.scalars import CODES, FLOATS, as_sent, limits, nearest_raw
+from jauspy.codec.rounding import shortest
+from jauspy.codec.scalars import CODES, FLOATS, Scaling, as_sent, limits, nearest_raw
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.schema import model as m
 from jauspy.schema.model import MessageDefinition
@@ -299,6 +300,7 @@ class Explainer:
         code = CODES[kind.type]
         if kind.scale is not None and code not in FLOATS:
             value: Any = real(raw, kind.scale, limits(code)[1])
+            shown = shortest(value, Scaling(kind.scale.lower, kind.scale.upper, limits(code)[1], kind.scale.function))
             if raw < 0:
                 self._wrong("raw value below 0", leaf, path)
         else:
@@ -308,7 +310,8 @@ class Explainer:
                 value = str(raw)
             elif not allows(kind.values, raw, code):
                 self._wrong(f"{raw} is not allowed", leaf, path)
-        self._row(leaf, path, value, kind=_kind(kind))
+            shown = value
+        self._row(leaf, path, shown, kind=_kind(kind))
         return value
 
     def _bits(self, node: m.BitField, leaf: Container, path: str) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from typing import Final
 
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
+from jauspy.codec.rounding import rounded
 from jauspy.errors import DecodeError
 from jauspy.ids import JausID, message_id
 from jauspy.protocol import judp
@@ -61,7 +62,7 @@ def described(payload: bytes, registry: Registry) -> str:
     except DecodeError:
         return f"{code} {payload[2:].hex()}".strip()
     wrong = f" ({'; '.join(map(str, deviations))})" if deviations else ""
-    return f"{code} {message!r}{wrong}"
+    return f"{code} {rounded(message)!r}{wrong}"
 
 
 def message_name(kind: type[Message]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Generator, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import accumulate, cycle
 from typing import Final
 
@@ -31,6 +31,12 @@ POINT_WEIGHTS: Final = (0.0, 0.01, 0.0)
 """As `POSE_WEIGHTS`, for the second try from a start: the point first."""
 MIN_RELATIVE_GAIN: Final = 0.02
 """A descent ends when a step lowers the cost by less than this part."""
+NEAR: Final = 0.5
+"""Seconds up to which a motion to the whole pose is taken without looking for a shorter one."""
+STARTS_FOR_NEARER: Final = 5
+"""Further starts that are tried for a shorter motion, once the whole pose has been found."""
+TRAVEL_WEIGHT: Final = 0.05
+"""Radians of attitude that a second of motion counts as, if the whole pose is out of reach."""
 MIN_COST: Final = 1e-14
 """A descent ends below this cost, square metres."""
 HALTON_BASES: Final = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)
@@ -90,6 +96,8 @@ class Solution:
     """Metres from the goal's point to the tool point."""
     angle: float
     """Radians between the goal's attitude and the tool's."""
+    travel: float = 0.0
+    """Seconds that the joints need from the start of the search, each at its greatest speed."""
 
     @property
     def reaches_point(self) -> bool:
@@ -102,10 +110,19 @@ class Solution:
         return self.reaches_point and self.angle <= ATTITUDE_TOLERANCE
 
     def better(self, other: Solution) -> Solution:
-        """The solution that is nearer to the point, or, if both reach it, nearer to the attitude."""
-        if self.reaches_point and other.reaches_point:
-            return self if self.angle < other.angle else other
-        return self if self.distance < other.distance else other
+        """The solution that is to be preferred.
+
+        Of two that reach the whole pose, the one with less travel; of two that reach the point, the one that is nearer
+        to the attitude, where travel counts a little; else the one nearer to the point.
+        """
+        return self if self._rank() < other._rank() else other
+
+    def _rank(self) -> tuple[int, float]:
+        if self.reaches_pose:
+            return 0, self.travel
+        if self.reaches_point:
+            return 1, self.angle + TRAVEL_WEIGHT * self.travel
+        return 2, self.distance
 
 
 class InverseKinematics:
@@ -113,8 +130,10 @@ class InverseKinematics:
 
     Damped Gauss-Newton steps (Levenberg, Marquardt) within the joints' limits; if they end beside the goal, they are
     repeated from other start configurations. An arm of fewer than six joints cannot take every attitude: the tool point
-    has priority, and the nearest attitude is taken. The search is deterministic, and is done in parts, by `advance`, so
-    that it does not block a component.
+    has priority, and the nearest attitude is taken. Most goals have several solutions, such as the elbow up or down: of
+    those that are about as good, the one with the least motion from the start is taken, since a turn of the whole arm
+    leads through the robot or the ground. The search is deterministic, and is done in parts, by `advance`, so that it
+    does not block a component.
 
     `tool` is the tool point in the last joint's frame, metres; `limits` holds the lower and upper limit of each joint.
     """
@@ -132,7 +151,8 @@ class InverseKinematics:
     ) -> None:
         self._links, self._tool, self._goal = links, tool, goal
         self._limits, self._starts, self._weights = limits, starts, weights
-        first = self._limited(start)
+        self._speeds = [link.joint.velocity or 1.0 for link in links]
+        self._first = first = self._limited(start)
         self.best = Solution(first, math.inf, math.inf)
         """The best solution so far."""
         self._steps = self._search(first)
@@ -145,22 +165,39 @@ class InverseKinematics:
         return None
 
     def _search(self, first: tuple[float, ...]) -> Iterator[None]:
+        last = self._starts
         for number in range(self._starts):
+            if number > last:
+                return
             for weights in self._weights:
                 start = (yield from self._sample(number, weights[0])) if number else first
                 yield from self._try(start, weights)
-                if self.best.reaches_pose:
-                    return
                 if self.best.reaches_point:
                     break
+            if self.best.reaches_pose:
+                if self.best.travel <= NEAR:
+                    return
+                last = min(last, number + STARTS_FOR_NEARER)
+                self._limits = self._nearer(self.best.travel)
 
     def _try(self, positions: tuple[float, ...], weights: Sequence[float]) -> Iterator[None]:
         """One descent for each weight of the attitude."""
         for weight in weights:
             found = yield from self._descend(positions, weight)
-            self.best, positions = found.better(self.best), found.positions
+            positions = found.positions
+            self.best = replace(found, travel=self._travel(positions)).better(self.best)
             if found.reaches_pose:
                 return
+
+    def _nearer(self, travel: float) -> list[tuple[float, float]]:
+        """The limits within which each joint arrives sooner."""
+        ways = [travel * speed for speed in self._speeds]
+        rows = zip(self._first, self._limits, ways, strict=True)
+        return [(max(low, start - way), min(high, start + way)) for start, (low, high), way in rows]
+
+    def _travel(self, positions: Sequence[float]) -> float:
+        rows = zip(positions, self._first, self._speeds, strict=True)
+        return max(abs(position - start) / speed for position, start, speed in rows)
 
     def _descend(self, start: tuple[float, ...], weight: float) -> Generator[None, None, Solution]:
         current, damping, ended = self._candidate(start, weight), 1e-2, False

@@ -11,6 +11,7 @@ from jauspy.ocu.discovery import Appeared, Changed, Vanished
 from jauspy.ocu.driving import Progress
 from jauspy.ocu.gripper import Gripper
 from jauspy.ocu.joints import joint_efforts, joint_positions, joint_velocities, metres
+from jauspy.ocu.lidar import Lidar, Scan
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.motion_limits import MotionLimits
 from jauspy.ocu.robot import ComponentClient, Robot, RobotControl
@@ -35,6 +36,7 @@ __all__ = [
     "ForceTorque",
     "Gripper",
     "Joints",
+    "Lidar",
     "ModularArm",
     "MotionLimits",
     "NodeInfo",
@@ -43,6 +45,7 @@ __all__ = [
     "Robot",
     "RobotControl",
     "RobotPose",
+    "Scan",
     "ServiceClient",
     "ServiceInfo",
     "ServoModule",

@@ -58,6 +58,7 @@ from jauspy.ocu.joints import (
 )
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.motion_limits import MotionLimits, limited_by, motion_limits, profile_record, speeds_for
+from jauspy.ocu.reach import reach_of
 from jauspy.ocu.state import Joints, RobotPose
 from jauspy.ocu.subscription import subscribe
 from jauspy.ocu.subsystems import ComponentInfo
@@ -308,7 +309,8 @@ class Arm:
         Metres and radians in the robot's frame: x forward, y left, z up.
 
         `rpy` is roll, pitch and yaw of the tool link; without it the arm keeps the present attitude as well as it can.
-        `speed` limits every joint, in rad/s or m/s. Raises `RequestError` when the tool does not get there.
+        `speed` limits every joint, in rad/s or m/s. Raises `RequestError` when the tool does not get there; before
+        anything moves when the geometry that the arm reports shows that the pose is out of reach.
         """
         goal, attitude = _vector(position, "position"), None if rpy is None else _vector(rpy, "rpy")
         if attitude is not None and max(map(abs, attitude)) > math.tau:
@@ -316,10 +318,15 @@ class Arm:
         check_number(timeout, "timeout")
         self._need(POSE_DRIVER, "move its tool to a pose")
         table, base = await self._joint_table(), await self._base_frame()
-        turned = await self._tool() if attitude is None else Transform.from_pose(Pose(*goal, *attitude))
+        present = await self._tool()
+        turned = present if attitude is None else Transform.from_pose(Pose(*goal, *attitude))
         tool = Transform(turned.rotation, goal)
         local = base.inverse() @ tool @ Transform(transposed(table.tool))
         await check_ready(self._connection, self.info.id)
+        if reach := await reach_of(self._connection, self.info, table):
+            start, point = await reported(self._connection, self.info), base.inverse().apply(present.position)
+            if reason := await reach.obstacle(local, start, point, exactly=rpy is not None):
+                raise RequestError(f"{self.info.id}: {reason}")
         command = SetEndEffectorPose(*local.position, *quaternion(local.rotation))
         async with self._stopping(), self._limited(speed):
             try:

@@ -22,6 +22,7 @@ from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
 from jauspy.ocu.driving import TOLERANCE, VELOCITY, WRENCH, Driving, Progress
 from jauspy.ocu.gripper import DRIVER as GRIPPER_DRIVER, Gripper
 from jauspy.ocu.joints import PAN_TILT_SENSOR, POSITION_SENSOR, joint_table, reported
+from jauspy.ocu.lidar import RANGE_SENSOR, Lidar
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.state import ForceTorque, Joints, RobotPose
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
@@ -208,10 +209,11 @@ class Robot:
     ) -> RobotPose:
         """Drive to a point (metres) and wait until the robot has arrived; returns its pose.
 
-        Obstacles are not avoided. `frame`: "local", the frame of `pose()`, or "robot", forward and left of the present
-        pose. The robot is told to come within `tolerance` metres; where it stands then may be `accept` metres off, by
-        default the same. `progress` is called five times a second with the remaining distance. Raises `RequestError`
-        when the robot does not arrive within `timeout` seconds. If the call is cancelled, the robot stops.
+        With `yaw` (radians, counterclockwise) it then turns on the spot to this heading; without, it stays as it
+        arrived. Obstacles are not avoided. `frame`: "local", the frame of `pose()`, or "robot", forward and left of the
+        present pose. The robot is told to come within `tolerance` metres; where it stands then may be `accept` metres
+        off, by default the same. `progress` is called five times a second with the remaining distance. Raises
+        `RequestError` when the robot does not arrive within `timeout` seconds. If the call is cancelled, it stops.
         """
         return await self._driving.go_to(
             x, y, yaw, frame, speed=speed, tolerance=tolerance, accept=accept, timeout=timeout, progress=progress
@@ -266,6 +268,10 @@ class Robot:
     def camera(self, name: str | None = None) -> Camera:
         """A camera by its name; the only one without a name."""
         return Camera(self._connection, tuple(self.info.offering(VIDEO)), name)
+
+    def lidar(self, name: str | None = None) -> Lidar:
+        """A lidar by its name; the only one without a name."""
+        return Lidar(self._connection, tuple(self.info.offering(RANGE_SENSOR)), name)
 
     # --- inside ---------------------------------------------------------------------------------------------------
 

@@ -17,6 +17,7 @@ from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.discovery import News
 from jauspy.ocu.driving import Progress, TOLERANCE
 from jauspy.ocu.joints import JointTable
+from jauspy.ocu.lidar import MAX_WAITING, Scan
 from jauspy.ocu.lists import ELEMENT_TIMEOUT, Element
 from jauspy.ocu.motion_limits import MotionLimits
 from jauspy.ocu.robot import DEFAULT_SPEED
@@ -47,6 +48,7 @@ from jauspy.ocu.client import OCU as _OCU
 from jauspy.ocu.commands import CommandStream as _CommandStream
 from jauspy.ocu.control import Control as _Control
 from jauspy.ocu.gripper import Gripper as _Gripper
+from jauspy.ocu.lidar import Lidar as _Lidar
 from jauspy.ocu.lists import Elements as _Elements
 from jauspy.ocu.robot import ComponentClient as _ComponentClient
 from jauspy.ocu.robot import Robot as _Robot
@@ -632,7 +634,8 @@ class Arm(Facade[_Arm]):
         Metres and radians in the robot's frame: x forward, y left, z up.
 
         `rpy` is roll, pitch and yaw of the tool link; without it the arm keeps the present attitude as well as it can.
-        `speed` limits every joint, in rad/s or m/s. Raises `RequestError` when the tool does not get there.
+        `speed` limits every joint, in rad/s or m/s. Raises `RequestError` when the tool does not get there; before
+        anything moves when the geometry that the arm reports shows that the pose is out of reach.
         """
         return self._portal.run(self._async.move_tool(position, rpy, speed=speed, timeout=timeout))
 
@@ -874,6 +877,37 @@ class PartStation(Facade[_PartStation]):
         self._portal.run(self._async.switch(modules, on=on))
 
 
+class Lidar(Facade[_Lidar]):
+    """One lidar of a robot; `name` is that of the sensor, None for the only one."""
+
+    @property
+    def name(self) -> str | None:
+        """The name that was given to `Robot.lidar`."""
+        return self._async.name
+
+    def scans(
+        self,
+        *,
+        rate: float | None = None,
+        buffer: int = MAX_WAITING,
+        silence: float = SILENCE,
+    ) -> Generator[Scan, None, None]:
+        """Scans as they are measured, or at `rate` Hz.
+
+        At most `buffer` scans wait to be read; a slow reader loses the oldest. Raises `ConfigError` when the robot has
+        no such lidar, and when no scan arrives for `silence` seconds `RequestError` with the robot's reason, or
+        `ResponseTimeout`. The robot stops sending when the loop is left.
+        """
+        return self._portal.iterate(self._async.scans(rate=rate, buffer=buffer, silence=silence))
+
+    def pose(self) -> RobotPose:
+        """Where it is mounted: the pose of its link in the robot's frame.
+
+        Raises `ConfigError` when the robot does not report a fixed place.
+        """
+        return self._portal.run(self._async.pose())
+
+
 class RobotControl(Facade[_RobotControl]):
     """Controls components of a robot in the block: takes control and resumes them; Standby and release at the end.
 
@@ -1072,10 +1106,11 @@ class Robot(Facade[_Robot]):
     ) -> RobotPose:
         """Drive to a point (metres) and wait until the robot has arrived; returns its pose.
 
-        Obstacles are not avoided. `frame`: "local", the frame of `pose()`, or "robot", forward and left of the present
-        pose. The robot is told to come within `tolerance` metres; where it stands then may be `accept` metres off, by
-        default the same. `progress` is called five times a second with the remaining distance. Raises `RequestError`
-        when the robot does not arrive within `timeout` seconds. If the call is cancelled, the robot stops.
+        With `yaw` (radians, counterclockwise) it then turns on the spot to this heading; without, it stays as it
+        arrived. Obstacles are not avoided. `frame`: "local", the frame of `pose()`, or "robot", forward and left of the
+        present pose. The robot is told to come within `tolerance` metres; where it stands then may be `accept` metres
+        off, by default the same. `progress` is called five times a second with the remaining distance. Raises
+        `RequestError` when the robot does not arrive within `timeout` seconds. If the call is cancelled, it stops.
         """
         return self._portal.run(self._async.go_to(x, y, yaw, frame=frame, speed=speed, tolerance=tolerance, accept=accept, timeout=timeout, progress=progress))
 
@@ -1108,6 +1143,10 @@ class Robot(Facade[_Robot]):
     def camera(self, name: str | None = None) -> Camera:
         """A camera by its name; the only one without a name."""
         return Camera(self._portal, self._async.camera(name))
+
+    def lidar(self, name: str | None = None) -> Lidar:
+        """A lidar by its name; the only one without a name."""
+        return Lidar(self._portal, self._async.lidar(name))
 
 
 class OCU(OpensPortal):

@@ -18,7 +18,7 @@ from jauspy.logs import get_logger
 from jauspy.platform.joint_control import ACCELERATION_TIME
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.services.command_timeout import ContinuousCommands
-from jauspy.services.manipulator.blocking import BlockedJoint, StandstillWatch
+from jauspy.services.manipulator.blocking import LEAST_SHORT, SLOW, BlockedJoint, StandstillWatch
 
 _LOG: Final = get_logger("jauspy.manipulator")
 
@@ -105,10 +105,15 @@ class Arm:
         """The positions, within the joints' limits."""
         return [min(high, max(low, p)) for p, (low, high) in zip(positions, self.limits, strict=True)]
 
-    def is_at(self, positions: Sequence[float]) -> bool:
-        """True if all joints are at these positions, or at their limits."""
+    def is_at(self, positions: Sequence[float], tolerance: float = POSITION_TOLERANCE) -> bool:
+        """True if all joints are at these positions, or at their limits; `tolerance` in radians or metres."""
         rows = zip(self.limited(positions), self.state().positions, self.geometry.links, strict=True)
-        return all(abs(_way(link.joint, position, goal)) <= POSITION_TOLERANCE for goal, position, link in rows)
+        return all(abs(_way(link.joint, position, goal)) <= tolerance for goal, position, link in rows)
+
+    def rests_near(self, positions: Sequence[float]) -> bool:
+        """True if all joints (almost) stand, as near to these positions as one that counts as not blocked."""
+        speeds = zip(self.state().velocities, self.profiles, strict=True)
+        return self.is_at(positions, LEAST_SHORT) and all(abs(v) <= SLOW * profile.speed for v, profile in speeds)
 
     def watch(self) -> StandstillWatch:
         """Watch the joints during a command to positions within the present motion profile."""

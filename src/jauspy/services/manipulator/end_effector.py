@@ -42,6 +42,8 @@ POSITION_TOLERANCE: Final = 0.001
 """Metres from the pose that was found up to which it is reached."""
 ATTITUDE_TOLERANCE: Final = math.radians(0.5)
 """Radians, for the attitude."""
+SETTLING_TIME: Final = 5.0
+"""Seconds that joints near their positions have to bring the tool to the pose; a load may keep it beside."""
 MIN_QUATERNION_NORM: Final = 0.01
 """Norm below which a quaternion counts as zero; a zero arrives as some parts of a billion."""
 CONTROL_PERIOD: Final = 0.02
@@ -81,7 +83,7 @@ class ToolPoseDriver(ArmDriver):
             self.host.set_timer(self, self._resume_at, self._search_on)
 
     def reached(self, *, exactly: bool) -> None:
-        """Called when the pose is reached; `exactly` is False if only its point is."""
+        """Called when the pose is reached; `exactly` is False if only its point is, or if the joints sag."""
         raise NotImplementedError(f"{type(self).__name__}.reached")
 
     def on_preempted(self) -> None:
@@ -108,19 +110,24 @@ class ToolPoseDriver(ArmDriver):
         self._search = None
         if found.reaches_point:
             self.arm.to_positions(self, found.positions)
-            self._check(found, goal, self.arm.watch())
+            self._check(found, goal, self.arm.watch(), math.inf)
         else:
             self.host.count("out_of_reach", f"{goal.position}: {found.distance:.3f} m are missing")
             self.arm.stop()
 
-    def _check(self, found: Solution, goal: Transform, watch: StandstillWatch) -> None:
+    def _check(self, found: Solution, goal: Transform, watch: StandstillWatch, near_since: float) -> None:
         tool = self.arm.kinematic_state().tool
         distance = math.dist(goal.position, tool.position) - found.distance
         turn = math.hypot(*rotation_vector(tool.rotation, goal.rotation)) - found.angle
         if distance <= POSITION_TOLERANCE and turn <= ATTITUDE_TOLERANCE:
             self.reached(exactly=found.reaches_pose)
+            return
+        now = self.host.now
+        near_since = min(near_since, now) if self.arm.rests_near(found.positions) else math.inf
+        if now - near_since >= SETTLING_TIME:
+            self.reached(exactly=False)
         elif not self.stops_if_blocked(watch, found.positions):
-            self.host.set_timer(self, self.host.now + CHECK_PERIOD, lambda: self._check(found, goal, watch))
+            self.host.set_timer(self, now + CHECK_PERIOD, lambda: self._check(found, goal, watch, near_since))
 
 
 def commanded_pose(msg: SetEndEffectorPose) -> Transform | None:
