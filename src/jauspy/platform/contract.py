@@ -100,6 +100,17 @@ class Robot(RobotParts, Protocol):
         ...
 
 
+class DisabledRobot(Robot, Protocol):
+    """A robot that was opened before its motors are enabled."""
+
+    def enable(self) -> None:
+        """Enable the motors, at rest; called once, by the robot's thread, when everything else of the robot runs.
+
+        Raises `ConfigError` if the robot cannot be used. After any other exception the next `advance` tries again.
+        """
+        ...
+
+
 @runtime_checkable
 class Viewable(Protocol):
     """A robot whose world can be shown in a window of its simulator."""
@@ -220,4 +231,13 @@ class Backend(Protocol):
 
     def open(self, robot: RobotModel, world: str) -> Robot:
         """Open a robot in a world. Raises `ConfigError` with the known worlds for an unknown one."""
+        ...
+
+
+@runtime_checkable
+class EnablesLast(Protocol):
+    """A backend whose motors stop when the program that commands them is held up, as it may be while it starts."""
+
+    def open_disabled(self, robot: RobotModel, world: str) -> DisabledRobot:
+        """Open a robot as `Backend.open` does, without enabling its motors."""
         ...
