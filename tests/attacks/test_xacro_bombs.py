@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import tracemalloc
 from collections.abc import Callable
 from pathlib import Path
 from typing import Final
@@ -120,6 +122,37 @@ def test_parameters_that_a_pattern_reads_for_ever(write, params: str) -> None:
         assert "steps" in _refusal(path)
     else:
         assert "<link" in expand(path)
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        "'a'.ljust(10**9)",
+        "'a'.rjust(10**9, 'b')",
+        "'a'.center(10**12)",
+        "'1'.zfill(10**300)",
+        "p.replace('x', p)",
+        "p.replace('', p)",
+        "p.replace('x', p, 10**9)",
+        "p.join(p)",
+        "p.join([p, p, p, p, p, p, p, p, p, p, p, p, p])",
+        "p.join(p.split('x'))",
+        "p.expandtabs(10**9)",
+        "p.translate([p])",
+        "p.format(10**9)",
+        "p.format_map(p)",
+        "'a' * 10**9",
+        "'%1000000000d' % 1",
+    ],
+)
+def test_methods_that_make_gigabytes_of_a_text(write, expression: str) -> None:
+    """Refused before the text is made."""
+    path = write(f'<xacro:property name="p" value="{"x" * 10_000}"/><link name="${{{expression}}}"/>')
+    tracemalloc.start()
+    said = _refusal(path)
+    assert re.search(r"a value is longer than|is not evaluated", said)
+    assert tracemalloc.get_traced_memory()[1] < 50_000_000
+    tracemalloc.stop()
 
 
 def test_entities_are_refused(tmp_path: Path) -> None:
