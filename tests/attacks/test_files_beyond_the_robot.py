@@ -9,7 +9,8 @@ from typing import Final
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.robot.robot_files import load, read_urdf, robot_model
+from jauspy.robot.robot_files import load, robot_model
+from jauspy.robot.urdf_files import read_urdf
 from jauspy.robot.urdf_paths import PackagePaths
 from jauspy.robot.xacro_files import expand
 

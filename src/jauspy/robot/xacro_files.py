@@ -25,7 +25,8 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import PLACE
 from jauspy.logs import get_logger
 from jauspy.printable import printable
-from jauspy.robot.urdf_paths import PackagePaths
+from jauspy.robot.missing_parts import MissingParts
+from jauspy.robot.urdf_paths import MissingFile, PackagePaths
 from jauspy.robot.xacro_expressions import (
     BUILTIN,
     BYTES,
@@ -57,18 +58,20 @@ def expand(
     arguments: Mapping[str, str] | None = None,
     *,
     with_places: bool = False,
+    missing: MissingParts | None = None,
 ) -> str:
     """The URDF that a xacro file describes, or a URDF as it is. Raises `ConfigError` in one line.
 
     `packages` finds the directories of `$(find ...)`; `arguments` are those of `$(arg ...)`. `with_places` gives each
-    element the attribute `PLACE`.
+    element the attribute `PLACE`. `missing` collects includes whose files are missing, which are left out with the
+    calls of macros that are unknown then; without it they are errors.
     """
     if Path(path).is_dir():
         raise ConfigError(f"urdf: {path}: is a directory; name the URDF or xacro file in it")
     if not Path(path).is_file():
         raise ConfigError(f"urdf: {path}: there is no such file")
     try:
-        module = _copy_of_xacro(Path(path), packages or PackagePaths(), with_places=with_places)
+        module = _copy_of_xacro(Path(path), packages or PackagePaths(), missing, with_places=with_places)
         return str(module.process_file(path, mappings=dict(arguments or {})).toxml())
     except Exception as error:  # xacro leaves it to Python to find some mistakes
         reason = printable(" ".join(str(error).split()))[:MAX_REASON] or type(error).__name__
@@ -90,7 +93,9 @@ def _failed_at(error: Exception) -> str:
     return place and f"{place}: "
 
 
-def _copy_of_xacro(path: Path, packages: PackagePaths, *, with_places: bool = False) -> Any:
+def _copy_of_xacro(
+    path: Path, packages: PackagePaths, missing: MissingParts | None = None, *, with_places: bool = False
+) -> Any:
     """The module for one file, with evaluation as described here. What others import as `xacro` stays as it is."""
     spec = xacro.__spec__
     assert spec.loader is not None
@@ -110,7 +115,10 @@ def _copy_of_xacro(path: Path, packages: PackagePaths, *, with_places: bool = Fa
     module.glob = SimpleNamespace(glob=partial(_matching, path, packages, costs))
     module.safe_eval = lambda text, names, _=None: evaluator.evaluate(text, names)
     module.eval_text = partial(_text, module.eval_text, costs)
-    extension = partial(_extension, module.eval_extension, lambda name: packages.package(name, path))
+    search = partial(packages.package, near=path)
+    extension = partial(_extension, module.eval_extension, partial(missing.find, search=search) if missing else search)
+    if missing is not None:
+        _Tolerant(module, missing, partial(_exists, path, packages, costs))
     module.eval_extension = lambda text: evaluator.bounded(extension(text))
     for name in ("replace_node", "remove_previous_comments"):
         setattr(module, name, partial(_among_siblings, getattr(module, name), costs))
@@ -196,7 +204,55 @@ def _open_yaml(read: Callable[[Path], bytes], costs: Costs, path: str) -> String
     return StringIO(data.decode())
 
 
-def _extension(resolve: Callable[[str], object], package: Callable[[str], Path], text: str) -> object:
+def _exists(top: Path, packages: PackagePaths, costs: Costs, path: Path) -> bool:
+    """Whether a file that may be named is there; raises `ConfigError` for others."""
+    costs.add(STEPS, 10_000)
+    return path == top or packages.permitted(path, top).exists()
+
+
+class _Tolerant:
+    """How xacro includes files and calls macros, but that it leaves out what is missing, and notes it."""
+
+    def __init__(self, module: Any, missing: MissingParts, exists: Callable[[Path], bool]) -> None:
+        self._module = module
+        self._process, self._call = module.process_include, module.handle_macro_call
+        self._missing = missing
+        self._exists = exists
+        module.process_include, module.handle_macro_call = self.include, self.call
+
+    def include(self, elt: minidom.Element, macros: object, symbols: object, func: object) -> None:
+        """Process an `<xacro:include>`, or leave it out if its file or package is missing."""
+        module = self._module
+        name = str(module.eval_text(elt.getAttribute("filename"), symbols))
+        path = Path(module.abs_filename_spec(name))
+        error = self._missing.package_error(name)
+        optional = module.get_boolean_value(elt.getAttribute("optional") or "false", None)
+        if error is None and not optional and not re.search(r"[*?[]", name) and not self._exists(path):
+            error = MissingFile(f"{path}: there is no such file")
+        if error is None:
+            self._process(elt, macros, symbols, func)
+            return
+        self._missing.add_include(name, elt.getUserData(PLACE) or "", str(error))
+        self._remove(elt)
+
+    def call(self, node: minidom.Element, macros: object, symbols: object) -> bool:
+        """Expand the call of a macro, or leave it out if the macro is unknown because includes are missing."""
+        name = node.tagName.removeprefix("xacro:")
+        if self._missing.lacks_includes and name not in (node.tagName, "call"):
+            try:
+                self._module.resolve_macro(name, macros, symbols)
+            except KeyError:
+                self._missing.leave_out("macros", f"{name} ({node.getUserData(PLACE)})")
+                self._remove(node)
+                return True
+        return bool(self._call(node, macros, symbols))
+
+    def _remove(self, element: minidom.Element) -> None:
+        self._module.remove_previous_comments(element)
+        self._module.replace_node(element, by=None)
+
+
+def _extension(resolve: Callable[[str], object], package: Callable[[str], object], text: str) -> object:
     """`$(arg NAME)`, `$(find PACKAGE)` and others, which evaluate nothing."""
     words = text.removeprefix("$(").removesuffix(")").split()
     if words[:1] == ["eval"]:
