@@ -28,7 +28,7 @@ MAX_LISTED: Final = 50
 MAX_TEXT: Final = 500
 """Characters of a name or a reason that are shown."""
 
-_SCHEME: Final = "package://"
+SCHEME: Final = "package://"
 _NAME: Final = re.compile(r"[A-Za-z0-9_][\w.-]*", re.ASCII)
 
 
@@ -96,7 +96,7 @@ class MissingParts:
         except MissingFile:
             if not _NAME.fullmatch(name):
                 raise
-            return f"{_SCHEME}{name}"
+            return f"{SCHEME}{name}"
 
     def _search(self, package: str, search: Callable[[], Path]) -> Path:
         """What `search` returns; it is not called again for a package that is missing."""
@@ -137,7 +137,7 @@ class MissingParts:
         Raises `ConfigError` with the place for one that must not be read.
         """
         filename = str(element.get("filename"))
-        filename = filename.removeprefix("file://") if filename.startswith(f"file://{_SCHEME}") else filename
+        filename = filename.removeprefix("file://") if filename.startswith(f"file://{SCHEME}") else filename
         package = _package(filename)
         try:
             return self._search(package, lambda: find(filename)) if package else find(filename)
@@ -154,16 +154,14 @@ class MissingParts:
         for element in root.iter() if self._packages.keys() - self._used else ():
             texts = [*map(str, element.attrib.values()), element.text or ""]
             for text in texts if element.tag not in ("mesh", "texture") else ():
-                for name in re.findall(rf"{_SCHEME}({_NAME.pattern})", text, re.ASCII):
+                for name in re.findall(rf"{SCHEME}({_NAME.pattern})", text, re.ASCII):
                     if name in self._packages:
                         self._used.add(name)
                         reason = str(self._packages[name])
-                        self._names[_part(f"<{element.tag}>", place(element), f"{_SCHEME}{name}", reason)] = None
+                        self._names[_part(f"<{element.tag}>", place(element), f"{SCHEME}{name}", reason)] = None
 
     def settle(self, root: Element) -> None:
         """Leave out and replace what the policy permits. Raises `ConfigError`, which lists all other missing parts."""
-        for name in (name for name in self._packages if name not in self._used):
-            self._names[_part(f"$(find {name})", "", f"{_SCHEME}{name}", str(self._packages[name]))] = None
         if error := self.error():
             raise error
         if self._includes:
@@ -202,7 +200,12 @@ class MissingParts:
 
         `then` is the reason why the file was not read to its end.
         """
-        packages = [] if self._policy.skip_packages else [*self._includes, *self._names]
+        unused = [
+            _part(f"$(find {name})", "", f"{SCHEME}{name}", str(error))
+            for name, error in self._packages.items()
+            if name not in self._used
+        ]
+        packages = [] if self._policy.skip_packages else [*self._includes, *self._names, *unused]
         meshes = [] if self._policy.placeholder_meshes else [*self._meshes]
         parts = [*packages, *meshes]
         if not parts:

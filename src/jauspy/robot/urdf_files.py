@@ -84,8 +84,9 @@ def _tree(path: str, packages: PackagePaths, arguments: Mapping[str, str] | None
     try:
         text = expand(path, packages, arguments, with_places=True, missing=missing)
     except ConfigError as error:
-        reason = str(error)
-        raise missing.error(reason.partition("xacro cannot expand it: ")[2] or reason) or error from error
+        reason = str(error).partition("xacro cannot expand it: ")[2] or str(error)
+        listed = missing.error(reason) or ConfigError("\n  ".join([str(error), *missing.sentences()]))
+        raise listed from error
     root = parse_tree(text)
     missing.note_names(root)
     return root

@@ -25,7 +25,7 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import PLACE
 from jauspy.logs import get_logger
 from jauspy.printable import printable
-from jauspy.robot.missing_parts import MissingParts
+from jauspy.robot.missing_parts import SCHEME, MissingParts
 from jauspy.robot.urdf_paths import MissingFile, PackagePaths
 from jauspy.robot.xacro_expressions import (
     BUILTIN,
@@ -110,7 +110,7 @@ def _copy_of_xacro(
     evaluator = Evaluator(filter(callable, (*symbols.values(), *PYTHON.values(), module.load_yaml)), costs)
     read = partial(_read, path, packages, costs)
     module.eval = module.exec = _refuse
-    module.open = partial(_open_yaml, read, costs)
+    module.open = partial(_open_yaml, read, costs, missing)
     module.parse = partial(_parse, module, read, lambda name: _CountedElements(name, costs, with_places=with_places))
     module.glob = SimpleNamespace(glob=partial(_matching, path, packages, costs))
     module.safe_eval = lambda text, names, _=None: evaluator.evaluate(text, names)
@@ -197,8 +197,10 @@ def _refuse(*_: object) -> NoReturn:
     raise ExpressionError("this version of xacro evaluates in a way that is not known to be safe")
 
 
-def _open_yaml(read: Callable[[Path], bytes], costs: Costs, path: str) -> StringIO:
-    """A file that is read as YAML."""
+def _open_yaml(read: Callable[[Path], bytes], costs: Costs, missing: MissingParts | None, path: str) -> StringIO:
+    """A file that is read as YAML; raises `MissingFile` if its package is missing."""
+    if missing is not None and (error := missing.package_error(path[max(0, path.find(SCHEME)) :])) is not None:
+        raise error
     data = read(Path(path))
     costs.add(YAML_BYTES, len(data))
     return StringIO(data.decode())
