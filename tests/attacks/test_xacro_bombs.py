@@ -11,6 +11,11 @@ from typing import Final
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.robot import xacro_expressions
+from jauspy.robot.missing_parts import MissingPolicy
+from jauspy.robot.urdf_files import read_urdf
+from jauspy.robot.urdf_paths import PackagePaths
+from jauspy.robot.xacro_expressions import LIMITS, STEPS
 from jauspy.robot.xacro_files import expand
 
 HEAD: Final = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -153,6 +158,31 @@ def test_methods_that_make_gigabytes_of_a_text(write, expression: str) -> None:
     assert re.search(r"a value is longer than|is not evaluated", said)
     assert tracemalloc.get_traced_memory()[1] < 50_000_000
     tracemalloc.stop()
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        ("".join(f'<xacro:include filename="$(find a{n})/x.xacro"/>' for n in range(2_000)), "more than 32 packages"),
+        ("".join(f'<mesh filename="package://a{n}/x.stl"/>' for n in range(2_000)), "more than 32 packages"),
+        ('<xacro:include filename="$(find a)/x.xacro"/>' + "<xacro:m/>" * 5_000, "steps"),
+        ("".join(f'<xacro:include filename="no{n}.xacro"/>' for n in range(2_000)), "steps"),
+        ("".join(f'<mesh filename="{n}.stl"/>' for n in range(3_000)), "3000 parts are missing"),
+        (f'<mesh filename="{"x" * 1_000_000}.stl"/>' * 10, "cannot be read: File name too long"),
+    ],
+    ids=["packages", "packages of meshes", "macros", "includes", "meshes", "long names"],
+)
+@pytest.mark.parametrize("policy", [MissingPolicy(), MissingPolicy(skip_packages=True)], ids=["strict", "skipping"])
+def test_thousands_of_missing_parts(
+    write, tmp_path: Path, body: str, said: str, policy: MissingPolicy, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each package is searched for in thousands of directories."""
+    monkeypatch.setattr(xacro_expressions, "LIMITS", {**LIMITS, STEPS: 10_000_000})
+    with pytest.raises(ConfigError) as caught:
+        read_urdf(write(f'<link name="l"/>{body}'), PackagePaths((tmp_path,), {}), None, policy)
+    assert re.search(said, str(caught.value))
+    assert len(str(caught.value)) < 100_000
+    assert str(caught.value).count("\n") < 60
 
 
 def test_entities_are_refused(tmp_path: Path) -> None:

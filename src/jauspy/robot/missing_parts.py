@@ -137,7 +137,6 @@ class MissingParts:
         Raises `ConfigError` with the place for one that must not be read.
         """
         filename = str(element.get("filename"))
-        filename = filename.removeprefix("file://") if filename.startswith(f"file://{SCHEME}") else filename
         package = _package(filename)
         try:
             return self._search(package, lambda: find(filename)) if package else find(filename)
@@ -151,12 +150,14 @@ class MissingParts:
 
     def note_names(self, root: Element) -> None:
         """Note the elements, other than meshes, that name missing packages."""
-        for element in root.iter() if self._packages.keys() - self._used else ():
-            texts = [*map(str, element.attrib.values()), element.text or ""]
-            for text in texts if element.tag not in ("mesh", "texture") else ():
+        for element in root.iter("*") if self._packages else ():
+            is_mesh = element.tag in ("mesh", "texture")
+            for text in (*map(str, element.attrib.values()), element.text or ""):
                 for name in re.findall(rf"{SCHEME}({_NAME.pattern})", text, re.ASCII):
-                    if name in self._packages:
-                        self._used.add(name)
+                    if name not in self._packages:
+                        continue
+                    self._used.add(name)
+                    if not is_mesh:
                         reason = str(self._packages[name])
                         self._names[_part(f"<{element.tag}>", place(element), f"{SCHEME}{name}", reason)] = None
 

@@ -13,7 +13,7 @@ from lxml import etree
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import PLACE, Element, RobotDescription, parse_tree, parse_urdf
 from jauspy.logs import get_logger
-from jauspy.robot.missing_parts import MissingParts, MissingPolicy
+from jauspy.robot.missing_parts import SCHEME, MissingParts, MissingPolicy
 from jauspy.robot.urdf_paths import PackagePaths
 from jauspy.robot.xacro_files import expand
 
@@ -73,7 +73,7 @@ def expand_urdf(
         _settle(root, missing, tell)
     except ConfigError as error:
         raise _placed(error, path) from error
-    for element in root.iter():
+    for element in root.iter("*"):
         element.attrib.pop(PLACE, "")
     etree.indent(root)
     return etree.tostring(root, encoding="ascii", xml_declaration=True) + b"\n"
@@ -88,6 +88,9 @@ def _tree(path: str, packages: PackagePaths, arguments: Mapping[str, str] | None
         listed = missing.error(reason) or ConfigError("\n  ".join([str(error), *missing.sentences()]))
         raise listed from error
     root = parse_tree(text)
+    for element in root.iter("mesh", "texture"):
+        if (name := element.get("filename", "")).startswith(f"file://{SCHEME}"):  # as of file://$(find NAME)
+            element.set("filename", name.removeprefix("file://"))
     missing.note_names(root)
     return root
 

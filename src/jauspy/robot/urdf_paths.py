@@ -22,6 +22,9 @@ MAX_DEPTH: Final = 4
 MAX_DIRECTORIES: Final = 20_000
 """How many directories are looked at for one package."""
 
+MAX_SHOWN: Final = 200
+"""Characters of a name that cannot be one."""
+
 SKIPPED: Final = frozenset({".git", "build", "log", "node_modules", "__pycache__", "meshes", "textures"})
 
 
@@ -103,7 +106,11 @@ def _entries(text: str) -> Iterable[Path]:
 
 
 def _existing(path: Path, name: str) -> Path:
-    if not path.is_file():
+    try:
+        is_file = path.is_file()
+    except OSError as error:  # as for a name that is too long
+        raise ConfigError(f"{name[:MAX_SHOWN]}: cannot be read: {error.strerror}") from error
+    if not is_file:
         raise MissingFile(f"{name}: there is no such file" + ("" if str(path) == name else f" ({path})"))
     return path
 
