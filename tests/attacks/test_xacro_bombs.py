@@ -168,21 +168,22 @@ def test_methods_that_make_gigabytes_of_a_text(write, expression: str) -> None:
         ('<xacro:include filename="$(find a)/x.xacro"/>' + "<xacro:m/>" * 5_000, "steps"),
         ("".join(f'<xacro:include filename="no{n}.xacro"/>' for n in range(2_000)), "steps"),
         ("".join(f'<mesh filename="{n}.stl"/>' for n in range(3_000)), "3000 parts are missing"),
-        (f'<mesh filename="{"x" * 1_000_000}.stl"/>' * 10, "cannot be read: File name too long"),
+        (f'<mesh filename="{"x" * 100_000}.stl"/>', "cannot be read: File name too long"),
     ],
     ids=["packages", "packages of meshes", "macros", "includes", "meshes", "long names"],
 )
-@pytest.mark.parametrize("policy", [MissingPolicy(), MissingPolicy(skip_packages=True)], ids=["strict", "skipping"])
 def test_thousands_of_missing_parts(
-    write, tmp_path: Path, body: str, said: str, policy: MissingPolicy, monkeypatch: pytest.MonkeyPatch
+    write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, body: str, said: str
 ) -> None:
     """Each package is searched for in thousands of directories."""
     monkeypatch.setattr(xacro_expressions, "LIMITS", {**LIMITS, STEPS: 10_000_000})
-    with pytest.raises(ConfigError) as caught:
-        read_urdf(write(f'<link name="l"/>{body}'), PackagePaths((tmp_path,), {}), None, policy)
-    assert re.search(said, str(caught.value))
-    assert len(str(caught.value)) < 100_000
-    assert str(caught.value).count("\n") < 60
+    path = write(f'<link name="l"/>{body}')
+    for policy in (MissingPolicy(), MissingPolicy(skip_packages=True)):
+        with pytest.raises(ConfigError) as caught:
+            read_urdf(path, PackagePaths((tmp_path,), {}), None, policy)
+        assert re.search(said, str(caught.value))
+        assert len(str(caught.value)) < 100_000
+        assert str(caught.value).count("\n") < 60
 
 
 def test_entities_are_refused(tmp_path: Path) -> None:
