@@ -17,7 +17,8 @@ from tests.helpers.ports import unused_port
 from tests.node.hosts.switch import Switch
 
 from jauspy.logs import LIMIT
-from jauspy.robot import robot_files
+from jauspy.robot import robot_files, urdf_files
+from jauspy.robot.missing_parts import MissingParts
 from jauspy.robot.urdf_paths import PackagePaths
 from jauspy.transport import age
 from jauspy.video import camera_process
@@ -31,20 +32,25 @@ settings.load_profile("any machine")
 
 def _expanding_once() -> None:
     """Expand each robot that comes with jauspy once in a test run: its files do not change, and xacro takes 70 ms."""
-    expand, folder = robot_files.expand, str(robot_files._FOLDER)
+    expand, folder = urdf_files.expand, str(robot_files._FOLDER)
 
     @cache
     def expanded(path: str, arguments: frozenset[tuple[str, str]]) -> str:
         return expand(path, None, dict(arguments), with_places=True)
 
     def instead(
-        path: str, packages: PackagePaths, arguments: Mapping[str, str] | None = None, *, with_places: bool
+        path: str,
+        packages: PackagePaths,
+        arguments: Mapping[str, str] | None = None,
+        *,
+        with_places: bool,
+        missing: MissingParts,
     ) -> str:
         if path.startswith(folder):
             return expanded(path, frozenset((arguments or {}).items()))
-        return expand(path, packages, arguments, with_places=with_places)
+        return expand(path, packages, arguments, with_places=with_places, missing=missing)
 
-    robot_files.expand = instead
+    urdf_files.expand = instead
 
 
 _expanding_once()

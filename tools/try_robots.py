@@ -1,6 +1,7 @@
 """Try robots of others in the simulation: load them, move each joint and the chassis, make a picture.
 
 MUJOCO_GL=egl python tools/try_robots.py FILE|DIRECTORY... [-o DIRECTORY] [--package-path DIRECTORY] [--arg NAME:=VALUE]
+    [--skip-missing-packages] [--placeholder-meshes]
 
 Of a directory, all files that end in .urdf or .urdf.xacro. Each robot gets a first file as of `jauspy new robot`. The
 table tells how many joints of each moved where they were commanded to, and what was wrong; pictures are in the output
@@ -15,7 +16,7 @@ import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 import mujoco
 import numpy as np
@@ -26,6 +27,8 @@ from jauspy.errors import ConfigError
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import ControlMode, JointGroup, Target
 from jauspy.robot import robot_files
+from jauspy.robot.missing_parts import MissingPolicy
+from jauspy.robot.urdf_files import read_urdf
 from jauspy.robot.urdf_paths import PackagePaths
 from jauspy_sim.assembly import build
 from jauspy_sim.robot import SimulatedRobot
@@ -60,15 +63,20 @@ def main() -> None:
     parser.add_argument("-o", "--output", type=Path, default=Path("robots-tried"))
     parser.add_argument("--package-path", action="append", type=Path, default=[])
     parser.add_argument("--arg", action="append", default=[])
+    parser.add_argument("--skip-missing-packages", action="store_true")
+    parser.add_argument("--placeholder-meshes", action="store_true")
     options = parser.parse_args()
+    extra: dict[str, object] = {}
+    if options.package_path:
+        extra["package_path"] = [str(each.resolve()) for each in options.package_path]
+    if options.arg:
+        extra["xacro_arguments"] = dict(each.split(":=", 1) for each in options.arg)
+    extra |= {key: True for key in ("skip_missing_packages", "placeholder_meshes") if getattr(options, key)}
     options.output.mkdir(parents=True, exist_ok=True)
-    arguments = dict(each.split(":=", 1) for each in options.arg)
     failed = 0
     for number, path in enumerate(_files(options.robots)):
         try:
-            result = _try(
-                path, options.output / f"{number:02}_{path.name.split('.')[0]}", options.package_path, arguments
-            )
+            result = _try(path, options.output / f"{number:02}_{path.name.split('.')[0]}", extra)
         except ConfigError as error:
             failed += 1
             print(f"{path.name:36} FAILED  {error}", flush=True)
@@ -90,11 +98,10 @@ def _files(paths: list[Path]) -> list[Path]:
     return found
 
 
-def _try(path: Path, output: Path, package_path: list[Path], arguments: dict[str, str]) -> Result:
-    description = robot_files.read_urdf(str(path), PackagePaths(tuple(package_path)), arguments)
-    extra: dict[str, object] = {"package_path": [str(each.resolve()) for each in package_path]} if package_path else {}
-    if arguments:
-        extra["xacro_arguments"] = arguments
+def _try(path: Path, output: Path, extra: dict[str, Any]) -> Result:
+    packages = PackagePaths(tuple(map(Path, extra.get("package_path", ()))))
+    policy = MissingPolicy(extra.get("skip_missing_packages", False), extra.get("placeholder_meshes", False))
+    description = read_urdf(str(path), packages, extra.get("xacro_arguments"), policy, tell=lambda _: None)
     toml = output.with_suffix(".toml")
     toml.write_text(first_file(description, str(path.resolve()), 101, extra))
     began = time.monotonic()

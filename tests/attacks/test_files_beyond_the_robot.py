@@ -9,13 +9,16 @@ from typing import Final
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.robot.robot_files import load, read_urdf, robot_model
+from jauspy.robot.missing_parts import MissingPolicy
+from jauspy.robot.robot_files import load, robot_model
+from jauspy.robot.urdf_files import read_urdf
 from jauspy.robot.urdf_paths import PackagePaths
 from jauspy.robot.xacro_files import expand
 
 HEAD: Final = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 SECRET: Final = "s3cr3t"
 NO_ROS: Final = PackagePaths((), {})
+LENIENT: Final = MissingPolicy(skip_packages=True, placeholder_meshes=True)
 
 
 @pytest.fixture
@@ -131,3 +134,57 @@ def test_a_robot_file_is_refused_as_a_whole(robot: Path) -> None:
     toml.write_text(f'extends = "inc1"\nurdf = "{robot.name}"\npackage_path = ["/", "{Path.home()}"]\n')
     with pytest.raises(ConfigError, match="is not read, because"):
         robot_model(load(toml))
+
+
+@pytest.mark.parametrize("place", [place for place in PLACES.values() if "find" not in place])
+@pytest.mark.parametrize(
+    "use",
+    [
+        '<xacro:include filename="{}.xml"/>',
+        "<link name=\"${{xacro.load_yaml('{}')['key']}}\"/>",
+        '<link name="l"><visual><geometry><mesh filename="{}"/></geometry></visual></link>',
+        '<link name="l"><visual><geometry><mesh filename="file://{}"/></geometry></visual></link>',
+    ],
+)
+def test_a_robot_that_does_without_what_is_missing_reads_no_more(robot: Path, place: str, use: str) -> None:
+    robot.write_text(f"{HEAD}{use.format(place.format(home=Path.home()))}</robot>")
+    told: list[str] = []
+    try:
+        text = read_urdf(str(robot), NO_ROS, None, LENIENT, tell=told.append).urdf
+    except ConfigError as error:
+        text = str(error)
+        assert "is not read, because" in text
+    else:
+        assert use.endswith('file://{}"/></geometry></visual></link>')  # which is relative to no directory
+        assert "<box" in text
+    assert SECRET not in text + "".join(told)
+
+
+@pytest.mark.parametrize("rest", ["/../../private/key", "/../../../private/key.xml", "/.key"])
+@pytest.mark.parametrize("name", ["nowhere", "..", "../..", ".ssh", "no/where"])
+def test_a_missing_package_leads_nowhere(robot: Path, name: str, rest: str) -> None:
+    for use in (
+        f'<xacro:include filename="$(find {name}){rest}"/>',
+        f"<link name=\"${{xacro.load_yaml('$(find {name}){rest}')['key']}}\"/>",
+        f'<link name="m"><visual><geometry><mesh filename="$(find {name}){rest}"/></geometry></visual></link>',
+    ):
+        robot.write_text(f'{HEAD}<link name="l"/>{use}</robot>')
+        told: list[str] = []
+        try:
+            text = read_urdf(str(robot), NO_ROS, None, LENIENT, tell=told.append).urdf
+        except ConfigError as error:
+            text = str(error)
+        assert SECRET not in text + "".join(told)
+
+
+def test_names_of_missing_files_make_no_lines_of_their_own(robot: Path) -> None:
+    meshes = "".join(f'<mesh filename="a{number}&#10;Error: \u202egnp.it&#9;"/>' for number in range(3))
+    robot.write_text(f'<robot name="it"><link name="l"><visual><geometry>{meshes}</geometry></visual></link></robot>')
+    with pytest.raises(ConfigError) as caught:
+        read_urdf(str(robot), NO_ROS)
+    lines = str(caught.value).split("\n")
+    assert len(lines) == 1 + 3 + 1
+    assert all(line.isprintable() for line in lines)
+    told: list[str] = []
+    read_urdf(str(robot), NO_ROS, None, LENIENT, tell=told.append)
+    assert told[0].isprintable()

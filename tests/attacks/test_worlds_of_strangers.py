@@ -130,7 +130,15 @@ VISUAL: Final = '<model name="m"><static>1</static><link name="l"><visual name="
 
 
 @pytest.mark.parametrize(
-    "uri", ["../secret.obj", "{home}/secret.obj", "file://{home}/secret.obj", "model://home/secret.obj"]
+    "uri",
+    [
+        "../secret.obj",
+        "{home}/secret.obj",
+        "file://{home}/secret.obj",
+        "file://../secret.obj",
+        "file://link.png",
+        "model://home/secret.obj",
+    ],
 )
 def test_sdf_that_names_files_of_others(world: Path, uri: str) -> None:
     mesh = f"<geometry><mesh><uri>{uri.format(home=Path.home())}</uri></mesh></geometry>"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import tracemalloc
 from collections.abc import Callable
 from pathlib import Path
 from typing import Final
@@ -9,6 +11,11 @@ from typing import Final
 import pytest
 
 from jauspy.errors import ConfigError
+from jauspy.robot import xacro_expressions
+from jauspy.robot.missing_parts import MissingPolicy
+from jauspy.robot.urdf_files import read_urdf
+from jauspy.robot.urdf_paths import PackagePaths
+from jauspy.robot.xacro_expressions import LIMITS, STEPS
 from jauspy.robot.xacro_files import expand
 
 HEAD: Final = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -120,6 +127,63 @@ def test_parameters_that_a_pattern_reads_for_ever(write, params: str) -> None:
         assert "steps" in _refusal(path)
     else:
         assert "<link" in expand(path)
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        "'a'.ljust(10**9)",
+        "'a'.rjust(10**9, 'b')",
+        "'a'.center(10**12)",
+        "'1'.zfill(10**300)",
+        "p.replace('x', p)",
+        "p.replace('', p)",
+        "p.replace('x', p, 10**9)",
+        "p.join(p)",
+        "p.join([p, p, p, p, p, p, p, p, p, p, p, p, p])",
+        "p.join(p.split('x'))",
+        "p.expandtabs(10**9)",
+        "p.translate([p])",
+        "p.format(10**9)",
+        "p.format_map(p)",
+        "'a' * 10**9",
+        "'%1000000000d' % 1",
+    ],
+)
+def test_methods_that_make_gigabytes_of_a_text(write, expression: str) -> None:
+    """Refused before the text is made."""
+    path = write(f'<xacro:property name="p" value="{"x" * 10_000}"/><link name="${{{expression}}}"/>')
+    tracemalloc.start()
+    said = _refusal(path)
+    assert re.search(r"a value is longer than|is not evaluated", said)
+    assert tracemalloc.get_traced_memory()[1] < 50_000_000
+    tracemalloc.stop()
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        ("".join(f'<xacro:include filename="$(find a{n})/x.xacro"/>' for n in range(2_000)), "more than 32 packages"),
+        ("".join(f'<mesh filename="package://a{n}/x.stl"/>' for n in range(2_000)), "more than 32 packages"),
+        ('<xacro:include filename="$(find a)/x.xacro"/>' + "<xacro:m/>" * 5_000, "steps"),
+        ("".join(f'<xacro:include filename="no{n}.xacro"/>' for n in range(2_000)), "steps"),
+        ("".join(f'<mesh filename="{n}.stl"/>' for n in range(3_000)), "3000 parts are missing"),
+        (f'<mesh filename="{"x" * 100_000}.stl"/>', "cannot be read: File name too long"),
+    ],
+    ids=["packages", "packages of meshes", "macros", "includes", "meshes", "long names"],
+)
+def test_thousands_of_missing_parts(
+    write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, body: str, said: str
+) -> None:
+    """Each package is searched for in thousands of directories."""
+    monkeypatch.setattr(xacro_expressions, "LIMITS", {**LIMITS, STEPS: 10_000_000})
+    path = write(f'<link name="l"/>{body}')
+    for policy in (MissingPolicy(), MissingPolicy(skip_packages=True)):
+        with pytest.raises(ConfigError) as caught:
+            read_urdf(path, PackagePaths((tmp_path,), {}), None, policy)
+        assert re.search(said, str(caught.value))
+        assert len(str(caught.value)) < 100_000
+        assert str(caught.value).count("\n") < 60
 
 
 def test_entities_are_refused(tmp_path: Path) -> None:

@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
-from jauspy.codec.wire import Scaling, exact_raw
 from tests.helpers.sampling import sampled
 
 from jauspy.codec.items import Item, Real
@@ -18,6 +17,7 @@ from jauspy.codec.layout import Composite, Repeat, Union
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.codec.rounding import rounded, shortest
+from jauspy.codec.scalars import Scaling, exact_raw
 from jauspy.messages import registry
 from jauspy.messages.core import CreateEvent
 from jauspy.messages.mobility import ReportLocalPose

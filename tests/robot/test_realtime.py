@@ -6,9 +6,10 @@ import pytest
 from tests.helpers.robot import FakeJoints
 
 from jauspy.backends.kinematic import KinematicBackend
+from jauspy.errors import ConfigError
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.ranging import LidarSetup, Scanner, ScanSettings
-from jauspy.robot.realtime import RealTime
+from jauspy.robot.realtime import WHOLE_ROBOT, RealTime
 from jauspy.robot.robot_files import load, robot_model
 
 
@@ -134,3 +135,29 @@ def test_commands_to_a_joint_group_named_like_a_lidar_do_not_replace_its_setting
     with runner:
         fake_robot.wait_for_steps(1)
     assert fake_robot.lidars["front"].settings.rate == 2.0
+
+
+def test_motors_are_enabled_by_the_robots_thread_before_its_next_step(fake_robot):
+    enabled = []
+    with RealTime(fake_robot, step=0.002) as runner:
+        runner.enable(lambda: enabled.append(threading.get_ident())).result(5.0)
+        fake_robot.wait_for_steps(2)
+    assert set(enabled) == fake_robot.threads
+    assert not runner.faults
+
+
+def test_motors_that_cannot_be_enabled(fake_robot, caplog):
+    def refuse():
+        raise ConfigError("no drive answers")
+
+    def fail():
+        raise OSError("the bus is busy")
+
+    with RealTime(fake_robot, step=0.002) as runner:
+        with pytest.raises(ConfigError, match="no drive answers"):
+            runner.enable(refuse).result(5.0)
+        assert not caplog.messages
+        runner.retry(WHOLE_ROBOT)
+        runner.enable(fail).result(5.0)
+        assert runner.faults == {WHOLE_ROBOT: "OSError: the bus is busy"}
+    assert "the robot failed: OSError: the bus is busy" in caplog.text

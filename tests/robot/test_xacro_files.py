@@ -9,9 +9,10 @@ import pytest
 import xacro
 
 from jauspy.errors import ConfigError
-from jauspy.robot import robot_files, xacro_files
+from jauspy.robot import robot_files, xacro_expressions, xacro_files
 from jauspy.robot.urdf_paths import PackagePaths
-from jauspy.robot.xacro_files import LIMITS, MAX_TOTAL, MAX_VALUE_LENGTH, PARTS, expand
+from jauspy.robot.xacro_expressions import LIMITS, MAX_TOTAL, MAX_VALUE_LENGTH, PARTS
+from jauspy.robot.xacro_files import expand
 
 HEAD = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
@@ -46,6 +47,12 @@ USUAL = [
     "xacro.load_yaml('it.yaml')['turn']",
     "True and '' or 'none'",
     "'1 2 3'.split(' ')[1] + 'A b'.strip().lower()",
+    "'wheel_'.rstrip('_') + ' a'.lstrip() + 'front_left'.removeprefix('front_').removesuffix('t')",
+    "'a-b-c'.replace('-', '_', 1) + '_'.join(['x', 'y']) + ''.join('ab') + 'ab'.replace('', '.')",
+    "'7'.zfill(3) + 'a'.ljust(3) + 'a'.rjust(3, '.') + 'a'.center(4)",
+    "'a/b/c'.rsplit('/', 1)[1] + 'k=v'.partition('=')[2] + 'a.b.c'.rpartition('.')[0] + 'x y'.title().swapcase()",
+    "'front_left'.find('left') + 'aba'.count('a') + 'aba'.rindex('a')",
+    "'12'.isdigit() and 'ab'.isalpha() and not 'A'.islower()",
     "math.sqrt(2) if length &gt; 1 else 0",
 ]
 
@@ -74,7 +81,17 @@ def test_arguments_and_files(written) -> None:
 @pytest.mark.parametrize(
     ("expression", "reason"),
     [
-        ("'a'.replace('a', 'b')", ".replace is not evaluated: values have no attributes and methods here"),
+        ("'a'.format(1)", ".format is not evaluated: values have no attributes and methods here"),
+        ("'a'.format_map(config)", ".format_map is not evaluated"),
+        ("'a'.encode()", ".encode is not evaluated"),
+        ("'a'.translate([1])", ".translate is not evaluated"),
+        ("'a'.rstrip.__self__", ".rstrip is not evaluated"),
+        ("'a'.__class__", ".__class__ is not evaluated"),
+        ("[1].rstrip()", ".rstrip is not evaluated"),
+        ("'a'.rstrip(chars='a')", "is not evaluated"),
+        ("','.join([1, 2])", "join is evaluated for texts only"),
+        ("','.join(7)", "7 has no parts"),
+        ("'a'.replace(1, 2)", "must be str"),
         ("[x for x in [1]]", "is not evaluated: only numbers, texts, lists, and functions of math"),
         ("(lambda: 1)()", "is not evaluated"),
         ("nothing + 1", "'nothing' is not defined"),
@@ -131,7 +148,7 @@ def test_files_that_never_end(tmp_path: Path, written, use: str) -> None:
 
 
 def test_macros_that_double_each_other(written, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(xacro_files, "LIMITS", {**LIMITS, PARTS: 1000})
+    monkeypatch.setattr(xacro_expressions, "LIMITS", {**LIMITS, PARTS: 1000})
     doubled = "".join(f'<xacro:macro name="m{n + 1}"><xacro:m{n}/><xacro:m{n}/></xacro:macro>' for n in range(60))
     with pytest.raises(ConfigError, match="it has more than 1000 elements, attributes and texts"):
         expand(written(f'<xacro:macro name="m0"><link/></xacro:macro>{doubled}<xacro:m60/>'))

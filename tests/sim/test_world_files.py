@@ -175,6 +175,44 @@ def test_a_model_that_includes_itself_is_named(tmp_path: Path, first: str, secon
         world_spec(str(path))
 
 
+TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+MESH = (
+    "<model name='m'><static>1</static><link name='l'><visual name='v'><geometry><mesh><uri>{}</uri></mesh></geometry>"
+    "</visual></link></model>"
+)
+MANIFEST = "<package><name>arena</name><export><gazebo_ros {}/></export></package>"
+
+
+@pytest.mark.parametrize(
+    ("place", "uri"),
+    [
+        ("arenas/worlds/wall.obj", "file://wall.obj"),
+        ("arenas/worlds/parts/wall.obj", "file://parts/wall.obj"),
+        ("arenas/worlds/Media/models/wall.obj", "file://wall.obj"),
+        ("arenas/meshes/wall.obj", "file://../meshes/wall.obj"),
+        ("elements/Media/models/wall.obj", "file://wall.obj"),
+        ("elements/wall/mesh.obj", "model://wall/mesh.obj"),
+    ],
+)
+def test_files_of_a_world_are_relative_to_it_or_in_packages_beside_it(tmp_path: Path, place: str, uri: str) -> None:
+    """As in the arenas of hector_nist_arenas_gazebo."""
+    written(tmp_path, place, TETRAHEDRON)
+    written(tmp_path, "arenas/package.xml", MANIFEST.format(""))
+    written(tmp_path, "elements/package.xml", MANIFEST.format('gazebo_media_path="${prefix}"'))
+    written(tmp_path, "broken/package.xml", "<package>")
+    model, _ = opened(written(tmp_path, "arenas/worlds/it.world", sdf(MESH.format(uri))))
+    assert model.nmesh == 1
+
+
+def test_a_package_exports_directories_of_its_own_only(tmp_path: Path) -> None:
+    written(tmp_path, "secret/wall.obj", TETRAHEDRON)
+    written(tmp_path, "a/package.xml", MANIFEST.format('gazebo_media_path="${prefix}/../secret"'))
+    written(tmp_path, "b/package.xml", MANIFEST.format(f'gazebo_model_path="{tmp_path}/secret"'))
+    path = written(tmp_path, "arenas/it.world", sdf(MESH.format("file://wall.obj")))
+    with pytest.raises(ConfigError, match=r"it\.world:\d+: <mesh>: file://wall\.obj: is not found"):
+        world_spec(str(path))
+
+
 def test_models_are_not_left_by_dots(tmp_path: Path) -> None:
     written(tmp_path, "models/can/model.sdf", "")
     written(tmp_path, "secret.txt", "")
@@ -271,6 +309,17 @@ def test_pieces_of_a_mesh() -> None:
     assert pieces is not None
     assert [len(piece) for piece in pieces] == [8, 8]
     assert convex_pieces(two, np.concatenate([faces, faces + 8]), 1) is None
+
+
+def test_faces_without_an_area_count_for_nothing() -> None:
+    """Many published meshes have some; a slab behind one has no direction."""
+    vertices = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (2, 0, 0)], float)
+    faces = np.array([(0, 1, 2), (0, 1, 3), (1, 1, 2), (0, 1, 4)], np.int32)
+    pieces = convex_pieces(vertices, faces, 10)
+    assert pieces is not None
+    assert len(pieces) == 2
+    assert all(np.isfinite(piece).all() for piece in pieces)
+    assert convex_pieces(vertices, faces[2:], 10) == []
 
 
 # TOML

@@ -422,6 +422,8 @@ async def run_robot(
 
     `node` starts and stops the node manager, `page` the console; `live` shows a table on the terminal.
     """
+    if live:  # before the motors are enabled, which the import would hold up
+        from jauspy.cli.up_table import live_table
     async with AsyncExitStack() as stack:
 
         def note_at_end(text: str) -> None:
@@ -447,7 +449,5 @@ async def run_robot(
         print_summary(runner, supervisor.where if supervisor else f"none started, local sockets in {root}", root, url)
         await stack.enter_async_context(clouds.published(runner))
         if live:
-            from jauspy.cli.up_table import live_table
-
             await stack.enter_async_context(live_table(runner, root))
         await runner.wait()

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
-from jauspy.platform.contract import Robot
+from jauspy.platform.contract import DisabledRobot, Robot
 from jauspy.platform.description import RobotModel
 
 
@@ -18,4 +18,13 @@ class Backend(Protocol):
 
     def open(self, robot: RobotModel, world: str) -> Robot:
         """Open a robot in a world. Raises `ConfigError` with the known worlds for an unknown one."""
+        ...
+
+
+@runtime_checkable
+class EnablesLast(Protocol):
+    """A backend whose motors stop when the program that commands them is held up, as it may be while it starts."""
+
+    def open_disabled(self, robot: RobotModel, world: str) -> DisabledRobot:
+        """Open a robot as `Backend.open` does, without enabling its motors."""
         ...

@@ -99,6 +99,17 @@ class Robot(RobotParts, Protocol):
         ...
 
 
+class DisabledRobot(Robot, Protocol):
+    """A robot that was opened before its motors are enabled."""
+
+    def enable(self) -> None:
+        """Enable the motors, at rest; called once, by the robot's thread, when everything else of the robot runs.
+
+        Raises `ConfigError` if the robot cannot be used. After any other exception the next `advance` tries again.
+        """
+        ...
+
+
 @runtime_checkable
 class Viewable(Protocol):
     """A robot whose world can be shown in a window of its simulator."""

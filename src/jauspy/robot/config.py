@@ -307,6 +307,10 @@ class RobotConfig(StrictConfig):
     ones start at the TOML file."""
     xacro_arguments: Mapping[Name, str] = Field(default_factory=dict)
     """The arguments of a xacro file, which `$(arg NAME)` is replaced by."""
+    skip_missing_packages: bool = False
+    """Whether what the URDF includes of packages and files that are missing is left out, with all that needs it."""
+    placeholder_meshes: bool = False
+    """Whether a box takes the place of each missing mesh."""
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"

@@ -13,6 +13,7 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.backends import state_problem
+from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.logs import get_logger
 from jauspy.platform.camera import CameraSource
@@ -152,7 +153,11 @@ class StepTimer:
         self.step = step
         self.max_delay = max_delay
         self.counters: Counter[str] = Counter(steps=0, late=0, slow=0, skipped=0, abandoned=0, faults=0)
-        self._due = start + step
+        self.restart(start)
+
+    def restart(self, now: float) -> None:
+        """Let the next step be due one step from now; those in between are not counted."""
+        self._due = now + self.step
 
     def wait(self, now: float) -> float:
         """Seconds until the next step is due; 0 if it is due or late."""
@@ -205,6 +210,7 @@ class RealTime:
         self._pending: dict[PartId, Command] = {}
         self._faults: Mapping[PartId, str] = {}
         self._retried: set[PartId] = set()
+        self._enabling: tuple[Callable[[], None], Future[None]] | None = None
         self._warned_at = -math.inf
         self._abandoned = False
         self._snapshot = Snapshot.of(robot)
@@ -267,6 +273,17 @@ class RealTime:
             pending = self._pending.pop(command.part, None)  # the order of application is that of the last commands
             self._pending[command.part] = command if pending is None else command.merged(pending)
 
+    def enable(self, enable: Callable[[], None]) -> Future[None]:
+        """Have the thread call `enable`, which enables the robot's motors and may take seconds, before its next step.
+
+        The result is done when it has returned. A `ConfigError` is that of the result; any other exception of `enable`
+        is a failure of the robot as a whole.
+        """
+        done = Future[None]()
+        with self._lock:
+            self._enabling = enable, done
+        return done
+
     def alive(self) -> None:
         """The heartbeat: to be called regularly by the program that commands the robot."""
         self._alive = self._clock()
@@ -303,11 +320,16 @@ class RealTime:
                 self._make_step()
         finally:
             self._stop_all()
+            if self._enabling is not None:
+                self._enabling[1].cancel()
 
     def _make_step(self) -> None:
         with self._lock:
             commands, self._pending = self._pending, {}
             retried, self._retried = self._retried, set()
+            enabling, self._enabling = self._enabling, None
+        if enabling is not None:
+            self._enable(*enabling)
         began = self._clock()
         for part in retried:
             self._try(part, partial(_stop_part, self._robot, part))
@@ -320,6 +342,20 @@ class RealTime:
         if (duration := self._clock() - began) > SLOW_STEP:
             self._timer.counters["slow"] += 1
             self._warn(f"a step of the robot took {duration:.2f} s; it should take less than {self._step:g} s")
+
+    def _enable(self, enable: Callable[[], None], done: Future[None]) -> None:
+        try:
+            enable()
+        except ConfigError as error:
+            with self._lock:
+                self._faults = {WHOLE_ROBOT: str(error)}  # without power it is not advanced until it is closed
+            done.set_exception(error)
+            return
+        except Exception as error:  # noqa: BLE001 - whatever a backend raises
+            self._fail(WHOLE_ROBOT, error)
+            self._stop_all()
+        self._timer.restart(self._clock())
+        done.set_result(None)
 
     def _advance(self) -> None:
         self._robot.advance(self._step)

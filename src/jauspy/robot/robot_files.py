@@ -10,14 +10,13 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, Final
 
-from lxml import etree
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from jauspy.config_errors import explain, line_prefix
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
+from jauspy.geometry.urdf import Joint, JointKind, RobotDescription
 from jauspy.geometry.vectors import dot
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup, is_world_file
 from jauspy.platform.servo_drives import CanSetup
@@ -25,8 +24,9 @@ from jauspy.platform.wheels import wheel_setup
 from jauspy.robot.audit_files import own_path
 from jauspy.robot.can_drives import can_setup
 from jauspy.robot.config import GroupConfig, JointConfig, JointLimitsConfig, RobotConfig
+from jauspy.robot.missing_parts import MissingPolicy
+from jauspy.robot.urdf_files import read_urdf
 from jauspy.robot.urdf_paths import PackagePaths
-from jauspy.robot.xacro_files import expand
 from jauspy.user_files import read_file, read_toml
 
 SUFFIX: Final = ".toml"
@@ -153,7 +153,8 @@ def with_place(error: ConfigError, file: str) -> ConfigError:
 def _robot_model(config: RobotConfig) -> RobotModel:
     own = (Path(config.file).parent,) if config.file else ()
     packages = PackagePaths(tuple(map(Path, config.package_path)), own=own)
-    description = read_urdf(config.urdf, packages, config.xacro_arguments)
+    policy = MissingPolicy(config.skip_missing_packages, config.placeholder_meshes)
+    description = read_urdf(config.urdf, packages, config.xacro_arguments, policy)
     description = _with_limits(description, config.joint_limits)
     if config.tracks is not None:
         _check_tracks(config.tracks, description)
@@ -219,31 +220,6 @@ def _can_setup(
         return None if config.can is None else can_setup(config.can, description, config.tracks, groups)
     except ConfigError as error:
         return str(with_place(error, config.file))
-
-
-def read_urdf(path: str, packages: PackagePaths, arguments: Mapping[str, str] | None = None) -> RobotDescription:
-    """The robot of a URDF or xacro file, with the paths of its meshes on this machine.
-
-    Raises `ConfigError` with file and line.
-    """
-    text = expand(path, packages, arguments, with_places=True)
-    try:
-        root = parse_tree(text)
-        for element in root.iter("mesh", "texture"):
-            if name := element.get("filename"):
-                element.set("filename", str(_found(element, name, Path(path), packages)))
-        return parse_urdf(etree.tostring(root, encoding="unicode"))
-    except ConfigError as error:
-        text = str(error)
-        own = f"{Path(path).name}:"
-        raise ConfigError(f"urdf: {path}" + (text[len(own) - 1 :] if text.startswith(own) else f": {text}")) from error
-
-
-def _found(element: Element, name: str, path: Path, packages: PackagePaths) -> Path:
-    try:
-        return packages.file(name, path).absolute()
-    except ConfigError as error:
-        raise ConfigError(f"{place(element)}: <{element.tag}>: {error}") from error
 
 
 def _check_tracks(tracks: TrackSetup, description: RobotDescription) -> None:

@@ -17,7 +17,7 @@ from jauspy.component.component import Component, ComponentOptions, Intercept, l
 from jauspy.errors import ConfigError, JausError, TransportError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
-from jauspy.platform.backend import Backend
+from jauspy.platform.backend import Backend, EnablesLast
 from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import Counting, Robot, Snapshot, Viewable
 from jauspy.platform.description import RobotModel
@@ -271,7 +271,7 @@ class RobotRunner:
             return
         async with AsyncExitStack() as stack:
             model = robot_model(self.config)
-            realtime = self._start_robot(stack, model)
+            realtime, enable = self._start_robot(stack, model)
             stack.push_async_callback(_cancel, asyncio.create_task(self._send_heartbeats(realtime)))
             videos = await self._open_cameras(stack, realtime)
             audit = self._open_audit_log(stack)
@@ -296,6 +296,8 @@ class RobotRunner:
             if model.cell is not None:
                 self._following = asyncio.create_task(modules.follow(), name="modules of the cell")
                 stack.push_async_callback(_cancel, self._following)
+            if enable is not None:
+                await asyncio.wrap_future(realtime.enable(enable))
             self._stack = stack.pop_all()
 
     def _open_audit_log(self, stack: AsyncExitStack) -> AuditLog | None:
@@ -396,10 +398,17 @@ class RobotRunner:
         except ConfigError as error:
             raise with_place(ConfigError(f"backend: {error}"), self._backend_file) from error
 
-    def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
+    def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> tuple[RealTime, Callable[[], None] | None]:
+        """Open the robot and start its thread; also returns what enables its motors later, if that is to be done."""
         backend = self._backend or self._find_backend()
+        robot: Robot
+        enable = None
         try:
-            robot = backend.open(model, self.config.world)
+            if isinstance(backend, EnablesLast):
+                robot = disabled = backend.open_disabled(model, self.config.world)
+                enable = disabled.enable
+            else:
+                robot = backend.open(model, self.config.world)
         except JausError:
             raise
         except Exception as error:
@@ -420,7 +429,7 @@ class RobotRunner:
                 raise ConfigError(f"the backend {self.config.backend!r} has no window to view; 'sim' has one")
             robot.view()
         self._counting = robot if isinstance(robot, Counting) else None
-        return stack.enter_context(self._make_realtime(robot))
+        return stack.enter_context(self._make_realtime(robot)), enable
 
 
 def _host(

@@ -22,7 +22,18 @@ MAX_DEPTH: Final = 4
 MAX_DIRECTORIES: Final = 20_000
 """How many directories are looked at for one package."""
 
+MAX_SHOWN: Final = 200
+"""Characters of a name that cannot be one."""
+
 SKIPPED: Final = frozenset({".git", "build", "log", "node_modules", "__pycache__", "meshes", "textures"})
+
+
+class MissingFile(ConfigError):
+    """A file or a package is not there. `searched` says where a package was searched; it is empty for a file."""
+
+    def __init__(self, text: str, searched: str = "") -> None:
+        super().__init__(text + (f"; {searched}" if searched else ""))
+        self.searched = searched
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +48,7 @@ class PackagePaths:
     """Folders of the robot's files, whose content they may name without a package."""
 
     def package(self, name: str, near: Path) -> Path:
-        """The directory of a package that a file names; raises `ConfigError` with the places that were searched."""
+        """The directory of a package that a file names; raises `MissingFile` with the places that were searched."""
         for place in (*self.given, *self._of_ros()):
             if (found := _below(place, name)) is not None:
                 return found
@@ -47,9 +58,10 @@ class PackagePaths:
             if _is_package(place / name, name):
                 return place / name
         searched = ", ".join(map(str, (*self.given, *self._of_ros()))) or "none"
-        raise ConfigError(
-            f"the package {name!r} is not found; package_path in the robot's TOML file (--package-path of jauspy new "
-            f"robot), ROS_PACKAGE_PATH and AMENT_PREFIX_PATH name: {searched}; nor is it beside or above {near.parent}"
+        raise MissingFile(
+            f"the package {name!r} is not found",
+            "package_path in the robot's TOML file (--package-path of jauspy new robot), ROS_PACKAGE_PATH and "
+            f"AMENT_PREFIX_PATH name: {searched}; nor is it beside or above {near.parent}",
         )
 
     def permitted(self, path: Path, near: Path) -> Path:
@@ -60,7 +72,10 @@ class PackagePaths:
         return confined(path, (own_folder(near), *self.own, *self._of_ros()))
 
     def file(self, name: str, near: Path) -> Path:
-        """The file that the text `name` means in the file `near`; raises `ConfigError` if there is none."""
+        """The file that the text `name` means in the file `near`.
+
+        Raises `MissingFile` if there is none, and `ConfigError` if `near` may not name it.
+        """
         return self.permitted(self._file(name, near), near)
 
     def _file(self, name: str, near: Path) -> Path:
@@ -91,8 +106,12 @@ def _entries(text: str) -> Iterable[Path]:
 
 
 def _existing(path: Path, name: str) -> Path:
-    if not path.is_file():
-        raise ConfigError(f"{name}: there is no such file" + ("" if str(path) == name else f" ({path})"))
+    try:
+        is_file = path.is_file()
+    except OSError as error:  # as for a name that is too long
+        raise ConfigError(f"{name[:MAX_SHOWN]}: cannot be read: {error.strerror}") from error
+    if not is_file:
+        raise MissingFile(f"{name}: there is no such file" + ("" if str(path) == name else f" ({path})"))
     return path
 
 

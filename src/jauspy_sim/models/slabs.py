@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,9 @@ SLAB: Final = 0.02
 CONVEX: Final = 0.002
 """Metres by which a vertex may be above a face of a piece that counts as convex."""
 
+LEAST_AREA: Final = 1e-12
+"""Square metres of a face, doubled; smaller ones have no direction."""
+
 MAX_CHECKS: Final = 4_000_000
 """Pairs of faces and vertices that are compared at once."""
 
@@ -23,10 +26,13 @@ MAX_CHECKS: Final = 4_000_000
 def convex_pieces(vertices: Points, faces: NDArray[np.int32], most: int) -> list[Points] | None:
     """The corners of convex pieces: connected parts that are convex, and slabs behind the faces of others.
 
-    None if there would be more than `most`.
+    None if there would be more than `most`. Faces without an area count for nothing.
     """
     _, first, welded = np.unique(np.round(vertices, 6), axis=0, return_index=True, return_inverse=True)
     welded_faces = first[welded.reshape(-1)[faces]]
+    welded_faces = welded_faces[np.linalg.norm(_doubled_areas(vertices, welded_faces), axis=1) > LEAST_AREA]
+    if not len(welded_faces):
+        return []
     labels = _components(welded_faces)
     pieces: list[Points] = []
     for label in np.unique(labels):
@@ -73,9 +79,15 @@ def _is_closed(faces: NDArray[np.int32]) -> bool:
 
 
 def _normals(vertices: Points, faces: NDArray[np.int32]) -> Points:
+    areas = _doubled_areas(vertices, faces)
+    found: Points = areas / np.linalg.norm(areas, axis=1, keepdims=True)
+    return found
+
+
+def _doubled_areas(vertices: Points, faces: NDArray[np.integer[Any]]) -> Points:
+    """Vectors along the normals of the faces, whose lengths are twice their areas, m^2."""
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
-    normals = np.cross(b - a, c - a)
-    found: Points = normals / np.linalg.norm(normals, axis=1, keepdims=True)
+    found: Points = np.cross(b - a, c - a)
     return found
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Final
 from urllib.parse import unquote
@@ -23,8 +24,16 @@ VARIABLES: Final = (
 )
 """Environment variables with directories of models, in their order."""
 
-FOLDERS: Final = ("", "models")
-"""Folders with models, beside or above a world's file."""
+FOLDERS: Final = ("", "models", "Media/models", "media/models")
+"""Folders with models and meshes, beside or above a world's file, and in packages of ROS."""
+
+EXPORTS: Final = ("gazebo_media_path", "gazebo_model_path")
+"""Attributes of `<gazebo_ros>` in the manifest of a package of ROS, with a directory of it for Gazebo."""
+
+MAX_ENTRIES: Final = 1000
+"""Entries of a directory that are looked at for packages."""
+
+MANIFEST: Final = "package.xml"
 
 MAX_PARENTS: Final = 4
 """How many directories above a world's file are searched."""
@@ -64,8 +73,7 @@ class ModelPaths:
 
     def _model(self, text: str, uri: str, near: Path) -> Path:
         name, _, rest = text.partition("/")
-        places = list(self._places(near))
-        for place in places:
+        for place in self._places(near):
             folder = place / name
             if not folder.exists():
                 continue
@@ -74,15 +82,24 @@ class ModelPaths:
                 raise ConfigError(f"{uri}: leads out of the model {name!r}")
             if target.exists():
                 return target
-        tried = ", ".join(dict.fromkeys(str(place) for place in places))
-        raise ConfigError(f"{uri}: is not found; --model-path, model_path and GZ_SIM_RESOURCE_PATH add to: {tried}")
+        first = [str(place) for place in (*self.given, *self._of_environment(), near.absolute().parent)]
+        raise ConfigError(
+            f"{uri}: is not found; --model-path, model_path and GZ_SIM_RESOURCE_PATH add to: "
+            f"{', '.join(dict.fromkeys(first))}, the directories above it and the packages there, with the folders "
+            f"{', '.join(filter(None, FOLDERS))} of each"
+        )
 
     def _places(self, near: Path) -> Iterator[Path]:
         yield from self.given
         yield from self._of_environment()
-        for parent in list(near.absolute().parents)[:MAX_PARENTS]:
+        parents = list(near.absolute().parents)[:MAX_PARENTS]
+        for parent in parents:
             for folder in FOLDERS:
                 yield parent / folder
+        for parent in parents:
+            for exported in _exported(parent):
+                for folder in FOLDERS:
+                    yield exported / folder
 
     def _of_environment(self) -> Iterator[Path]:
         environment = os.environ if self.environment is None else self.environment
@@ -90,6 +107,26 @@ class ModelPaths:
             for part in environment.get(variable, "").split(os.pathsep):
                 if part:
                     yield Path(part)
+
+
+def _exported(parent: Path) -> Iterator[Path]:
+    """The directories for Gazebo of the ROS packages in a directory, as their manifests name them."""
+    try:
+        folders = [entry for entry in islice(parent.iterdir(), MAX_ENTRIES) if (entry / MANIFEST).is_file()]
+    except OSError:
+        return
+    for folder in sorted(folders):
+        try:
+            root = etree.fromstring(
+                read_file(folder / MANIFEST), etree.XMLParser(resolve_entities=False, no_network=True)
+            )
+        except (etree.XMLSyntaxError, ConfigError):
+            continue
+        for element in root.iterfind("export/gazebo_ros"):
+            for text in filter(None, map(element.get, EXPORTS)):
+                found = below(folder, text.replace("${prefix}", "."))
+                if found is not None:
+                    yield found
 
 
 def _existing(path: Path, uri: str) -> Path:

@@ -97,6 +97,8 @@ class Master:
         self._failed_at = 0.0
         self._next_heartbeat = 0.0
         self._last_cycle: float | None = None
+        self._longest_pause = 0.0
+        """Seconds between two cycles since the drives were last to be enabled."""
         self._send_errors = 0
         self._reset = False
         self._homing: Drive | None = None
@@ -200,8 +202,10 @@ class Master:
 
     def _check_pause(self, now: float) -> None:
         last, self._last_cycle = self._last_cycle, now
-        if last is not None and now - last > PAUSE and self._phase is Phase.RUNNING:
-            self._fail(None, f"the robot's program did not run for {now - last:.2f} s, and drives got no commands", now)
+        pause = 0.0 if last is None else now - last
+        self._longest_pause = max(self._longest_pause, pause)
+        if pause > PAUSE and self._phase is Phase.RUNNING:
+            self._fail(None, f"the robot's program did not run for {pause:.2f} s, and drives got no commands", now)
 
     def _supervise(self, now: float) -> None:
         if self._bus_error and self._send_errors == 0:
@@ -277,7 +281,36 @@ class Master:
     def start(self) -> None:
         """Configure the drives, wait until all agree, enable them. Blocks; raises `DriveFault`."""
         self._open()
-        self._bring_up()
+        self.enable()
+
+    def configure(self) -> None:
+        """Configure the drives, and wait until all agree; they get no power. Blocks; raises `DriveFault`."""
+        self._open()
+        self._make_ready()
+
+    def enable(self) -> None:
+        """Reset faults, and enable the configured drives; once more if this program was held up. Blocks.
+
+        Raises `DriveFault`; `held_up` tells whether that may be because of this program.
+        """
+        self._longest_pause = 0.0
+        try:
+            self._bring_up()
+        except DriveFault:
+            if not self.held_up:
+                raise
+            _LOG.warning(
+                "%s: the robot's program did not run for %.2f s while the drives were enabled: they are enabled once "
+                "more",
+                *(self.setup.bus, self._longest_pause),
+            )
+            self._longest_pause = 0.0
+            self.recover()
+
+    @property
+    def held_up(self) -> bool:
+        """True if this program did not run for a while when the drives were last enabled."""
+        return self._longest_pause > PAUSE
 
     def home(self, tell: Callable[[str], None]) -> None:
         """Home all drives that need it, one after the other; `tell` is called with the text of each motion.
@@ -341,7 +374,7 @@ class Master:
         self._wait("leave Fault", lambda drive: drive.state is not DriveState.FAULT, START_TIMEOUT)
         self._set_phase(Phase.IDLE)
 
-    def _bring_up(self) -> None:
+    def _make_ready(self) -> None:
         self._prepare()
         if lost := [drive.name for drive in self.drives.values() if not drive.homed]:
             raise DriveFault(
@@ -349,6 +382,9 @@ class Master:
                 f"{self.setup.bus}` moves to the home position"
             )
         self._agree()
+
+    def _bring_up(self) -> None:
+        self._make_ready()
         for drive in self.drives.values():
             drive.start()
         self._others.sends_nmt()
@@ -359,7 +395,10 @@ class Master:
                 drive.start()
             self._failure = ""
             self._phase = Phase.RUNNING
-            self._last_cycle = None
+        for _ in range(STILL_SYNCS):
+            self._wait_cycle()
+        if self._phase is Phase.STOPPED:
+            raise DriveFault(self.reason())
 
     def _home(self, drive: Drive, tell: Callable[[str], None]) -> None:
         homing = drive.setup.homing

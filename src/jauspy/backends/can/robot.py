@@ -13,6 +13,7 @@ import canopen
 from jauspy.backends.can import bus as buses
 from jauspy.backends.can.bus import VirtualBus
 from jauspy.backends.can.drive import Drive
+from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.master import Master
 from jauspy.backends.can.motion import TRACK_ACCELERATION, JointMotion, TrackMotion
 from jauspy.backends.can.simulated.fleet import DriveFleet, plant_of
@@ -146,7 +147,10 @@ class LockedJoints(CanJoints):
 
 
 class CanRobot:
-    """A `Robot`. With simulated drives in this process its time is that of `advance`; on a bus it is the clock's."""
+    """A `Robot`. With simulated drives in this process its time is that of `advance`; on a bus it is the clock's.
+
+    `begin` starts the drives: by default they are configured and enabled.
+    """
 
     def __init__(
         self,
@@ -193,9 +197,7 @@ class CanRobot:
         except BaseException:
             self.close()
             raise
-        if self._tracked is not None:
-            self._tracked.restart()
-            self._tracked.update()
+        self._count_anew()
 
     def _drive(self, name: str) -> Drive:
         setup = self._setup.drives[name]
@@ -307,6 +309,25 @@ class CanRobot:
         """Seconds since it was opened; of another backend's robot its own time, which its scans have."""
         robot = self._ticker.plant_robot
         return self._time if robot is None else robot.time
+
+    def enable(self) -> None:
+        """Enable the drives, at the positions where they are. Raises `ConfigError` with the drive that prevents it.
+
+        Raises `DriveFault` if it failed twice while this program was held up; the next `advance` tries again.
+        """
+        try:
+            self.master.enable()
+        except DriveFault as error:
+            self._failed = True
+            if self.master.held_up:
+                raise
+            raise ConfigError(f"can: {error}") from error
+        self._count_anew()
+
+    def _count_anew(self) -> None:
+        if self._tracked is not None:
+            self._tracked.restart()
+            self._tracked.update()
 
     def advance(self, dt: float) -> None:
         """Let `dt` seconds pass. Raises `DriveFault` when a drive has failed; the next call tries to recover."""
@@ -471,6 +492,8 @@ class _Clocked:
     def wait_cycle(self) -> None:
         """One period; the thread runs the cycle."""
         time.sleep(self._period)
+        if self._advanced is not None:
+            self._advanced = time.monotonic()  # the robot's thread is alive: it waits here
 
     def advance(self, dt: float) -> None:  # noqa: ARG002 - the clock does
         """The robot's thread is alive."""

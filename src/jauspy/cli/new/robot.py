@@ -28,6 +28,8 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy.platform.wheels import WheelJoints, WheelKind, WheelSetup, wheel_setup
 from jauspy.robot import robot_files
+from jauspy.robot.missing_parts import BOX, MissingPolicy
+from jauspy.robot.urdf_files import expand_urdf, read_urdf
 from jauspy.robot.urdf_paths import PackagePaths
 
 BANDWIDTH: Final = 15.0
@@ -381,6 +383,8 @@ def _key(name: str) -> str:
 
 
 def _value(value: object) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{_key(str(key))} = {_value(each)}" for key, each in value.items()) + " }"
     if isinstance(value, tuple | list):
@@ -416,23 +420,48 @@ def robot(
         typer.Option("--arg", metavar="NAME:=VALUE", help="An argument of the xacro file; may be repeated."),
     ] = None,
     subsystem: Annotated[int, typer.Option("--subsystem", min=1, max=65534, help="Its JAUS id.")] = 101,
+    skip_missing_packages: Annotated[
+        bool,
+        typer.Option(
+            "--skip-missing-packages",
+            help="Leave out what the URDF includes of packages and files that are missing, with all that needs it.",
+        ),
+    ] = False,
+    placeholder_meshes: Annotated[
+        bool,
+        typer.Option("--placeholder-meshes", help=f"Put a box of {BOX:g} m in the place of each missing mesh."),
+    ] = False,
+    expand_only: Annotated[
+        bool,
+        typer.Option("--expand-only", help="Print the expanded URDF, or write it to the file of -o; no TOML file."),
+    ] = False,
 ) -> None:
     """Write a first TOML file for a robot of which there is a URDF only, so that it moves in the simulation.
 
     Groups are made of the chains of joints. Wheels, gains, missing limits, lidars and cameras are guessed, and marked.
+    All packages, included files and meshes that are missing are listed at once. The choice to do without is written
+    into the TOML file, so that they are used when they are installed later.
 
-    Example:
+    Examples:
       jauspy new robot husky.urdf.xacro --arg laser_enabled:=true
+      jauspy new robot husky.urdf.xacro --skip-missing-packages --placeholder-meshes
     """
     arguments = dict(_argument(each) for each in argument or ())
-    path = output or Path(f"{urdf.name.split('.')[0]}.toml")
     given = tuple(package_path or ())
-    description = robot_files.read_urdf(str(urdf), PackagePaths(given), arguments)
+    policy = MissingPolicy(skip_missing_packages, placeholder_meshes)
+    if expand_only:
+        _expand(urdf, PackagePaths(given), arguments, policy, output)
+        return
+    path = output or Path(f"{urdf.name.split('.')[0]}.toml")
+    # the model below tells what is left out
+    description = read_urdf(str(urdf), PackagePaths(given), arguments, policy, tell=lambda _: None)
     extra: dict[str, object] = {}
     if given:
         extra["package_path"] = [relative(each, path.parent) for each in given]
     if arguments:
         extra["xacro_arguments"] = arguments
+    chosen = {"skip_missing_packages": skip_missing_packages, "placeholder_meshes": placeholder_meshes}
+    extra |= {key: True for key, is_chosen in chosen.items() if is_chosen}
     write_new({path: first_file(description, relative(urdf, path.parent), subsystem, extra)})
     if passed_over := _passed_over(description.urdf):
         console.print_lines(f"passed over in the URDF: {passed_over}")
@@ -444,6 +473,18 @@ def robot(
     if model.wheels is not None:
         _report_trial(model, model.wheels)
     console.print_lines(f"run it:  jauspy up {path}", f"in another world:  jauspy up {path} --world yard")
+
+
+def _expand(
+    urdf: Path, packages: PackagePaths, arguments: Mapping[str, str], policy: MissingPolicy, output: Path | None
+) -> None:
+    """Print the expanded URDF, or write it to a file."""
+    folder = Path() if output is None else output.parent
+    expanded = expand_urdf(str(urdf), packages, arguments, policy, folder)
+    if output is not None:
+        write_new({output: expanded})
+    else:
+        console.print_lines(*expanded.decode("ascii").expandtabs().splitlines())
 
 
 def _report_trial(model: RobotModel, wheels: WheelSetup) -> None:
