@@ -23,6 +23,8 @@ from jauspy.robot.urdf_paths import PackagePaths
 from jauspy.transport import age
 from jauspy.video import camera_process
 
+pytest_plugins = ("tools.second_try",)
+
 for name in ("FORCE_COLOR", "PY_COLORS", "GITHUB_ACTIONS"):
     os.environ.pop(name, None)  # what tests read of a command has no colours
 

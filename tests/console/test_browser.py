@@ -142,7 +142,7 @@ def test_a_message_is_found_and_opened(url: str) -> None:
         row = page.locator(".traffic tbody tr").filter(has_text="ReportStatus").first
         row.wait_for()
         page.get_by_role("button", name="pause").click()
-        page.locator(".traffic tbody tr").first.click()
+        row.click()
         page.locator(".fields .path").filter(has_text=re.compile("^status$")).wait_for()
 
 

@@ -92,12 +92,19 @@ class Traffic:
         """Keep a sentence of the console, or about what one of its users has done."""
         self._keep(EVENT, Line(self.total, self._now(), "event", "", "", name=text, user=user))
 
-    def lines(self, words: str, kind: str = "", *, routine: bool = True, limit: int = 200) -> list[Line]:
-        """The newest lines that have all words, and none of those after a minus sign; the newest first."""
+    def lines(
+        self, words: str, kind: str = "", *, routine: bool = True, limit: int = 200, total: int | None = None
+    ) -> list[Line]:
+        """The newest lines that have all words, and none of those after a minus sign; the newest first.
+
+        With `total`, only lines of the first `total` ones that are still kept.
+        """
         wanted = [each for each in words.casefold().split() if not each.startswith("-")]
         unwanted = [each[1:] for each in words.casefold().split() if each.startswith("-") and len(each) > 1]
 
         def fits(line: Line) -> bool:
+            if total is not None and line.number >= total:
+                return False
             if (kind and line.kind not in kind.split()) or (not routine and line.name in ROUTINE):
                 return False
             text = line.text.casefold()

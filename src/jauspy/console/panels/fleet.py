@@ -38,6 +38,7 @@ class FleetPanel:
         self._chosen: int | None = None
         self._rows: dict[JausID, _Row] = {}
         self._robots: dict[int, ui.element] = {}
+        self._names: dict[int, ui.button] = {}
         self._listed: tuple[tuple[int, str, tuple[ComponentInfo, ...]], ...] = ()
         ui.label("Fleet").classes("heading")
         self._empty = ui.label("No robot answers yet.").classes("hint")
@@ -61,20 +62,45 @@ class FleetPanel:
             row.update()
 
     def _build(self) -> None:
-        is_open = {id for id, row in self._rows.items() if row.is_open}
-        self._list.clear()
-        self._rows, self._robots = {}, {}
-        with self._list:
-            for robot in self._console.fleet.robots.values():
-                with ui.element("div").classes("robot") as element:
-                    name = f"{robot.id}  {printable(robot.name)}"
-                    button = ui.button(name, on_click=partial(self._choose, robot.id), color=None)
-                    button.classes("name").props("flat no-caps dense align=left")
-                    for component in robot.components:
-                        self._rows[component.id] = _Row(self._console, component, is_open=component.id in is_open)
-                self._robots[robot.id] = element
-                if robot.id == self._chosen:
-                    element.classes("chosen")
+        """Add, remove and replace what has changed; all else stays, so that a click on it is not lost."""
+        robots = self._console.fleet.robots
+        for id in self._robots.keys() - robots.keys():
+            self._robots.pop(id).delete()
+            del self._names[id]
+        rows = {}
+        for place, robot in enumerate(robots.values()):
+            name = f"{robot.id}  {printable(robot.name)}"
+            if robot.id not in self._robots:
+                self._add(robot, name)
+            self._names[robot.id].set_text(name)
+            _put(self._robots[robot.id], self._list, place)
+            with self._robots[robot.id] as element:
+                for number, component in enumerate(robot.components):
+                    row = self._rows.pop(component.id, None)
+                    if row is None or row.component != component:
+                        is_open = row is not None and row.is_open
+                        if row is not None:
+                            row.delete()
+                        row = _Row(self._console, component, is_open=is_open)
+                    row.put(element, 1 + 2 * number)  # after the name, two elements each
+                    rows[component.id] = row
+        for row in self._rows.values():
+            row.delete()
+        self._rows = rows
+
+    def _add(self, robot: Robot, name: str) -> None:
+        with self._list, ui.element("div").classes("robot") as element:
+            button = ui.button(name, on_click=partial(self._choose, robot.id), color=None)
+            button.classes("name").props("flat no-caps dense align=left")
+        if robot.id == self._chosen:
+            element.classes("chosen")
+        self._robots[robot.id], self._names[robot.id] = element, button
+
+
+def _put(element: ui.element, parent: ui.element, place: int) -> None:
+    """Move an element to this place in its parent, unless it is there."""
+    if parent.default_slot.children[place] is not element:
+        element.move(parent, target_index=place)
 
 
 class _Row:
@@ -82,7 +108,7 @@ class _Row:
 
     def __init__(self, console: Console, component: ComponentInfo, *, is_open: bool) -> None:
         self._console = console
-        self._component = component
+        self.component = component
         self.is_open = is_open
         id = component.id
         with ui.element("button").classes("component").props('type="button"').on("click", self._toggle) as self._button:
@@ -94,6 +120,17 @@ class _Row:
             self._controller = ui.label("").classes("controller")
         self._details = ui.element("div").classes("component-details")
         self._show_details()
+
+    def put(self, parent: ui.element, place: int) -> None:
+        """Move it to this place in its parent."""
+        _put(self._button, parent, place)
+        _put(self._details, parent, place + 1)
+
+    def delete(self) -> None:
+        """Remove it from the page, unless its robot has gone with it."""
+        for element in (self._button, self._details):
+            if not element.is_deleted:
+                element.delete()
 
     def _toggle(self) -> None:
         self.is_open = not self.is_open
@@ -107,7 +144,7 @@ class _Row:
             return
         with self._details:
             self._heard = ui.label("").classes("hint")
-            for each in self._component.services:
+            for each in self.component.services:
                 with ui.element("div").classes("service"):
                     breakable(_words(each.short.rpartition(":")[2])).tooltip(printable(each.short))
                     ui.label(printable(each.version)).classes("hint")
@@ -119,7 +156,7 @@ class _Row:
 
     def update(self) -> None:
         """Show the present state."""
-        fleet, id = self._console.fleet, self._component.id
+        fleet, id = self._console.fleet, self.component.id
         state = fleet.states.get(id, NOTHING)
         silent, age = fleet.is_silent(id), fleet.age(id)
         status = "silent" if silent else state.status
@@ -138,7 +175,7 @@ class _Row:
 
     def _refusals(self) -> list[str]:
         """Commands that the component refused, with reasons, the newest first."""
-        id = str(self._component.id)
+        id = str(self.component.id)
         lines = [each for each in self._console.traffic.lines(id, "refused") if each.source == id]
         return [self._refusal(each) for each in lines[:MAX_REFUSALS]]
 

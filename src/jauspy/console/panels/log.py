@@ -38,14 +38,17 @@ class LogPanel:
     def __init__(self, traffic: Traffic) -> None:
         self._traffic = traffic
         self._shown: tuple[object, ...] = ()
-        self._paused = False
+        self._lines: dict[int, Line] = {}
+        """The lines of the list, which can be opened also when the traffic keeps them no longer."""
+        self._paused_at: int | None = None
+        """The number of lines when the list was paused; None while it follows the traffic."""
         self.visible = False
         """Set by the page; the list is sent only while it is shown."""
         with ui.element("div").classes("choice"):
-            self._words = ui.input("filter", placeholder="words; -word leaves out").props("dense outlined clearable")
-            self._words.classes("wide")
-            self._kind = ui.toggle(KINDS, value="").props("no-caps dense unelevated")
-            self._routine = ui.checkbox("routine").props("dense")
+            self._words = ui.input("filter", placeholder="words; -word leaves out", on_change=self._update)
+            self._words.props("dense outlined clearable").classes("wide")
+            self._kind = ui.toggle(KINDS, value="", on_change=self._update).props("no-caps dense unelevated")
+            self._routine = ui.checkbox("routine", on_change=self._update).props("dense")
             self._pause = ui.button("pause", on_click=self._toggle).props("outline no-caps")
         with ui.element("div").classes("split"):
             self._table = (
@@ -62,27 +65,31 @@ class LogPanel:
         ui.timer(UPDATE_INTERVAL, self._update)
 
     def _update(self) -> None:
-        if self._paused or not self.visible:
+        if not self.visible:
             return
-        wanted = (self._traffic.total, self._words.value, self._kind.value, self._routine.value)
+        total = self._traffic.total if self._paused_at is None else self._paused_at
+        wanted = (total, self._words.value, self._kind.value, self._routine.value)
         if wanted == self._shown:
             return
         self._shown = wanted
         words, routine = str(self._words.value or ""), bool(self._routine.value)
-        lines = self._traffic.lines(words, str(self._kind.value or ""), routine=routine, limit=MAX_ROWS)
+        kind = str(self._kind.value or "")
+        lines = self._traffic.lines(words, kind, routine=routine, limit=MAX_ROWS, total=total)
+        self._lines = {each.number: each for each in lines}
         rows = [_row(each) for each in lines]
         if rows != self._table.rows:
             self._table.rows = rows
-        self._count.set_text(
-            f"{len(lines)} newest shown of {self._traffic.total} so far; the latest 200 of each kind are kept"
-        )
+        self._count.set_text(f"{len(lines)} newest shown of {total} so far; the latest 200 of each kind are kept")
 
     def _toggle(self) -> None:
-        self._paused = not self._paused
-        self._pause.set_text("resume" if self._paused else "pause")
+        """Keep what comes from now on out of the list, or let it in again; the filter works in both cases."""
+        self._paused_at = self._traffic.total if self._paused_at is None else None
+        self._pause.set_text("pause" if self._paused_at is None else "resume")
+        self._update()
 
     def _choose(self, event: Any) -> None:
-        line = self._traffic.find(event.args) if isinstance(event.args, int) else None
+        number = event.args if isinstance(event.args, int) else -1
+        line = self._lines.get(number) or self._traffic.find(number)
         self._fields.clear()
         self._hex.set_text("")
         if line is None:

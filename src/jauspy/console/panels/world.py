@@ -39,6 +39,9 @@ class MapPanel:
         """What was edited here and not sent; None while the list is the robot's."""
         self._busy = False
         self._refused = ""
+        self._listed: tuple[object, ...] = ()
+        """What the list was made of; its buttons stay while only the states of waypoints change."""
+        self._states: list[tuple[ui.element, ui.label]] = []
         self._shown: tuple[object, ...] = ()
         ui.element("div").props("id=world-map").classes("map")
         with ui.element("div").classes("route"):
@@ -67,7 +70,7 @@ class MapPanel:
     def show(self, robot: Robot | None) -> None:
         """Show another robot; edits of the one before are dropped."""
         if robot is None or self._robot is None or robot.id != self._robot.id:
-            self._draft, self._refused, self._shown = None, "", ()
+            self._draft, self._refused, self._listed, self._shown = None, "", (), ()
         self._robot = robot
 
     # --- editing ----------------------------------------------------------------------------------------------------
@@ -123,10 +126,15 @@ class MapPanel:
         route, mine = world.route, self._operates()
         points = list(self._draft if self._draft is not None else route.waypoints)
         states = [state_of(index, route, is_draft=self._draft is not None) for index in range(len(points))]
-        shown = (tuple(points), tuple(states), route.is_offered)
-        if shown != self._shown:
-            self._shown = shown
-            self._show_list(points, states)
+        listed = (tuple(points), route.is_offered)
+        if listed != self._listed:
+            self._listed = listed
+            self._show_list(points)
+        if (listed, states) != self._shown:
+            self._shown = (listed, states)
+            for (element, label), state in zip(self._states, states, strict=True):
+                attributes(element, data_state=state)
+                label.set_text(state)
             drawn = [{"x": p.x, "y": p.y, "state": s} for p, s in zip(points, states, strict=True) if p.is_point]
             call("jauspy.world.setRoute", drawn)
         text, fraction = progress_of(route, world.pose)
@@ -142,16 +150,17 @@ class MapPanel:
         self._clear.set_enabled(not self._busy and (mine or self._draft is not None) and bool(points))
         self._discard.set_visibility(self._draft is not None)
 
-    def _show_list(self, points: Sequence[Waypoint], states: Sequence[str]) -> None:
+    def _show_list(self, points: Sequence[Waypoint]) -> None:
         self._list.clear()
+        self._states = []
         with self._list:
             world = self._world()
             if world is not None and not world.route.is_offered:
                 ui.label(f"this robot does not offer {LIST_DRIVER}").classes("hint")
             elif not points:
                 ui.label("click on the map to set a waypoint, drag it to move it").classes("hint")
-            for index, (point, state) in enumerate(zip(points, states, strict=True)):
-                with attributes(ui.element("div").classes("waypoint"), data_state=state):
+            for index, point in enumerate(points):
+                with ui.element("div").classes("waypoint") as element:
                     ui.label(str(index + 1)).classes("number")
                     where = (
                         f"{round(point.x, 2) + 0.0:.2f}, {round(point.y, 2) + 0.0:.2f} m"
@@ -159,7 +168,7 @@ class MapPanel:
                         else getattr(point.element, "NAME", "data")
                     )
                     ui.label(where).classes("grow")
-                    ui.label(state).classes("hint")
+                    self._states.append((element, ui.label("").classes("hint")))
                     remove = ui.button("\u00d7", on_click=lambda at=index: self._remove(at))
                     attributes(remove.props("flat dense"), aria_label=f"remove waypoint {index + 1}")
 

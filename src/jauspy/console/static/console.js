@@ -31,6 +31,25 @@ const jauspy = {
       if (button && Object.hasOwn(jauspy.actions, button.dataset.do)) jauspy.actions[button.dataset.do](button.dataset.to);
     }, true);
   },
+  // A click is for what was pressed, also when new content has moved it before the button is released: browsers then send
+  // the click to what lies there now, or to what contains both. Whoever moves the pointer away presses nothing.
+  keepClicks() {
+    const reach = 8; // pixels, within which a hand holds still
+    let pressed = null;
+    addEventListener("pointerdown", (event) => {
+      const target = event.target.closest?.("button, .traffic tbody tr");
+      pressed = target && event.button === 0 ? { target, x: event.clientX, y: event.clientY } : null;
+    }, true);
+    addEventListener("click", (event) => {
+      const { target, x, y } = pressed ?? {};
+      pressed = null;
+      if (!target || !event.isTrusted || event.detail === 0 || target.contains(event.target)) return; // 0: by a key
+      if (Math.hypot(event.clientX - x, event.clientY - y) > reach) return;
+      event.stopImmediatePropagation();
+      event.preventDefault();
+      target.click();
+    }, true);
+  },
   pickFile(panel) {
     getElement(document.querySelector(`${panel} .q-uploader`)).pickFiles();
   },
@@ -209,6 +228,7 @@ const jauspy = {
   start(token) {
     jauspy.token = token;
     jauspy.connectStop();
+    jauspy.keepClicks();
     jauspy.listenToButtons();
     jauspy.listenToKeys();
     jauspy.watchSliders();
