@@ -32,6 +32,8 @@ class FakeCamera:
 
     waiting = "the robot agreed to send to rtp://here, and no packet has arrived"
 
+    note = ""
+
     def __init__(self) -> None:
         self.queue: asyncio.Queue[Picture | Exception] = asyncio.Queue()
         self.receiving = 0

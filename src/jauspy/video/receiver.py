@@ -13,6 +13,7 @@ from types import TracebackType
 from typing import Any, Final, Self
 
 from jauspy.errors import ProtocolError, TransportError
+from jauspy.printable import printable
 from jauspy.video.h264_payload import PPS, SPS, Depacketiser, Picture, nal_type
 from jauspy.video.rtp import CLOCK_RATE, RtpPacket, SenderClock, noted, picture_loss_indication, sender_clock
 
@@ -104,7 +105,7 @@ class RtpReceiver:
     def note(self) -> str:
         """What the source says of its stream, as that its machine is too slow; empty for nothing.
 
-        Before there is a source it is what anybody says who sends reports here. The text is not checked.
+        Before there is a source it is what anybody says who sends reports here: printable, and not checked.
         """
         self._learn()
         return self._note if self._now() - self._noted_at < NOTE_TIMEOUT else ""
@@ -203,7 +204,7 @@ class RtpReceiver:
                 break
             clock, note, source = sender_clock(heard), noted(heard), self._source
             if note is not None and (source is None or (reporter[0], note.ssrc) == (source.host, source.ssrc)):
-                self._note, self._noted_at = note.text, self._now()
+                self._note, self._noted_at = printable(note.text), self._now()
             if source is None and note is not None and clock is None:
                 continue  # a camera that starts
             if clock is None or source is None or (reporter[0], clock.ssrc) != (source.host, source.ssrc):

@@ -86,6 +86,7 @@ jauspy.View = class {
     this.figure = canvas.closest("figure");
     this.note = this.figure.querySelector(".video-note");
     this.facts = this.figure.querySelector(".video-facts");
+    this.says = this.figure.querySelector(".video-says"); // what the camera says, as that its machine is too slow
     this.overlay = new jauspy.Overlay(this.figure.querySelector(".overlay"));
     this.shown = this.leftOut = this.leftOutByServer = 0;
     this.leftOutNow = 0; // since the page was last judged
@@ -104,6 +105,7 @@ jauspy.View = class {
     this.socket = socket;
     this.told = "";
     this.leftOutByServer = 0;
+    this.says.textContent = "";
     socket.onmessage = (event) => (typeof event.data === "string" ? this.news(JSON.parse(event.data)) : this.decode(event.data));
     socket.onclose = (event) => {
       this.stopDecoding();
@@ -126,6 +128,7 @@ jauspy.View = class {
 
   news(news) {
     if ("reason" in news) this.reason = news.reason;
+    if ("note" in news) this.says.textContent = this.says.title = news.note;
     if ("left_out" in news) {
       this.leftOutNow += news.left_out - this.leftOutByServer;
       this.leftOutByServer = news.left_out;
