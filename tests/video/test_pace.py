@@ -124,7 +124,7 @@ def test_pictures_left_out_before_the_first_one_and_in_a_pause_do_not_count() ->
 def test_the_sentence_has_what_is_sent_and_what_was_set() -> None:
     assert reduced_text("arm", SETTINGS, Effort(15)) == ""
     assert reduced_text("arm", SETTINGS, Effort(5, 0, 2)) == (
-        "this machine is too slow for camera arm: 320x240 at 5/s instead of 640x480 at 15/s"
+        "the robot's machine is too slow for camera arm: 320x240 at 5/s instead of 640x480 at 15/s"
     )
     assert "640x480 at 5/s, of lower quality, instead of" in reduced_text("arm", SETTINGS, Effort(5, 1))
 

@@ -36,7 +36,7 @@ from jauspy.video.recorder import Recorder
 from jauspy.video.sender import RtpSender
 
 SETTINGS = VideoSettings(640, 480, 15)
-SLOW = "this machine is too slow for camera front: 320x240 at 5/s, of lower quality, instead of 640x480 at 15/s"
+SLOW = "the robot's machine is too slow for camera front: 320x240 at 5/s, of lower quality, instead of 640x480 at 15/s"
 
 
 class SlowSession:
@@ -238,7 +238,9 @@ async def test_receivers_and_the_log_are_told_that_a_camera_starts(monkeypatch, 
         await until(lambda: camera.pid is not None, 20.0)
         os.kill(camera.pid, signal.SIGSTOP)
         await until(lambda: "is still starting" in receiver.note, 20.0)
-        assert receiver.note.startswith("camera front is still starting, since this machine is busy: its process got ")
+        assert receiver.note.startswith(
+            "camera front is still starting, since the robot's machine is busy: its process got "
+        )
         await until(lambda: "camera front is still starting" in caplog.text, 20.0)
         os.kill(camera.pid, signal.SIGCONT)
         await until(receiver.take, 100.0)
@@ -267,6 +269,6 @@ def test_the_share_of_a_processor_that_a_process_got():
         process.communicate(b"\n")
     assert processor_time(process.pid) == 0.0
     assert starting_text("arm", 12.0, 0.5) == (
-        "camera arm is still starting, since this machine is busy: its process got 4 % of a processor in 12 s"
+        "camera arm is still starting, since the robot's machine is busy: its process got 4 % of a processor in 12 s"
     )
     assert "busy" not in starting_text("arm", 4.0, 3.0)

@@ -323,9 +323,9 @@ class SharedCamera:
         while True:
             await asyncio.sleep(0.5)
             reason, note = self.why_no_picture(), self.camera.note
-            if note != self._note and self._has_begun:
+            if note != self._note and self._has_begun:  # before, it is the reason
                 self._on_event(f"video of {self.name}: {note or 'all that is set again'}")
-            self._note = note
+                self._note = note
             for watcher in self._watchers:
                 watcher.tell_note(note)
                 if reason:

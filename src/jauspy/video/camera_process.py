@@ -211,7 +211,7 @@ class CameraProcess(SupervisedWorker):
 
 def starting_text(name: str, elapsed: float, used: float) -> str:
     """The sentence for users about a camera that has no picture yet; seconds since its start, and of a processor."""
-    why = ", since this machine is busy" if used < BUSY_SHARE * elapsed else ""
+    why = ", since the robot's machine is busy" if used < BUSY_SHARE * elapsed else ""
     share = f"its process got {100.0 * used / elapsed:.0f} % of a processor in {elapsed:.0f} s"
     return f"camera {name} is still starting{why}: {share}"
 

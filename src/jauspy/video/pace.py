@@ -61,7 +61,7 @@ def reduced_text(name: str, settings: VideoSettings, effort: Effort) -> str:
     width, height = settings.width // effort.divisor, settings.height // effort.divisor
     quality = ", of lower quality," if effort.simplified else ""
     return (
-        f"this machine is too slow for camera {name}: {width}x{height} at {effort.rate}/s{quality} "
+        f"the robot's machine is too slow for camera {name}: {width}x{height} at {effort.rate}/s{quality} "
         f"instead of {settings.width}x{settings.height} at {settings.rate}/s"
     )
 

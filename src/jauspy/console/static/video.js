@@ -91,7 +91,7 @@ jauspy.View = class {
     this.shown = this.leftOut = this.leftOutByServer = 0;
     this.leftOutNow = 0; // since the page was last judged
     this.times = [];
-    this.reason = "";
+    this.reason = this.cameraNote = "";
     this.began = performance.now();
     this.wanted = "all";
     this.skipping = false;
@@ -105,7 +105,7 @@ jauspy.View = class {
     this.socket = socket;
     this.told = "";
     this.leftOutByServer = 0;
-    this.says.textContent = "";
+    this.cameraNote = "";
     socket.onmessage = (event) => (typeof event.data === "string" ? this.news(JSON.parse(event.data)) : this.decode(event.data));
     socket.onclose = (event) => {
       this.stopDecoding();
@@ -128,7 +128,7 @@ jauspy.View = class {
 
   news(news) {
     if ("reason" in news) this.reason = news.reason;
-    if ("note" in news) this.says.textContent = this.says.title = news.note;
+    if ("note" in news) this.cameraNote = news.note;
     if ("left_out" in news) {
       this.leftOutNow += news.left_out - this.leftOutByServer;
       this.leftOutByServer = news.left_out;
@@ -220,6 +220,8 @@ jauspy.View = class {
     }
     if (this.note.textContent !== words) this.note.textContent = this.note.title = words;
     this.figure.classList.toggle("stale", stale);
+    const note = this.drawnAt === undefined ? "" : this.cameraNote; // before a picture, it is the reason
+    if (this.says.textContent !== note) this.says.textContent = this.says.title = note;
     const facts = [];
     if (this.takenAt > 0 && jauspy.isLarge(this.figure)) facts.push(new Date(this.takenAt).toTimeString().slice(0, 8));
     if (this.drawnAt !== undefined) facts.push(`${Math.round(this.times.length / 2)}/s`);
