@@ -193,7 +193,7 @@ async def test_what_a_camera_says_is_printed_when_it_changes(monkeypatch, capsys
 
 async def test_a_still_that_does_not_come_is_explained_by_the_camera(robot, monkeypatch, tmp_path):
     monkeypatch.setattr(RtpReceiver, "note", "camera arm is still starting")
-    with pytest.raises(ResponseTimeout, match="no picture of sensor 1 in 0 s: .*; 101.1.106 says: camera arm is"):
+    with pytest.raises(ResponseTimeout, match=r"no picture of sensor 1 in 0 s: .*; 101.1.106 says: camera arm is"):
         await still.take_picture(
             OCU("42.1.9", robot[1]), JausID(101, 1, 106), 1, None, "jpeg", file=tmp_path / "x.jpg", max_wait=0.0
         )
