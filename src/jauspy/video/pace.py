@@ -156,6 +156,8 @@ class Pace:
         return better if self._hold.is_over(now, possible=better < self._step) else self._step
 
 
+LEAST_NICENESS: Final = 3
+"""Half of the weight of the robot's process, so that control always comes first."""
 NICENESS_STEP: Final = 5
 """A step to a third of the weight, or to three times: Linux has a factor of 1.25 for 1 (`sched_prio_to_weight`)."""
 SAMPLE: Final = 0.25
@@ -169,14 +171,14 @@ FIRST_NICER, LONGEST_NICER = 1.0, 320.0
 
 
 class Niceness:
-    """Chooses how nice a camera is, by its share of the processor; it starts as the process of the robot.
+    """Chooses how nice a camera is, by its share of the processor; always nicer than control, unless `highest` is less.
 
-    It becomes nicer as long as it gets its share, so that control comes first, and less nice when others leave it
+    It starts with `LEAST_NICENESS`, becomes nicer as long as it gets its share, and less nice when others leave it
     nothing.
     """
 
     def __init__(self, highest: int) -> None:
-        self._levels: tuple[int, ...] = (*range(0, highest, NICENESS_STEP), highest)
+        self._levels: tuple[int, ...] = (*range(LEAST_NICENESS, highest, NICENESS_STEP), highest)
         self._level = 0
         self._hold = Hold(FIRST_NICER, LONGEST_NICER)
         self._ran = self._waited = 0.0
