@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import os
 import re
@@ -16,9 +17,9 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 import av
 
-from jauspy.cli import video
+from jauspy.cli import still, video
 from jauspy.cli.video import StreamSettings
-from jauspy.errors import RequestError
+from jauspy.errors import RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.transport.loopback import LoopbackHub, LoopbackTransport
@@ -150,5 +151,49 @@ async def test_missing_picture_is_explained_after_three_seconds(monkeypatch, cap
     said = " ".join(capsys.readouterr().err.split())
     assert "no picture yet: no packet has arrived" in said
     assert "if 101.1.106 is on another one, name an address with --to" in said
+    says = video.no_picture(camera, ("10.0.0.7", 5004), {}, "camera arm is still starting")
+    assert says == "101.1.106 says: camera arm is still starting"
     assert "101.1.106 may have no route to 10.0.0.7" in video.no_picture(camera, ("10.0.0.7", 5004), {})
     assert "no whole picture to begin with (lost 3)" in video.no_picture(camera, ("10.0.0.7", 5004), {"lost": 3})
+
+
+class Silent:
+    """A receiver to which only notes come."""
+
+    note = "camera arm is still starting"
+
+
+async def test_a_camera_that_says_that_it_starts_has_more_time(monkeypatch):
+    monkeypatch.setattr(video, "START_TIMEOUT", 0.0)
+    monkeypatch.setattr(video, "FIRST_NOTE", 0.0)
+    started, receiver = asyncio.Event(), Silent()
+    waiting = asyncio.create_task(video._first_picture(started, receiver))
+    await asyncio.sleep(0)
+    assert not waiting.done()
+    started.set()
+    await asyncio.wait_for(waiting, 20.0)
+    started.clear()
+    receiver.note = ""
+    with pytest.raises(TimeoutError):
+        await video._first_picture(started, receiver)
+
+
+async def test_what_a_camera_says_is_printed_when_it_changes(monkeypatch, capsys):
+    monkeypatch.setattr(video, "NOTE_INTERVAL", 0.0)
+    receiver = Silent()
+    telling = asyncio.create_task(video._tell_notes(JausID(101, 1, 106), receiver))
+    for note in ("one", "one", "", "two\x1b[2J"):
+        receiver.note = note
+        for _ in range(3):
+            await asyncio.sleep(0)
+    telling.cancel()
+    lines = capsys.readouterr().err.splitlines()
+    assert [line.partition("says: ")[2] for line in lines] == ["one", "two\\x1b[2J"]
+
+
+async def test_a_still_that_does_not_come_is_explained_by_the_camera(robot, monkeypatch, tmp_path):
+    monkeypatch.setattr(RtpReceiver, "note", "camera arm is still starting")
+    with pytest.raises(ResponseTimeout, match=r"no picture of sensor 1 in 0 s: .*; 101.1.106 says: camera arm is"):
+        await still.take_picture(
+            OCU("42.1.9", robot[1]), JausID(101, 1, 106), 1, None, "jpeg", file=tmp_path / "x.jpg", max_wait=0.0
+        )

@@ -32,6 +32,8 @@ class FakeCamera:
 
     waiting = "the robot agreed to send to rtp://here, and no packet has arrived"
 
+    note = ""
+
     def __init__(self) -> None:
         self.queue: asyncio.Queue[Picture | Exception] = asyncio.Queue()
         self.receiving = 0
@@ -208,3 +210,29 @@ async def test_the_attitude_goes_to_those_who_show_it() -> None:
     browser.asked.put_nowait(None)
     await serving
     assert feed.watchers == []
+
+
+async def test_what_a_camera_says_is_sent_once_and_is_the_reason_for_no_picture(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(module, "QUIET_TIME", 0.0)
+    camera, browser, events = FakeCamera(), Browser(), []
+    shared = SharedCamera(camera, "101.1.106", events.append)  # type: ignore[arg-type] - what it uses of a camera
+    camera.note = "camera arm is still starting"
+    serving = asyncio.create_task(shared.serve(browser, refuse))  # type: ignore[arg-type] - what it uses of a socket
+    await until(lambda: browser.said("note") == "camera arm is still starting")
+    assert events == [], "its end is no news"
+    camera.note = ""
+    camera.queue.put_nowait(KEY)
+    await until(lambda: browser.said("note") == "")
+    assert events == []
+    for note in ("the robot's machine is too slow for camera arm", ""):
+        camera.note = note
+        await until(lambda: browser.said("note") == camera.note)
+    assert events == [
+        "video of 101.1.106: the robot's machine is too slow for camera arm",
+        "video of 101.1.106: all that is set again",
+    ]
+    assert sum("note" in each for each in browser.texts) == 4
+    browser.asked.put_nowait(None)
+    await serving

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -65,6 +66,30 @@ def test_a_camera_that_hangs_is_seen_at_once(url: str, robot: RunningRobot) -> N
             for each in processes:
                 each.resume()
         page.locator("figure.large:not(.stale)").wait_for()
+
+
+def test_a_camera_that_starts_on_a_busy_machine_says_so(url: str, robot: RunningRobot) -> None:
+    """Its process is stopped before it has a picture."""
+    with page_at(url) as page:
+        wait_for_pictures(page)
+    old = {each.pid for each in workers(robot)}
+    for each in workers(robot):
+        each.kill()
+    deadline = time.monotonic() + 60.0
+    while len(new := [each for each in workers(robot) if each.pid not in old]) < 3:
+        assert time.monotonic() < deadline, "they do not start again"
+    for each in new:
+        each.suspend()
+    try:
+        with page_at(url) as page:
+            page.get_by_text(re.compile("no picture: the camera says: camera arm is still starting")).first.wait_for()
+            for each in new:
+                each.resume()
+            wait_for_pictures(page)
+            assert page.locator("figure.large .video-says").inner_text() == ""
+    finally:
+        for each in new:
+            each.resume()
 
 
 def test_overlay_and_enlarging(url: str) -> None:

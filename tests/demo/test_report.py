@@ -37,3 +37,16 @@ def test_report_fails_if_one_goal_is_not_reached() -> None:
     assert not report.reached
     assert "not all goals were reached" in shown(report)
     assert "✗  lift" in shown(report)
+
+
+def test_a_reduced_goal_is_no_plain_success(tmp_path: Path) -> None:
+    video = StageResult("arm video", "50 pictures (5.0 of 15 Hz)", True, {"rate": 5.0}, reduced=True)
+    report = Report([DRIVE, video])
+    report.save(tmp_path)
+    assert report.reached
+    text = shown(report)
+    assert "all goals were reached" not in text
+    assert "but for what is reduced, since this machine is too slow: arm video" in " ".join(text.split())
+    assert "~  arm video" in text
+    assert json.loads((tmp_path / "summary.json").read_text())["results"][1]["reduced"] is True
+    assert Report([video, LIFT]).verdict == "not all goals were reached"

@@ -10,6 +10,7 @@ from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ocu import camera as module
 from jauspy.protocol.addressing import Location
 from jauspy.transport.multicast import address_towards
+from jauspy.video.receiver import RtpReceiver
 
 np = pytest.importorskip("numpy")
 pytest.importorskip("av")
@@ -114,3 +115,13 @@ async def test_loop_that_is_left_by_break_ends_the_video_when_the_ocu_is_closed(
             assert sum(robot.videos["arm"].receivers.values()) == 1
             break
     assert sum(robot.videos["arm"].receivers.values()) == 0
+
+
+async def test_no_picture_says_what_the_camera_says(node_manager, robot, ocu, monkeypatch):
+    """Not that a firewall may be in between: what it says has arrived."""
+    monkeypatch.setattr(module.Camera, "_register", _ignored)
+    monkeypatch.setattr(RtpReceiver, "note", "camera arm is still starting")
+    camera = (await ocu.robot(101)).camera("arm")
+    assert camera.note == ""
+    with pytest.raises(ResponseTimeout, match=r"no picture to rtp://127.0.0.1:\d+: the camera says: camera arm is"):
+        await anext(camera.frames(timeout=0.1))

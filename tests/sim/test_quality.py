@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 
 import pytest
@@ -73,9 +74,33 @@ def test_a_camera_that_is_too_slow_leaves_shadows_out_and_says_so(robots):
     plain = picture(robots[Quality.LOW])
     with opened(robots[Quality.MEDIUM]) as eye:
         assert not eye.reduced
-        before = eye.description
-        assert eye.simplify()
+        assert eye.simplifications == 1
+        shaded, before = seen(robots[Quality.MEDIUM], eye), eye.description
+        eye.simplify(1)
         assert eye.reduced
         assert eye.description == f"{before}, without shadows: better pictures take too long here"
         assert abs(seen(robots[Quality.MEDIUM], eye) - plain).mean() < 0.5
-        assert not eye.simplify()
+        eye.simplify(0)
+        assert (eye.reduced, eye.description) == (False, before)
+        assert abs(seen(robots[Quality.MEDIUM], eye) - shaded).mean() < 0.5
+
+
+@pytest.mark.parametrize(("quality", "count"), [(Quality.LOW, 0), (Quality.HIGH, 2)])
+def test_the_number_of_lower_qualities(robots, quality, count):
+    with opened(robots[quality]) as eye:
+        assert eye.simplifications == count
+        eye.simplify(5)
+        assert eye.description.endswith("without shadows: better pictures take too long here") is (count > 0)
+
+
+def test_a_camera_goes_from_one_thread_to_the_next(robots):
+    """The context of GL is current in one thread only."""
+    robot = robots[Quality.MEDIUM]
+    with opened(robot) as eye:
+        first = seen(robot, eye)
+        for _ in range(3):
+            eye.release()
+            with ThreadPoolExecutor(1) as thread:
+                again = thread.submit(lambda: (seen(robot, eye), eye.release())).result(60)[0]
+            assert (again == first).all()
+        assert (seen(robot, eye) == first).all()

@@ -65,6 +65,7 @@ class FloorCameraSession:
 
     description: str = "draws sky and floor; the kinematic backend has nothing else to see"
     reduced: bool = False
+    simplifications: int = 0
 
     def __init__(self, camera: FloorCamera) -> None:
         import numpy  # noqa: PLC0415 - an extra
@@ -75,9 +76,11 @@ class FloorCameraSession:
         self._palette = numpy.array(_palette(), numpy.uint8)
         self._state = StateReader(camera.descriptor)
 
-    def simplify(self) -> bool:
-        """Return False: there is one quality."""
-        return False
+    def simplify(self, steps: int) -> None:
+        """Change nothing: there is one quality."""
+
+    def release(self) -> None:
+        """Change nothing: any thread may call."""
 
     def look(
         self,

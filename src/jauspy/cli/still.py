@@ -11,7 +11,7 @@ import typer
 from jauspy.cli import client, console
 from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.ocu.stills import LARGE_IMAGE_DELIVERY
@@ -80,7 +80,13 @@ async def take_picture(
     async with ocu:
         robot = await ocu.discover(camera.subsystem)
         service = robot.component(str(camera)).service("StillImage")
-        photo = await service.still(size=size, format=format, sensor=sensor, timeout=max_wait)
+        try:
+            photo = await service.still(size=size, format=format, sensor=sensor, timeout=max_wait)
+        except ResponseTimeout as error:
+            from jauspy.cli.video import said_by
+
+            note = await said_by(ocu, camera, sensor)
+            raise ResponseTimeout(f"{error}; {camera} says: {note}" if note else str(error)) from None
     _write(file, photo.content)
     at = photo.taken
     when = f", taken at {at:%H:%M:%S}.{at.microsecond // 1000:03} UTC" if at else ""

@@ -64,6 +64,8 @@ class CameraStatus:
     pictures: float
     packets: float
     dropped: int
+    reduced: str = ""
+    """A sentence if the machine is too slow for what it is set to; empty otherwise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,6 +156,7 @@ class StatusSampler:
             pictures=self._rate(f"camera.{name}.pictures"),
             packets=self._rate(f"camera.{name}.packets"),
             dropped=camera.counters.get("dropped", 0),
+            reduced=camera.reduced,
         )
 
 
@@ -194,6 +197,7 @@ def table(config: RobotConfig, look: RobotStatus, seconds: float) -> RenderableT
     parts: list[RenderableType] = [Rule(title, style="cyan", align="left"), _head(look), Text(), _modules(look.modules)]
     if look.cameras:
         parts += [Text(), _cameras(look.cameras)]
+        parts += [Text(printable(camera.reduced), "yellow") for camera in look.cameras if camera.reduced]
     if look.faults:
         parts += [
             Text(),

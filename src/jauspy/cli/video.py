@@ -12,7 +12,7 @@ from collections.abc import AsyncIterator, Mapping
 from contextlib import AsyncExitStack, asynccontextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
@@ -42,6 +42,9 @@ from jauspy.services.environment_sensing.digital_resource_discovery import parse
 from jauspy.video import need_video
 from jauspy.video.h264_payload import PPS, SPS, nal_type
 from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
+
+if TYPE_CHECKING:
+    from jauspy.video.receiver import RtpReceiver
 
 
 def video(
@@ -146,6 +149,10 @@ FIRST_NOTE: Final = 3.0
 """Seconds without a picture after which a note with possible causes is printed."""
 START_TIMEOUT: Final = 20.0
 """Seconds until the first picture; the camera may have to be started."""
+NOTE_INTERVAL: Final = 5.0
+"""Seconds between two looks at what the camera says, and until it has said something."""
+LONGEST_START: Final = 120.0
+"""The same while the camera says that it is starting."""
 
 
 def url_of(address: tuple[str, int]) -> str:
@@ -165,6 +172,24 @@ async def register(ocu: OCU, camera: JausID, sensor: int, url: str) -> int:
             "'video' on the robot?"
         )
     return answer.id
+
+
+async def said_by(ocu: OCU, camera: JausID, sensor: int) -> str:
+    """What the camera says of its stream; empty if it says nothing, or cannot be asked.
+
+    It is asked for its video for a moment, since notes come beside it.
+    """
+    from jauspy.video.receiver import RtpReceiver
+
+    try:
+        with RtpReceiver(host := await ocu.address_towards(camera)) as receiver:
+            async with registered(ocu, camera, sensor, url_of((host, receiver.port))), asyncio.timeout(NOTE_INTERVAL):
+                while not (note := receiver.note):
+                    receiver.take()
+                    await asyncio.sleep(0.1)
+                return note
+    except (TimeoutError, RequestError, TransportError):
+        return ""
 
 
 @asynccontextmanager
@@ -221,6 +246,7 @@ async def parameter_sets(ocu: OCU, camera: JausID, sensor: int) -> tuple[bytes, 
     from jauspy.video.receiver import RtpReceiver
 
     found: dict[int, bytes] = {}
+    said = ""
     try:
         with RtpReceiver(await ocu.address_towards(camera)) as receiver:
             here = url_of((await ocu.address_towards(camera), receiver.port))
@@ -228,9 +254,10 @@ async def parameter_sets(ocu: OCU, camera: JausID, sensor: int) -> tuple[bytes, 
                 while len(found) < 2:
                     for picture in receiver.take():
                         found |= {nal_type(nal): nal for nal in picture.nals if nal_type(nal) in (SPS, PPS)}
+                    said = f"; it says: {note}" if (note := receiver.note) else ""
                     await asyncio.sleep(0.02)
     except (TimeoutError, RequestError, TransportError) as error:
-        why = str(error) or f"no picture has come within {START_TIMEOUT:g} s"
+        why = str(error) or f"no picture has come within {START_TIMEOUT:g} s{said}"
         console.note(f"the description lacks the stream's parameters, so that players wait for a key frame: {why}")
         return ()
     return found[SPS], found[PPS]
@@ -253,6 +280,7 @@ async def record(
 
     loop = asyncio.get_running_loop()
     started, ended = asyncio.Event(), asyncio.Event()
+    telling: asyncio.Task[None] | None = None
     async with AsyncExitStack() as stack:
         await stack.enter_async_context(ocu)
         address = await own_address(ocu, camera, given)
@@ -270,18 +298,47 @@ async def record(
         try:
             async with registered(ocu, camera, sensor, url_of(address)):
                 console.print_lines(f"recording {camera} to {file}; Ctrl-C ends it")
+                telling = asyncio.create_task(_tell_notes(camera, receiver))
                 with suppress(TimeoutError):
                     if not await _starts(started, FIRST_NOTE):
-                        console.note(f"no picture yet: {no_picture(camera, address, receiver.counters)}")
-                    await asyncio.wait_for(started.wait(), START_TIMEOUT - FIRST_NOTE)
+                        why = no_picture(camera, address, receiver.counters, receiver.note)
+                        console.note(f"no picture yet: {why}")
+                    await _first_picture(started, receiver)
                     await asyncio.wait_for(ended.wait(), seconds)
         finally:
+            if telling is not None:
+                telling.cancel()
             loop.remove_reader(receiver.fileno())
             pictures, lost = recorder.pictures, receiver.counters.get("lost", 0)
             console.note(f"{pictures} pictures in {file}, {lost} packets lost")
     if not pictures:
-        why = no_picture(camera, address, receiver.counters)
-        raise RequestError(f"no picture was received in {START_TIMEOUT:g} s: {why}")
+        why = no_picture(camera, address, receiver.counters, receiver.note)
+        raise RequestError(f"no picture was received in {_longest_start(receiver):g} s: {why}")
+
+
+def _longest_start(receiver: RtpReceiver) -> float:
+    return LONGEST_START if receiver.note else START_TIMEOUT
+
+
+async def _first_picture(started: asyncio.Event, receiver: RtpReceiver) -> None:
+    """Wait for the first picture, longer while the camera says that it is starting; raises `TimeoutError`."""
+    clock = asyncio.get_running_loop().time
+    began = clock()
+    while not started.is_set():
+        left = began + _longest_start(receiver) - FIRST_NOTE - clock()
+        if left <= 0.0:
+            raise TimeoutError
+        await _starts(started, min(left, 1.0))
+
+
+async def _tell_notes(camera: JausID, receiver: RtpReceiver) -> None:
+    """Print what the camera says of its stream when it says something else."""
+    said = ""
+    while True:
+        if (note := receiver.note) and note != said:
+            console.note(f"{camera} says: {note}")
+        said = note
+        await asyncio.sleep(NOTE_INTERVAL)
 
 
 async def _starts(started: asyncio.Event, seconds: float) -> bool:
@@ -290,8 +347,10 @@ async def _starts(started: asyncio.Event, seconds: float) -> bool:
     return started.is_set()
 
 
-def no_picture(camera: JausID, address: tuple[str, int], counters: Mapping[str, int]) -> str:
-    """Why no picture may have come, from what was received."""
+def no_picture(camera: JausID, address: tuple[str, int], counters: Mapping[str, int], note: str = "") -> str:
+    """Why no picture may have come, from what was received; `note` is what the camera says."""
+    if note:
+        return f"{camera} says: {note}"
     if counters:
         received = ", ".join(f"{name} {count}" for name, count in sorted(counters.items()))
         return f"packets arrive at {url_of(address)}, but no whole picture to begin with ({received})"

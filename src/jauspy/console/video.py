@@ -144,6 +144,7 @@ class Watcher:
         self._size = 0
         self._news: dict[str, Any] = {}
         self._codec = ""
+        self._note = ""
         self._waits_for_idr = True
         self._ready = asyncio.Event()
 
@@ -154,6 +155,12 @@ class Watcher:
         """Send news; those of the same name that wait are replaced."""
         self._news.update(news)
         self._ready.set()
+
+    def tell_note(self, note: str) -> None:
+        """Send what the camera says of its stream, if it is something else than before."""
+        if note != self._note:
+            self._note = note
+            self.tell(note=note)
 
     def choose(self, choice: str) -> bool:
         """Send these pictures (`all`, `keys` or `nothing`) from now on; returns True if a key picture is waited for."""
@@ -224,7 +231,7 @@ class SharedCamera:
         self._watchers: set[Watcher] = set()
         self._tasks: list[asyncio.Task[None]] = []
         self._codec = ""
-        self._problem = ""
+        self._problem = self._note = ""
         self._picture_at = -math.inf
         self._has_begun = False
         self._key_at = -math.inf
@@ -282,7 +289,7 @@ class SharedCamera:
     def _start(self) -> None:
         if not self._tasks:
             self._picture_at = asyncio.get_running_loop().time()
-            self._problem, self._has_begun = "", False
+            self._problem, self._note, self._has_begun = "", "", False
             self._tasks = [
                 asyncio.create_task(self._receive(), name=f"console: video of {self.name}"),
                 asyncio.create_task(self._explain(), name=f"console: why {self.name} is dark"),
@@ -315,8 +322,12 @@ class SharedCamera:
         """Send browsers the reason while there is no picture, and request key pictures."""
         while True:
             await asyncio.sleep(0.5)
-            reason = self.why_no_picture()
+            reason, note = self.why_no_picture(), self.camera.note
+            if note != self._note and self._has_begun:  # before, it is the reason
+                self._on_event(f"video of {self.name}: {note or 'all that is set again'}")
+                self._note = note
             for watcher in self._watchers:
+                watcher.tell_note(note)
                 if reason:
                     watcher.tell(reason=reason)
             now = asyncio.get_running_loop().time()

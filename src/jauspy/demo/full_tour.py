@@ -30,6 +30,7 @@ from jauspy.mapping.mapper import MAX_RANGE, Mapper
 from jauspy.ocu import OCU, Camera, Robot, RobotControl
 from jauspy.ocu.frames import RobotFrames
 from jauspy.robot.config import CameraTable, RobotConfig
+from jauspy.video.h264_payload import Picture
 from jauspy.video.recorder import Recorder
 
 LOCALHOST: Final = "127.0.0.1"
@@ -50,38 +51,60 @@ class VideoRecording:
     ended: float = 0.0
     failure: str = ""
     """Why no more pictures came."""
+    note: str = ""
+    """What the camera said last of a machine that is too slow."""
 
     async def run(self) -> None:
-        """Record until this is cancelled, or no picture has come for `plan.CAMERA_TIMEOUT`."""
-        pictures = self.camera.encoded(address=LOCALHOST, timeout=plan.CAMERA_TIMEOUT, silence=plan.CAMERA_TIMEOUT)
+        """Record until this is cancelled, or no further picture has come for `plan.CAMERA_TIMEOUT`."""
+        pictures = self.camera.encoded(address=LOCALHOST, timeout=plan.LONG_CAMERA_TIMEOUT, silence=plan.CAMERA_TIMEOUT)
         try:
             async with aclosing(pictures):
                 async for picture in pictures:
-                    self.recorder.add(picture)
-                    if (taken := self.camera.taken(picture)) is not None:
-                        self.latencies.append(time.time() - taken.timestamp())
+                    self.add(picture)
         except RequestError as error:
             self.failure = f"camera {self.name}: {error}"
 
+    def add(self, picture: Picture) -> None:
+        """Write a picture, with its delay and with what the camera says."""
+        self.recorder.add(picture)
+        self.note = self.camera.note or self.note
+        if (taken := self.camera.taken(picture)) is not None:
+            self.latencies.append(time.time() - taken.timestamp())
+
     async def begins(self) -> None:
-        """Wait for the first picture; raises `RequestError` after `plan.CAMERA_TIMEOUT`."""
+        """Wait for the first picture; raises `RequestError` after `plan.CAMERA_TIMEOUT`.
+
+        A camera that says that it is still starting has until `plan.LONG_CAMERA_TIMEOUT`.
+        """
         while not self.recorder.pictures:
+            limit = plan.LONG_CAMERA_TIMEOUT if (note := self.camera.note) else plan.CAMERA_TIMEOUT
             if self.failure:
                 raise RequestError(self.failure)
+            if time.monotonic() - self.began > limit:
+                raise RequestError(
+                    f"camera {self.name}: no picture in {limit:g} s" + (f"; it says: {note}" if note else "")
+                )
             await asyncio.sleep(0.05)
-        self.began = time.monotonic()
+        self.began, self.note = time.monotonic(), ""
 
     def result(self) -> StageResult:
-        """Rate, losses and delay; no packet may be lost."""
+        """Rate, losses and delay; no packet may be lost, and not more than half of the pictures be missing.
+
+        A camera that says that its machine is too slow has reached less, and that is said.
+        """
         pictures, counters = self.recorder.pictures, self.camera.counters
         lost, damaged = counters.get("lost", 0), counters.get("damaged", 0)
         rate = pictures / max(self.ended - self.began, 1e-3)
         late = median(self.latencies) if self.latencies else 0.0
+        least = plan.MIN_REDUCED_RATE if self.note else plan.MIN_RATE * self.wanted
+        is_whole = rate >= least and not lost and not damaged and not self.failure
+        said = f"; it said: {self.note}" if self.note else ""
         return StageResult(
             f"{self.name} video",
             f"{pictures} pictures ({rate:.1f} of {self.wanted} Hz), {lost or 'no'} packets lost, "
-            f"{damaged or 'none'} damaged; {1e3 * late:.0f} ms delay (median)" + (self.failure and f"; {self.failure}"),
-            pictures > 0 and not lost and not damaged and not self.failure,
+            f"{damaged or 'none'} damaged; {1e3 * late:.0f} ms delay (median){said}"
+            + (self.failure and f"; {self.failure}"),
+            is_whole,
             {
                 "pictures": pictures,
                 "rate": rate,
@@ -90,6 +113,7 @@ class VideoRecording:
                 "damaged": damaged,
                 "latency": late,
             },
+            reduced=is_whole and bool(self.note),
         )
 
 

@@ -137,11 +137,18 @@ HOLD_TIME: Final = 2.0
 SETTLING_TIME: Final = 0.7
 """Seconds for the arm to come to rest before the still: an error of 0.01 rad is 1 cm at the can."""
 
+MIN_RATE: Final = 0.5
+"""Of the pictures per second that a camera is set to: the least for its video to be a success."""
+MIN_REDUCED_RATE: Final = 1.0
+"""The same, in pictures per second, for a camera that says that its machine is too slow."""
+
 # --- timeouts, seconds
 REPORT_TIMEOUT: Final = 10.0
 """Without a report."""
 CAMERA_TIMEOUT: Final = 40.0
 """Until the first picture; camera processes have low priority."""
+LONG_CAMERA_TIMEOUT: Final = 120.0
+"""The same while the camera says that it is still starting."""
 DRIVE_TIMEOUT: Final = 45.0
 MOVE_TIMEOUT: Final = 20.0
 GRIP_TIMEOUT: Final = 15.0

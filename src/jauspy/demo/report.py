@@ -32,6 +32,8 @@ MARKS: Final[Mapping[bool | None, tuple[str, str]]] = {
     False: ("✗", "bold red"),
     None: ("·", "dim"),
 }
+REDUCED: Final = ("~", "yellow")
+"""The mark of a goal that was reached in a reduced form."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +44,13 @@ class StageResult:
     measured: str
     reached: bool | None
     figures: Mapping[str, float] = field(default_factory=dict)
+    reduced: bool = False
+    """True if the goal was reached in a reduced form only, since the machine is too slow; `measured` says how."""
+
+    @property
+    def mark(self) -> tuple[str, str]:
+        """A character and its style."""
+        return REDUCED if self.reduced else MARKS[self.reached]
 
 
 @dataclass(slots=True)
@@ -56,6 +65,18 @@ class Report:
         """True if every goal was reached."""
         return all(each.reached is not False for each in self.results)
 
+    @property
+    def verdict(self) -> str:
+        """The sentence about all goals."""
+        if not self.reached:
+            return "not all goals were reached"
+        reduced = [each.stage for each in self.results if each.reduced]
+        if reduced:
+            return (
+                f"the goals were reached, but for what is reduced, since this machine is too slow: {', '.join(reduced)}"
+            )
+        return "all goals were reached"
+
     def save(self, folder: Path) -> None:
         """Write `summary.json`."""
         stages = [asdict(each) for each in self.results]
@@ -69,12 +90,12 @@ class Report:
         grid.add_column(style="bold", no_wrap=True)
         grid.add_column()
         for each in self.results:
-            mark, style = MARKS[each.reached]
+            mark, style = each.mark
             grid.add_row(Text(mark, style=style), each.stage, each.measured)
         if self.files:
             grid.add_row("", Text("files", style="dim"), Text(f"{folder}/: {', '.join(self.files)}", style="dim"))
-        title = "all goals were reached" if self.reached else "not all goals were reached"
-        return Panel(grid, title=title, expand=False, border_style="green" if self.reached else "red")
+        colour = "yellow" if any(each.reduced for each in self.results) else "green"
+        return Panel(grid, title=self.verdict, expand=False, border_style=colour if self.reached else "red")
 
 
 MAX_SAMPLES: Final = 6000
@@ -154,7 +175,7 @@ class View:
 
     def add(self, result: StageResult) -> None:
         """Show a result."""
-        mark, style = MARKS[result.reached]
+        mark, style = result.mark
         self._line(Text.assemble("  ", (mark, style), f" {result.stage}: {result.measured}"))
 
     def _line(self, text: Text) -> None:

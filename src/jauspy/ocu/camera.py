@@ -119,6 +119,8 @@ class Camera:
         """A text for users: what `frames` or `encoded` wait for until a picture arrives, as in "a first packet"."""
         if self._receiver is None:
             return "the robot has not yet agreed to send video"
+        if note := self.note:
+            return f"the camera says: {note}"
         counters = {name: count for name, count in self._receiver.counters.items() if count}
         if not counters:
             return f"the robot agreed to send to {self._url}, and no packet has arrived"
@@ -131,6 +133,14 @@ class Camera:
     def counters(self) -> Mapping[str, int]:
         """What was received for the last `frames` or `encoded`: `pictures`, packets `lost`, pictures `damaged`, ..."""
         return self._counters if self._receiver is None else self._receiver.counters
+
+    @property
+    def note(self) -> str:
+        """What the camera says of its stream while it is received; empty for nothing.
+
+        A text for users: the camera is still starting, or its machine is too slow for what is set. It is not checked.
+        """
+        return "" if self._receiver is None else self._receiver.note
 
     def taken(self, picture: Picture) -> datetime | None:
         """When a picture of `encoded` was taken, by the robot's clock; None before its first report of the time."""
@@ -356,6 +366,8 @@ async def set_stream(
 
 def _nothing(component: ComponentInfo, url: str, reader: Reader[P_co]) -> str:
     counters = dict(reader.receiver.counters)
+    if note := reader.receiver.note:
+        return f"{component.id} sends no picture to {url}: the camera says: {note}"
     what = f"what arrived could not be used ({counters})" if counters else "no packet arrived"
     return (
         f"{component.id} sends no picture to {url}: {what}; its camera may still be starting, or a firewall or another "

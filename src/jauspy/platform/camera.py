@@ -112,7 +112,7 @@ class DepthFrame:
 
 
 class CameraSession(Protocol):
-    """An open camera. It belongs to one thread."""
+    """An open camera. It belongs to one thread at a time."""
 
     @property
     def description(self) -> str:
@@ -124,8 +124,17 @@ class CameraSession(Protocol):
         """True if pictures are of lower quality than on other machines; the description says why."""
         ...
 
-    def simplify(self) -> bool:
-        """Render at the next lower quality, because pictures take too long; False if there is none."""
+    @property
+    def simplifications(self) -> int:
+        """The number of qualities below that of the robot, each of which takes less time."""
+        ...
+
+    def simplify(self, steps: int) -> None:
+        """Render at a quality that many steps below that of the robot, because pictures take too long; 0 ends this."""
+        ...
+
+    def release(self) -> None:
+        """Leave the thread: the next one that calls has the camera."""
         ...
 
     def look(

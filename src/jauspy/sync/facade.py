@@ -729,6 +729,14 @@ class Camera(Facade[_Camera]):
         """What was received for the last `frames` or `encoded`: `pictures`, packets `lost`, pictures `damaged`, ..."""
         return self._async.counters
 
+    @property
+    def note(self) -> str:
+        """What the camera says of its stream while it is received; empty for nothing.
+
+        A text for users: the camera is still starting, or its machine is too slow for what is set. It is not checked.
+        """
+        return self._async.note
+
     def taken(self, picture: Picture) -> datetime | None:
         """When a picture of `encoded` was taken, by the robot's clock; None before its first report of the time."""
         return self._async.taken(picture)

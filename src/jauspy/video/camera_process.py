@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import os
 import time
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from pathlib import Path
 from typing import Final, TypeAlias
 
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, JausError
 from jauspy.logs import get_logger
 from jauspy.platform.camera import CameraSetup, CameraSource
 from jauspy.platform.imaging_settings import ImagingSettings
@@ -21,17 +24,24 @@ from jauspy.video.camera_protocol import (
     RemoveReceiver,
     StartCamera,
     StillTaken,
+    StreamReduced,
     TakeStill,
 )
-from jauspy.video.sender import MAX_RECEIVERS
+from jauspy.video.sender import MAX_RECEIVERS, RtpSender
 from jauspy.worker_process import SupervisedWorker
 
 NICENESS: Final = 15
-"""Above that of the robot's process: video never delays control, and gets the processor time that is left."""
+"""At most, above that of the robot's process, so that video gets what control leaves (`pace.Niceness`)."""
 STILL_TIMEOUT: Final = 30.0
 """Seconds that a worker may be silent while a still image is wanted, until it counts as hung."""
 START_TIMEOUT: Final = 90.0
 """The same until the camera is open, which takes long where many processes share a small machine."""
+NOTICE_INTERVAL: Final = 3.0
+"""Seconds from the start of a worker until receivers without a picture are told so, and between two notes."""
+LONG_START: Final = 10.0
+"""Seconds after which it is logged that a camera is still starting."""
+BUSY_SHARE: Final = 0.5
+"""Share of a processor below which a camera that starts is said to have too little."""
 MAX_PENDING_STILLS: Final = 8
 """Still images that may be under way; further ones are refused."""
 
@@ -47,7 +57,7 @@ class CameraProcess(SupervisedWorker):
     """
 
     def __init__(self, camera: CameraSource, settings: VideoSettings, *, stamped: bool = False) -> None:
-        super().__init__("jauspy.video.camera_worker", NICENESS, f"camera {camera.setup.name}", _LOG)
+        super().__init__("jauspy.video.camera_worker", 0, f"camera {camera.setup.name}", _LOG)
         self._camera, self._settings, self._stamped = camera, settings, stamped
         self._imaging = camera.setup.imaging.initial
         self._receivers: dict[Address, bool] = {}
@@ -55,6 +65,7 @@ class CameraProcess(SupervisedWorker):
         self._heard_at = 0.0
         self._timeout = START_TIMEOUT
         self._is_open = False
+        self._reduced = ""
 
     @property
     def setup(self) -> CameraSetup:
@@ -85,6 +96,11 @@ class CameraProcess(SupervisedWorker):
     def receivers(self) -> Mapping[Address, bool]:
         """The receivers, and whether they play."""
         return dict(self._receivers)
+
+    @property
+    def reduced(self) -> str:
+        """A sentence for users about a camera for which the machine is too slow; empty when it sends what is set."""
+        return self._reduced
 
     def watch(self, address: Address, *, playing: bool = True) -> None:
         """Send to this address, from an IDR picture on, or pause sending.
@@ -144,7 +160,9 @@ class CameraProcess(SupervisedWorker):
 
     def _on_started(self) -> None:
         self._heard_at, self._timeout = time.monotonic(), START_TIMEOUT
-        self._send(StartCamera(self._camera, self._settings, self._imaging, self._stamped))
+        self._reduced = ""
+        self._notify_later(self.pid, time.monotonic())
+        self._send(StartCamera(self._camera, self._settings, self._imaging, self._stamped, NICENESS))
         for address, playing in self._receivers.items():
             self._send(AddReceiver(address, playing))
         for command in self._stills:
@@ -155,11 +173,56 @@ class CameraProcess(SupervisedWorker):
         if isinstance(message, StillTaken):
             self._own["stills"] += 1
             self._stills.deliver(message, time.monotonic())
+        elif isinstance(message, StreamReduced):
+            self._take_reduction(message.text)
         else:
             super()._on_message(message)
 
+    def _take_reduction(self, text: str) -> None:
+        """Log what the camera does less than is set, or that it does all again."""
+        if text:
+            _LOG.warning("%s", text)
+        elif self._reduced:
+            _LOG.info("%s: sends what is set again", self._name)
+        self._own["reduced"] += bool(text)
+        self._reduced = text
+
+    def _notify_later(self, pid: int | None, began: float) -> None:
+        asyncio.get_running_loop().call_later(NOTICE_INTERVAL, self._notify, pid, began)
+
+    def _notify(self, pid: int | None, began: float) -> None:
+        """Tell receivers and the log that the worker is still starting, and with how much of a processor."""
+        if pid is None or pid != self.pid or self._reported["pictures"]:
+            return
+        elapsed = time.monotonic() - began
+        text = starting_text(self._camera.setup.name, elapsed, processor_time(pid))
+        if elapsed - NOTICE_INTERVAL < LONG_START <= elapsed and any(self._receivers.values()):
+            _LOG.warning("%s", text)
+        with RtpSender(self._camera.setup.name) as sender:
+            for address in (address for address, playing in self._receivers.items() if playing):
+                with suppress(JausError):  # the worker counts addresses that are none
+                    sender.add(address)
+            sender.announce(text)
+        self._notify_later(pid, began)
+
     def _on_ended(self) -> None:
         self._own["stills_lost"] += self._stills.fail()
+
+
+def starting_text(name: str, elapsed: float, used: float) -> str:
+    """The sentence for users about a camera that has no picture yet; seconds since its start, and of a processor."""
+    why = ", since the robot's machine is busy" if used < BUSY_SHARE * elapsed else ""
+    share = f"its process got {100.0 * used / elapsed:.0f} % of a processor in {elapsed:.0f} s"
+    return f"camera {name} is still starting{why}: {share}"
+
+
+def processor_time(pid: int) -> float:
+    """Seconds that a process has run (utime and stime, proc(5)); 0 if it has ended."""
+    try:
+        fields = Path(f"/proc/{pid}/stat").read_text("utf-8", "replace").rpartition(")")[2].split()
+    except OSError:
+        return 0.0
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 class PendingStills:

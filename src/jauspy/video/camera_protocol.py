@@ -21,6 +21,8 @@ class StartCamera:
     settings: VideoSettings
     imaging: ImagingSettings
     stamped: bool
+    niceness: int
+    """The highest one, in addition to that of the robot's process."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,3 +69,10 @@ class StillTaken:
     number: int
     content: bytes
     at: float
+
+
+@dataclass(frozen=True, slots=True)
+class StreamReduced:
+    """The machine is too slow for the settings: a sentence for users with what is sent; empty when all is."""
+
+    text: str

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import secrets
 import socket
 import time
@@ -12,8 +13,9 @@ from types import TracebackType
 from typing import Any, Final, Self
 
 from jauspy.errors import ProtocolError, TransportError
+from jauspy.printable import printable
 from jauspy.video.h264_payload import PPS, SPS, Depacketiser, Picture, nal_type
-from jauspy.video.rtp import CLOCK_RATE, RtpPacket, SenderClock, picture_loss_indication, sender_clock
+from jauspy.video.rtp import CLOCK_RATE, RtpPacket, SenderClock, noted, picture_loss_indication, sender_clock
 
 MAX_DATAGRAMS: Final = 256
 """Datagrams that are read in one call."""
@@ -35,6 +37,8 @@ SOURCE_TIMEOUT: Final = 2.0
 """Seconds without a packet of the source after which another one of its host may take its place."""
 HOST_TIMEOUT: Final = 10.0
 """The same for a source of another host."""
+NOTE_TIMEOUT: Final = 15.0
+"""Seconds that a note is valid: three reports of its source."""
 
 
 @dataclass(slots=True)
@@ -81,6 +85,8 @@ class RtpReceiver:
         self._rtp, self._rtcp = _pair(host, port)
         self._reporter: tuple[Any, ...] | None = None
         self._clock: SenderClock | None = None
+        self._note = ""
+        self._noted_at = -math.inf
 
     @property
     def port(self) -> int:
@@ -94,6 +100,15 @@ class RtpReceiver:
         Also `not_rtp` datagrams, `foreign` ones (of other sources), and how often whole pictures were `asked` for.
         """
         return self._counters + (self._source.depacketiser.counters if self._source else Counter())
+
+    @property
+    def note(self) -> str:
+        """What the source says of its stream, as that its machine is too slow; empty for nothing.
+
+        Before there is a source it is what anybody says who sends reports here: printable, and not checked.
+        """
+        self._learn()
+        return self._note if self._now() - self._noted_at < NOTE_TIMEOUT else ""
 
     def fileno(self) -> int:
         """For a selector or an event loop: readable when there is something to `take`."""
@@ -168,6 +183,7 @@ class RtpReceiver:
             self._counters += self._source.depacketiser.counters
         self._source, self._last_packet_at = candidate, now
         self._reporter = self._clock = None
+        self._note = ""
         self._candidates.clear()
         pictures, candidate.held = candidate.held, []
         return pictures
@@ -180,13 +196,17 @@ class RtpReceiver:
         return is_ahead and silence >= UNCONFIRMED_TIMEOUT
 
     def _learn(self) -> None:
-        """Read the reports of the source: its clock, and where it listens."""
+        """Read the reports of the source: its clock, where it listens, and its note."""
         for _ in range(MAX_DATAGRAMS):
             try:
                 heard, reporter = self._rtcp.recvfrom(2048)
             except OSError:
                 break
-            clock, source = sender_clock(heard), self._source
+            clock, note, source = sender_clock(heard), noted(heard), self._source
+            if note is not None and (source is None or (reporter[0], note.ssrc) == (source.host, source.ssrc)):
+                self._note, self._noted_at = printable(note.text), self._now()
+            if source is None and note is not None and clock is None:
+                continue  # a camera that starts
             if clock is None or source is None or (reporter[0], clock.ssrc) != (source.host, source.ssrc):
                 self._counters["foreign"] += 1
                 continue

@@ -79,23 +79,33 @@ _SENDER_REPORT: Final = 200
 _SOURCE_DESCRIPTION: Final = 202
 _FEEDBACK: Final = 206
 _PICTURE_LOSS, _FULL_INTRA = 1, 4
-_CNAME: Final = 1
+_RECEIVER_REPORT: Final = 201
+_CNAME, _NOTE = 1, 7
+MAX_TEXT: Final = 255
+"""Bytes of a text in a source description."""
 
 
-def sender_report(ssrc: int, name: str, *, utc: float, timestamp: int, packets: int, octets: int) -> bytes:
-    """Sender report and name of a source; `timestamp` is the stream's clock at `utc` (seconds since 1970)."""
+def sender_report(
+    ssrc: int, name: str, note: str = "", *, utc: float, timestamp: int, packets: int, octets: int
+) -> bytes:
+    """Sender report, name and note of a source; `timestamp` is the stream's clock at `utc` (seconds since 1970)."""
     seconds, fraction = divmod(utc + _NTP_EPOCH, 1.0)
     counts = (packets & 0xFFFFFFFF, octets & 0xFFFFFFFF)
     ntp = (int(seconds) & 0xFFFFFFFF, int(fraction * 2**32))
     return _SENDER.pack(0x80, _SENDER_REPORT, 6, ssrc, *ntp, timestamp & 0xFFFFFFFF, *counts) + _source_description(
-        ssrc, name
+        ssrc, name, note
     )
 
 
-def _source_description(ssrc: int, name: str) -> bytes:
-    text = name.encode()[:255]
-    item = bytes([_CNAME, len(text)]) + text
-    chunk = ssrc.to_bytes(4, "big") + item + bytes(4 - len(item) % 4)
+def source_note(ssrc: int, name: str, note: str) -> bytes:
+    """Name and note of a source that has not sent anything yet, after an empty report as RFC 3550 (6.1) has it."""
+    return struct.pack("!BBHI", 0x80, _RECEIVER_REPORT, 1, ssrc) + _source_description(ssrc, name, note)
+
+
+def _source_description(ssrc: int, name: str, note: str) -> bytes:
+    texts = ((_CNAME, name), (_NOTE, note)) if note else ((_CNAME, name),)
+    items = b"".join(bytes([kind, len(text)]) + text for kind, text in ((k, t.encode()[:MAX_TEXT]) for k, t in texts))
+    chunk = ssrc.to_bytes(4, "big") + items + bytes(4 - len(items) % 4)
     return struct.pack("!BBH", 0x81, _SOURCE_DESCRIPTION, len(chunk) // 4) + chunk
 
 
@@ -113,6 +123,33 @@ def sender_clock(data: bytes) -> SenderClock | None:
         return None
     _, _, _, ssrc, seconds, fraction, timestamp, _, _ = _SENDER.unpack_from(data)
     return SenderClock(ssrc, seconds - _NTP_EPOCH + fraction / 2**32, timestamp)
+
+
+class SourceNote(NamedTuple):
+    """What a source says of itself now (NOTE, RFC 3550 6.5.7); empty when it says nothing."""
+
+    ssrc: int
+    text: str
+
+
+def noted(data: bytes) -> SourceNote | None:
+    """The note in RTCP packets, of the first source that they describe; None for data without a description."""
+    while len(data) >= 4 and data[0] & 0xC0 == 0x80:
+        length = 4 * (1 + int.from_bytes(data[2:4], "big"))
+        if data[1] == _SOURCE_DESCRIPTION and 8 <= length <= len(data):
+            return SourceNote(int.from_bytes(data[4:8], "big"), _text_of(data[8:length], _NOTE))
+        data = data[length:]
+    return None
+
+
+def _text_of(items: bytes, wanted: int) -> str:
+    """The text of an item of that kind; empty without one."""
+    while len(items) >= 2 and items[0]:
+        kind, end = items[0], 2 + items[1]
+        if kind == wanted:
+            return items[2:end].decode(errors="replace")
+        items = items[end:]
+    return ""
 
 
 def picture_loss_indication(receiver: int, source: int) -> bytes:

@@ -14,7 +14,7 @@ from jauspy.errors import ConfigError, TransportError
 from jauspy.video import h264_payload
 from jauspy.video.camera_protocol import Address
 from jauspy.video.h264_payload import packetise
-from jauspy.video.rtp import CLOCK_RATE, REPORT_INTERVAL, RtpPacket, requests_picture, sender_report
+from jauspy.video.rtp import CLOCK_RATE, REPORT_INTERVAL, RtpPacket, requests_picture, sender_report, source_note
 
 _NEVER: Final = float("-inf")
 
@@ -29,6 +29,7 @@ class RtpStream:
         self._epoch = secrets.randbits(32)
         self._packets = self._octets = 0
         self._reported = _NEVER
+        self._note = ""
         self._waiting = True
 
     @property
@@ -53,19 +54,25 @@ class RtpStream:
             self._octets += len(payload)
             yield packet.encode()
 
-    def report(self, now: float, utc: float) -> bytes | None:
-        """The sender report, if one is due; `utc` is `now` in seconds since 1970."""
-        if now - self._reported < REPORT_INTERVAL or not self._packets:
+    def report(self, now: float, utc: float, note: str) -> bytes | None:
+        """The sender report, if one is due, or has another note; `utc` is `now` in seconds since 1970."""
+        is_due = now - self._reported >= REPORT_INTERVAL or note != self._note
+        if not is_due or not self._packets:
             return None
-        self._reported = now
+        self._reported, self._note = now, note
         return sender_report(
             self._ssrc,
             self._name,
+            note,
             utc=utc,
             timestamp=self._timestamp(now),
             packets=self._packets,
             octets=self._octets,
         )
+
+    def notice(self, note: str) -> bytes:
+        """A note before the first picture."""
+        return source_note(self._ssrc, self._name, note)
 
     def _timestamp(self, now: float) -> int:
         return (self._epoch + round(now * CLOCK_RATE)) & 0xFFFFFFFF
@@ -101,6 +108,8 @@ class RtpSender:
 
     name: str = "jauspy"
     counters: Counter[str] = field(default_factory=Counter)
+    note: str = ""
+    """What the receivers are told about the stream, with the sender reports; empty for nothing."""
     _receivers: dict[Address, _Receiver] = field(default_factory=dict)
     _sockets: dict[int, socket.socket] = field(default_factory=dict)
     _asked: bool = False
@@ -160,6 +169,12 @@ class RtpSender:
                 self._send_to(receiver, packed, idr=idr, now=now, utc=utc)
         self.counters["pictures"] += 1
 
+    def announce(self, note: str) -> None:
+        """Tell all that play why there is no picture yet."""
+        for receiver in self._receivers.values():
+            if receiver.playing:
+                self._transmit(receiver.stream.notice(note), receiver.rtcp)
+
     def close(self) -> None:
         """Remove all receivers and close the sockets; without effect when closed."""
         self._receivers.clear()
@@ -189,7 +204,7 @@ class RtpSender:
     def _send_to(self, receiver: _Receiver, packed: Sequence[bytes], *, idr: bool, now: float, utc: float) -> None:
         for packet in receiver.stream.packets(packed, idr=idr, now=now):
             self._transmit(packet, receiver.rtp)
-        if (report := receiver.stream.report(now, utc)) is not None:
+        if (report := receiver.stream.report(now, utc, self.note)) is not None:
             self._transmit(report, receiver.rtcp)
 
     def _transmit(self, packet: bytes, address: tuple[object, ...]) -> None:

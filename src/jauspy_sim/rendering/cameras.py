@@ -134,9 +134,18 @@ class SimulatedCameraSession:
         """True with ray casting, which uses fewer rays than pixels, and after `simplify`."""
         return not isinstance(self._renderer, GlRenderer) or self._renderer.is_simplified
 
-    def simplify(self) -> bool:
-        """Leave out smooth edges, and then shadows; False without either."""
-        return self._renderer.simplify()
+    @property
+    def simplifications(self) -> int:
+        """The number of lower qualities of the renderer."""
+        return self._renderer.simplifications
+
+    def simplify(self, steps: int) -> None:
+        """Leave out smooth edges, and then shadows; 0 renders all again."""
+        self._renderer.simplify(steps)
+
+    def release(self) -> None:
+        """Leave the thread: the next one that calls has the camera."""
+        self._renderer.release()
 
     def look(
         self,

@@ -8,6 +8,7 @@ triangles, of which its own cameras see a part.
 from __future__ import annotations
 
 import math
+import threading
 from importlib import import_module
 from typing import Final
 
@@ -36,6 +37,8 @@ LAMP_PLANES: Final = (0.04, 60.0)
 
 QUALITIES: Final = {Quality.LOW: (0, 1), Quality.MEDIUM: (0, 1), Quality.HIGH: (4, 2048)}
 """Samples for each pixel, and pixels across the picture that the sun sees, for MuJoCo's own shadows."""
+
+_QUALITIES_DOWN: Final = (Quality.HIGH, Quality.MEDIUM, Quality.LOW)
 
 SHADOW_RADIUS: Final = 4.0
 """Metres around a point before the camera in which things cast shadows, except in films."""
@@ -109,7 +112,7 @@ class GlRenderer:
     def __init__(
         self, model: mujoco.MjModel, camera: int, fov: float, gl_backend: str, quality: Quality = Quality.LOW
     ) -> None:
-        self._name, self._quality, self._too_slow = gl_backend.upper(), quality, False
+        self._backend, self._quality, self._best = gl_backend, quality, quality
         self._model = model
         self._spread = math.tan(fov / 2.0)
         self._view = mujoco.MjvCamera()
@@ -127,6 +130,8 @@ class GlRenderer:
         model.vis.map.znear = MIN_DISTANCE / model.stat.extent
         self._gl = import_module(f"mujoco.{gl_backend}").GLContext(64, 64)
         self._gl.make_current()
+        self._thread: int | None = threading.get_ident()
+        """The thread in which the context is the current one."""
         self._samples = _film_samples(model)
         self._context = self._make_context(*QUALITIES[quality])
         self._other: mujoco.MjrContext | None = None
@@ -139,7 +144,8 @@ class GlRenderer:
     def description(self) -> str:
         """The GL library, and the quality if it was lowered."""
         how = "without shadows" if self._quality is Quality.LOW else "with coarser shadows and without smooth edges"
-        return f"renders with {self._name}" + (f", {how}: better pictures take too long here" if self._too_slow else "")
+        lowered = f", {how}: better pictures take too long here" if self.is_simplified else ""
+        return f"renders with {self._backend.upper()}{lowered}"
 
     @property
     def needs_shadows(self) -> bool:
@@ -153,21 +159,32 @@ class GlRenderer:
 
     @property
     def is_simplified(self) -> bool:
-        """True after `simplify`."""
-        return self._too_slow
+        """True while `simplify` has lowered the quality."""
+        return self._quality is not self._best
 
-    def simplify(self) -> bool:
-        """Render at the next lower quality; False at the lowest."""
-        if self._quality is Quality.LOW:
-            return False
+    @property
+    def simplifications(self) -> int:
+        """The number of lower qualities."""
+        return _QUALITIES_DOWN.index(Quality.LOW) - _QUALITIES_DOWN.index(self._best)
+
+    def simplify(self, steps: int) -> None:
+        """Render at a quality that many steps lower; 0 ends this."""
+        quality = _QUALITIES_DOWN[_QUALITIES_DOWN.index(self._best) + min(steps, self.simplifications)]
+        if quality is self._quality:
+            return
+        self._take_thread()
         self._be_thorough(thoroughly=False)
-        self._quality = Quality.LOW if self._quality is Quality.MEDIUM else Quality.MEDIUM
-        self._too_slow = True
+        self._quality = quality
         self._context.free()
-        self._context = self._make_context(*QUALITIES[self._quality])
+        self._context = self._make_context(*QUALITIES[quality])
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
-        self._cast_shadows(self._quality is Quality.HIGH)
-        return True
+        self._cast_shadows(quality is Quality.HIGH)
+
+    def release(self) -> None:
+        """Leave the thread; a context is current in one thread at a time, and stays so when the thread ends."""
+        if self._thread == threading.get_ident():
+            _release(self._backend)
+            self._thread = None
 
     def zoom(self, fov: float) -> None:
         """Take this horizontal field of view, in radians."""
@@ -182,6 +199,7 @@ class GlRenderer:
         thoroughly: bool = False,
     ) -> NDArray[np.uint8]:
         """Render a picture of that size."""
+        self._take_thread()
         self._be_thorough(thoroughly and self._samples > 0)
         self._render(data, width, height)
         image = np.empty((height, width, 3), np.uint8)
@@ -192,6 +210,7 @@ class GlRenderer:
         self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False
     ) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
         """Render a picture, and the depths of its pixels along the camera's axis, in metres."""
+        self._take_thread()
         self._be_thorough(thoroughly and self._samples > 0)
         self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = int(self._saw_sky)
         self._render(data, width, height)
@@ -221,6 +240,7 @@ class GlRenderer:
         parallel: bool = False,
     ) -> NDArray[np.float32] | None:
         """As `Renderer.depths_from`, for shapes that cast shadows."""
+        self._take_thread()
         size = min(size, self._rect.width, self._rect.height)
         near, far = LAMP_PLANES
         self._culling.hide_unseen(data, position, rotation, (spread, spread), parallel=parallel)
@@ -245,10 +265,16 @@ class GlRenderer:
 
     def close(self) -> None:
         """Release the GL context. May be called twice."""
+        self._take_thread()
         self._context.free()
         if self._other is not None:
             self._other.free()
         self._gl.free()
+
+    def _take_thread(self) -> None:
+        if self._thread != threading.get_ident():
+            self._gl.make_current()
+            self._thread = threading.get_ident()
 
     def _render(self, data: mujoco.MjData, width: int, height: int) -> None:
         if not self._thorough:
@@ -306,6 +332,16 @@ class GlRenderer:
         mujoco.mjr_resizeOffscreen(width, height, self._context)
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
         self._rect = mujoco.MjrRect(0, 0, width, height)
+
+
+def _release(gl_backend: str) -> None:
+    """Have this thread no GL context."""
+    if gl_backend == "egl":
+        egl = import_module("mujoco.egl")
+        no = egl.EGL.EGL_NO_SURFACE
+        egl.EGL.eglMakeCurrent(egl.EGL_DISPLAY, no, no, egl.EGL.EGL_NO_CONTEXT)
+    else:
+        import_module("OpenGL.osmesa").OSMesaMakeCurrent(None, None, import_module("OpenGL.GL").GL_FLOAT, 0, 0)
 
 
 def _film_samples(model: mujoco.MjModel) -> int:

@@ -45,9 +45,13 @@ class RayRenderer:
         self._spread = math.tan(fov / 2.0)
         self._sky, self._shading = SkyBox(model), Shading(model)
 
-    def simplify(self) -> bool:
-        """Return False: rays are few already."""
-        return False
+    simplifications: Final = 0
+
+    def simplify(self, steps: int) -> None:
+        """Change nothing: rays are few already."""
+
+    def release(self) -> None:
+        """Change nothing: any thread may call."""
 
     def zoom(self, fov: float) -> None:
         """Take this horizontal field of view, in radians."""

@@ -17,8 +17,17 @@ class Renderer(Protocol):
         """The way of rendering, for the log."""
         ...
 
-    def simplify(self) -> bool:
-        """Render at the next lower quality; False at the lowest."""
+    @property
+    def simplifications(self) -> int:
+        """The number of lower qualities."""
+        ...
+
+    def simplify(self, steps: int) -> None:
+        """Render at a quality that many steps lower; 0 ends this."""
+        ...
+
+    def release(self) -> None:
+        """Leave the thread: the next one that calls has the renderer."""
         ...
 
     def zoom(self, fov: float) -> None:

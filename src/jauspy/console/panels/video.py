@@ -85,7 +85,8 @@ class VideoPanel:
             attributes(figure, aria_label=f"camera {id}")
             attributes(ui.element("canvas").props("width=640 height=480"), data_component=id)
             ui.html(
-                '<div class="overlay"></div><span class="video-note" role="status"></span>',
+                '<div class="overlay"></div><span class="video-note" role="status"></span>'
+                '<span class="video-says" role="status"></span>',
                 sanitize=False,
             ).style("display: contents")
             with ui.element("figcaption"):

@@ -86,11 +86,12 @@ jauspy.View = class {
     this.figure = canvas.closest("figure");
     this.note = this.figure.querySelector(".video-note");
     this.facts = this.figure.querySelector(".video-facts");
+    this.says = this.figure.querySelector(".video-says"); // what the camera says, as that its machine is too slow
     this.overlay = new jauspy.Overlay(this.figure.querySelector(".overlay"));
     this.shown = this.leftOut = this.leftOutByServer = 0;
     this.leftOutNow = 0; // since the page was last judged
     this.times = [];
-    this.reason = "";
+    this.reason = this.cameraNote = "";
     this.began = performance.now();
     this.wanted = "all";
     this.skipping = false;
@@ -104,6 +105,7 @@ jauspy.View = class {
     this.socket = socket;
     this.told = "";
     this.leftOutByServer = 0;
+    this.cameraNote = "";
     socket.onmessage = (event) => (typeof event.data === "string" ? this.news(JSON.parse(event.data)) : this.decode(event.data));
     socket.onclose = (event) => {
       this.stopDecoding();
@@ -126,6 +128,7 @@ jauspy.View = class {
 
   news(news) {
     if ("reason" in news) this.reason = news.reason;
+    if ("note" in news) this.cameraNote = news.note;
     if ("left_out" in news) {
       this.leftOutNow += news.left_out - this.leftOutByServer;
       this.leftOutByServer = news.left_out;
@@ -217,6 +220,8 @@ jauspy.View = class {
     }
     if (this.note.textContent !== words) this.note.textContent = this.note.title = words;
     this.figure.classList.toggle("stale", stale);
+    const note = this.drawnAt === undefined ? "" : this.cameraNote; // before a picture, it is the reason
+    if (this.says.textContent !== note) this.says.textContent = this.says.title = note;
     const facts = [];
     if (this.takenAt > 0 && jauspy.isLarge(this.figure)) facts.push(new Date(this.takenAt).toTimeString().slice(0, 8));
     if (this.drawnAt !== undefined) facts.push(`${Math.round(this.times.length / 2)}/s`);
