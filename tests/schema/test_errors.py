@@ -340,7 +340,7 @@ def test_parent_that_is_not_loaded(jsidl):
     )
     assert_matches(
         jsidl.error(),
-        r"no service urn:test:Tset 1.0 is loaded; did you mean urn:test:Test 1.0\?; give its file, too, or the folder of",
+        r"no service urn:test:Tset 1.0 is loaded; did you mean urn:test:Test 1.0\?; give its file, too, or the folder",
     )
 
 
