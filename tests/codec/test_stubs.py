@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -123,6 +124,18 @@ def test_a_report_whose_name_a_class_in_the_query_has(tmp_path: Path) -> None:
     stubs = written(tmp_path, "messages", file)
     assert "REPORT = _ReportLamp" in stubs.stub
     assert assert_agree(stubs, tmp_path)["QueryLamp"].REPORT is not None
+
+
+def test_definitions_without_messages(tmp_path: Path) -> None:
+    text = re.sub(r"<message_def.*?</message_def>", "", (VENDOR / "Lamp.xml").read_text(), flags=re.S)
+    (tmp_path / "lamp.xml").write_text(re.sub("<protocol_behavior.*</protocol_behavior>", BEHAVIOR, text, flags=re.S))
+    stubs = written(tmp_path, "messages", tmp_path / "lamp.xml")
+    assert stubs.names == {}
+    assert stubs.stub.endswith("\nregistry: jr.Registry\n")
+    assert "typing" not in stubs.stub
+
+
+BEHAVIOR = '<protocol_behavior is_stateless="true"/>'
 
 
 def test_by_name_prefers_the_spelling_that_was_given(tmp_path: Path) -> None:

@@ -329,7 +329,8 @@ def test_error_in_an_unused_type(jsidl):
 def test_type_set_that_is_not_loaded(jsidl):
     jsidl.service(types=f'<declared_type_set_ref name="t" id="urn:t" version="1.0"/>{HERE}')
     assert_matches(
-        jsidl.error(), "no declared_type_set urn:t 1.0 is loaded; there are none; name its file, too, or the folder"
+        jsidl.error(),
+        "no declared_type_set urn:t 1.0 is loaded; there are none; give its file, too, or the folder of its set, urn",
     )
 
 
@@ -339,7 +340,7 @@ def test_parent_that_is_not_loaded(jsidl):
     )
     assert_matches(
         jsidl.error(),
-        r"no service urn:test:Tset 1.0 is loaded; did you mean urn:test:Test 1.0\?; name its file, too, or the folder",
+        r"no service urn:test:Tset 1.0 is loaded; did you mean urn:test:Test 1.0\?; give its file, too, or the folder",
     )
 
 

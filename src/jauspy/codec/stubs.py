@@ -56,13 +56,14 @@ def make_stubs(schema: Schema, paths: Sequence[str]) -> Stubs:
 def _message_names(entries: Iterable[MessageEntry]) -> dict[MessageKey, str]:
     """A name for each message: that of its class for the one that `by_name` finds, with its version for others."""
     names: dict[MessageKey, str] = {}
+    taken: set[str] = set()
     for entry in entries:
-        taken = set(names.values())
         versioned = f"{entry.cls}_{version_package(entry.version)}"
         service = class_name(entry.service.rpartition(":")[2])
         name = next((name for name in (entry.cls, versioned) if name not in taken), f"{service}_{versioned}")
-        key = MessageKey(entry.service, entry.version, entry.name)
-        names[key] = identifier(unique(name, taken.__contains__))
+        found = identifier(unique(name, taken.__contains__))
+        taken.add(found)
+        names[MessageKey(entry.service, entry.version, entry.name)] = found
     return names
 
 
@@ -112,7 +113,6 @@ class _Writer:
         for cls in self._classes:
             if (cls.__module__, cls.__name__) not in self._top:  # of a type set: nested classes of messages name them
                 self._top[cls.__module__, cls.__name__] = self._private(cls.__name__)
-        self._aliases: list[str] = []
 
     def _private(self, name: str) -> str:
         """A new name that begins with an underscore, as none of a message or nested class does."""
@@ -123,15 +123,12 @@ class _Writer:
     def text(self) -> str:
         """The stub."""
         body = [line for cls in _in_order(self._classes) for line in ("", *self._class(cls))]
-        imports = [
-            "import typing",
-            *(["from enum import IntEnum"] if any("(IntEnum)" in line for line in body) else []),
-        ]
-        if not self._by_name:
-            imports = imports[1:]
+        imports = ["import typing"] if self._by_name else []
+        if any("(IntEnum)" in line for line in body):
+            imports.append("from enum import IntEnum")
         head = [f'"""Types of the messages. {NOTE}"""', "", *imports, *([""] if imports else [])]
         head += ["from jauspy.codec import declare as jd", "from jauspy.codec import registry as jr"]
-        return "\n".join([*head, *body, *(["", *self._aliases] if self._aliases else []), *self._registry(), ""])
+        return "\n".join([*head, *body, *self._registry(), ""])
 
     def _registry(self) -> list[str]:
         """The registry, whose `by_name` returns the class of a known name."""
@@ -163,9 +160,9 @@ class _Writer:
         name = identifier(cls.__name__ if "." in cls.__qualname__ else self._ref(cls))
         nested = {name: part for name, part in names.items() if isinstance(part, type) and name != "REPORT"}
         doc = docstring(cls.__doc__ or "") if cls.__doc__ != base.__doc__ else []
-        report = [f"REPORT = {self._report(names['REPORT'], nested)}"] if "REPORT" in names else []
+        before, report = self._report(names["REPORT"], nested) if "REPORT" in names else ([], [])
         if base not in (Struct, Message):  # of another service or version, with the same fields
-            return [f"class {name}({self._ref(base)}):", *indent(_body(doc, report))]
+            return [*before, f"class {name}({self._ref(base)}):", *indent(_body(doc, report))]
         aliases, classes = [], []
         for other, part in nested.items():
             if not is_nested(part, cls):
@@ -174,18 +171,17 @@ class _Writer:
                 classes += ["", *(self._class(part) if issubclass(part, Struct) else enum_class(part))]
         layout = cls.layout()
         options = "kw_only=True" if isinstance(layout, Composite) and keywords_only(layout.slots) else ""
-        listed = self._fields(cls)
-        inside = [*report, *aliases, *(classes if report or aliases else classes[1:]), *[""] * bool(classes), *listed]
-        return [f"@jd.record({options})", f"class {name}(jd.{base.__name__}):", *indent(_body(doc, inside))]
+        inside = [*report, *aliases, *(classes if report or aliases else classes[1:])]
+        inside += [*[""] * bool(classes), *self._fields(cls)]
+        return [*before, f"@jd.record({options})", f"class {name}(jd.{base.__name__}):", *indent(_body(doc, inside))]
 
-    def _report(self, report: type, nested: Mapping[str, type]) -> str:
-        """The report of a query; under another name where a class in the query has its name."""
+    def _report(self, report: type, nested: Mapping[str, type]) -> tuple[list[str], list[str]]:
+        """The lines before a query and in it that name its report, which a class in the query may be called like."""
         name = self._ref(report)
         if name not in nested:
-            return name
+            return [], [f"REPORT = {name}"]
         alias = self._private(name)
-        self._aliases.append(f"{alias} = {name}")
-        return alias
+        return [f"{alias} = {name}", ""], [f"REPORT = {alias}"]
 
     def _fields(self, cls: type[Struct]) -> list[str]:
         found: Any = fields(cls)  # type: ignore[arg-type]  # built classes are dataclasses

@@ -16,6 +16,7 @@ from lxml import etree
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
+from jauspy.ids import service_set
 from jauspy.printable import printable
 from jauspy.schema.model import SourceLocation
 
@@ -60,8 +61,9 @@ def suggestion(name: str, known: Iterable[str]) -> str:
     return f"; known: {', '.join(names[:12])}{', ...' if len(names) > 12 else ''}"
 
 
-NAME_ITS_FILE: Final = "name its file, too, or the folder of its set, such as core"
-"""What to do when a definition of another file is missing."""
+def give_its_file(urn: str) -> str:
+    """What to do when a definition of another file is missing."""
+    return f"give its file, too, or the folder of its set, {service_set(urn)}"
 
 
 def required(element: Element, name: str) -> str:

@@ -20,9 +20,9 @@ from jauspy.errors import SchemaError
 from jauspy.schema.document import (
     DECLARED,
     MAX_DEPTH,
-    NAME_ITS_FILE,
     file_of,
     flag,
+    give_its_file,
     identity,
     line_of,
     prose,
@@ -316,7 +316,9 @@ class Library:
             found = self.scopes.get((tag, key))
             if found is None:
                 known = [" ".join(other) for kind, other in self.scopes if kind == tag]
-                reason = f"no {tag} {key[0]} {key[1]} is loaded{suggestion(' '.join(key), known)}; {NAME_ITS_FILE}"
+                reason = (
+                    f"no {tag} {key[0]} {key[1]} is loaded{suggestion(' '.join(key), known)}; {give_its_file(key[0])}"
+                )
                 report(wrong(reference, reason))
             else:
                 links[required(reference, "name")] = found

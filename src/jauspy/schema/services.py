@@ -10,9 +10,9 @@ from lxml.etree import _Element as Element
 
 from jauspy.schema.behavior import read_behavior
 from jauspy.schema.document import (
-    NAME_ITS_FILE,
     child,
     flag,
+    give_its_file,
     identity,
     line_of,
     location,
@@ -201,7 +201,7 @@ def _resolve_parent(service: ServiceDefinition, versions: Mapping[str, list[str]
         element = child(child(root, "references"), "inherits_from")
         wanted = f"{parent.id} {parent.version}"
         known = suggestion(wanted, (f"{urn} {version}" for urn, found in versions.items() for version in found))
-        raise wrong(element, f"inherits_from: no service {wanted} is loaded{known}; {NAME_ITS_FILE}")
+        raise wrong(element, f"inherits_from: no service {wanted} is loaded{known}; {give_its_file(parent.id)}")
     return replace(service, inherits_from=replace(parent, version=max(matches, key=version_key)))
 
 

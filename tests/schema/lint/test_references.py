@@ -45,7 +45,7 @@ def test_missing_set_is_one_finding(jsidl):
     jsidl.service(messages=messages, types=reference)
     [message] = jsidl.lint("dangling-set")
     assert message.startswith("no declared_type_set urn:test:Gone 1.0 is loaded")
-    assert message.endswith("such as core (3 references go through 'far')")
+    assert message.endswith("the folder of its set, test (3 references go through 'far')")
 
 
 def test_a_reference_of_the_wrong_kind(jsidl):

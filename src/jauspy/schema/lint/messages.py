@@ -9,7 +9,7 @@ from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
 from jauspy.schema.digest import same_wire
-from jauspy.schema.document import DECLARED, NAME_ITS_FILE, file_of, identity, line_of, location, suggestion
+from jauspy.schema.document import DECLARED, file_of, give_its_file, identity, line_of, location, suggestion
 from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import MessageDefinition, SourceLocation
 
@@ -238,6 +238,6 @@ def missing_parent(context: LintContext) -> Iterator[Problem]:
             wanted = " ".join(identity(reference))
             if context.parent(service) is None:
                 reason = f"inherits_from: no service {wanted} is loaded{suggestion(wanted, known.values())}"
-                yield location(reference), f"{reason}; {NAME_ITS_FILE}"
+                yield location(reference), f"{reason}; {give_its_file(identity(reference)[0])}"
             elif context.parent(context.lineage(service)[-1]) is not None:
                 yield location(reference), f"inherits_from: {known[service]} inherits from itself; cut the circle"
