@@ -311,7 +311,7 @@ class KinematicWheels(WheelDrive):
         for number, (wheel, effort) in enumerate(zip(self.wheels.wheels, self._efforts, strict=True)):
             self._speeds[number] = _speed_after(self._speeds[number], effort * wheel.speed, dt, braking=braking)
         if self.wheels.steering:
-            change = min(each.joint.velocity for each in self.wheels.steering) * dt
+            change = min(joint.joint.velocity for joint in self.wheels.steering) * dt
             self._angle += min(change, max(-change, self._wanted_angle - self._angle))
         after = self.twist()
         vx, vy, wz = ((b + a) / 2.0 for b, a in ((before.vx, after.vx), (before.vy, after.vy), (before.wz, after.wz)))

@@ -145,8 +145,8 @@ def _planned(schema: m.Schema) -> list[_Planned]:
                 found.append(_Planned(module, taken[message.name], service, message, asks(message, service)))
     for one in found:
         if one.is_query:
-            own = (other for other in found if other.module == one.module)
-            one.answer = next((other for other in own if answers(one.message, other.message)), None)
+            same_module = (other for other in found if other.module == one.module)
+            one.answer = next((other for other in same_module if answers(one.message, other.message)), None)
     return found
 
 

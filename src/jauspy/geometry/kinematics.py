@@ -218,7 +218,7 @@ def halton_point(index: int, limits: Sequence[tuple[float, float]]) -> tuple[flo
 
     For a joint without limits, it covers one turn.
     """
-    rows = zip((_one_turn(*each) for each in limits), cycle(HALTON_BASES), strict=False)
+    rows = zip((_one_turn(*limit) for limit in limits), cycle(HALTON_BASES), strict=False)
     return tuple(low + (high - low) * _radical_inverse(index, base) for (low, high), base in rows)
 
 

@@ -392,9 +392,9 @@ def _size(geometry: Element | None) -> tuple[float, float, float] | None:
             x, y, z = numbers(kind, "size", 3)
             return x, y, z
         case "cylinder":
-            across = 2.0 * numbers(kind, "radius", 1)[0]
-            return across, across, numbers(kind, "length", 1)[0]
+            diameter = 2.0 * numbers(kind, "radius", 1)[0]
+            return diameter, diameter, numbers(kind, "length", 1)[0]
         case "sphere":
-            across = 2.0 * numbers(kind, "radius", 1)[0]
-            return across, across, across
+            diameter = 2.0 * numbers(kind, "radius", 1)[0]
+            return diameter, diameter, diameter
     return None

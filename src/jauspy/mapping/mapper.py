@@ -81,14 +81,14 @@ class Mapper:
         self, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]
     ) -> tuple[Points, NDArray[np.bool_]]:
         """Ends of the rays in the robot's frame, shape (n, 2), and which are echoes, shape (n,)."""
-        at, far = np.asarray(angles), np.asarray(ranges)
-        used = np.flatnonzero((far > 0.0) & np.isfinite(at))
+        bearings, distances = np.asarray(angles), np.asarray(ranges)
+        used = np.flatnonzero((distances > 0.0) & np.isfinite(bearings))
         if len(used) > MAX_RAYS:
             used = used[np.linspace(0, len(used) - 1, MAX_RAYS).astype(np.intp)]
-        at, far = at[used], far[used]
-        echoes = far <= self._max_range
-        far = np.minimum(far, self._max_range)
-        return transformed(lidar, np.column_stack([far * np.cos(at), far * np.sin(at)])), echoes
+        bearings, distances = bearings[used], distances[used]
+        echoes = distances <= self._max_range
+        distances = np.minimum(distances, self._max_range)
+        return transformed(lidar, np.column_stack([distances * np.cos(bearings), distances * np.sin(bearings)])), echoes
 
 
 def _moved(step: PlanarPose) -> bool:
@@ -125,12 +125,12 @@ def _step(residuals: Array, slopes: Array, prior: Array, offset: Array) -> Array
 def _slopes(grid: OccupancyGrid, near: Array, scan: tuple[Points, Array], pose: Array) -> tuple[Array, Array]:
     """Residuals (n,): the attraction that each end lacks; and its slopes (n, 3) along x, y (1/m) and yaw (1/rad)."""
     points, normals = scan
-    there = transformed(PlanarPose(*pose.tolist()), points)
-    value, slope = _sample(grid, near, there)
+    placed = transformed(PlanarPose(*pose.tolist()), points)
+    value, slope = _sample(grid, near, placed)
     c, s = np.cos(pose[2]), np.sin(pose[2])
     turn = np.array([[c, -s], [s, c]])
     slope = np.einsum("nij,nj->ni", turn @ normals @ turn.T, slope)
-    around = there - pose[:2]
+    around = placed - pose[:2]
     return 1.0 - value, np.column_stack([slope, slope[:, 1] * around[:, 0] - slope[:, 0] * around[:, 1]])
 
 
@@ -140,11 +140,11 @@ def _normal_projections(points: Points) -> Array:
     Without it, ends would be attracted along the wall to the part that the map already has.
     """
     before, after = (np.roll(points, shift, axis=0) for shift in (1, -1))
-    to, on = points - before, after - points
-    lengths = np.maximum(np.hypot(*to.T) * np.hypot(*on.T), 1e-9)
-    straight = (to * on).sum(axis=1) / lengths > MIN_STRAIGHTNESS
-    along = after - before
-    normal = np.column_stack([-along[:, 1], along[:, 0]]) / np.maximum(np.hypot(*along.T), 1e-9)[:, None]
+    to_before, to_after = points - before, after - points
+    lengths = np.maximum(np.hypot(*to_before.T) * np.hypot(*to_after.T), 1e-9)
+    straight = (to_before * to_after).sum(axis=1) / lengths > MIN_STRAIGHTNESS
+    tangent = after - before
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]]) / np.maximum(np.hypot(*tangent.T), 1e-9)[:, None]
     projections: Array = normal[:, :, None] * normal[:, None, :] * straight[:, None, None]
     return projections
 
@@ -182,8 +182,8 @@ def _attraction(occupied: NDArray[np.bool_], cells: int) -> Array:
     part = occupied[window].astype(np.float64)
     for _ in range(cells):
         before = part - 1.0 / cells
-        for there, here in _NEIGHBOURS:
-            np.maximum(part[there], before[here], out=part[there])
+        for target, source in _NEIGHBOURS:
+            np.maximum(part[target], before[source], out=part[target])
     near[window] = part
     return near
 

@@ -89,10 +89,10 @@ def _collect(pairs: Iterable[tuple[JausID, NetworkPort]]) -> AddressEntries:
 
 def _pairs(table: Mapping[str, Any]) -> _Pairs:
     for id, value in table.items():
-        for each in value if isinstance(value, list) else [value]:
-            if not isinstance(each, str):
-                raise ConfigError(f"{id} = {each!r}: write {FORMS}")
-            yield JausID.parse(id), parse_address(each)
+        for address in value if isinstance(value, list) else [value]:
+            if not isinstance(address, str):
+                raise ConfigError(f"{id} = {address!r}: write {FORMS}")
+            yield JausID.parse(id), parse_address(address)
 
 
 def _toml(data: bytes) -> _Pairs:

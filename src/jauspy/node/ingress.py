@@ -204,7 +204,10 @@ class Ingress:
         self._filtered.clear()
 
     def _drop_excess(self) -> None:
-        for queue, share in [*((each, PRIORITY_SHARE) for each in self._queues), *((each, 0) for each in self._queues)]:
+        for queue, share in [
+            *((queue, PRIORITY_SHARE) for queue in self._queues),
+            *((queue, 0) for queue in self._queues),
+        ]:
             while len(queue) > share and (self._queued > MAX_QUEUED or self._bytes > MAX_QUEUED_BYTES):
                 self._drop_oldest(queue, len(queue) - share)
 

@@ -236,13 +236,13 @@ class Localizer(Localization):
         roll, pitch, yaw = self._angles
         setup, local = self._imu_setup, self._local
         pose = Pose(self._x, self._y, self._z, roll, pitch, yaw=yaw)
-        here = PoseEstimate(pose, *self._errors(local))
+        local_estimate = PoseEstimate(pose, *self._errors(local))
         gyro_noise = setup.gyro_noise / math.sqrt(dt)
         bias_rms = math.sqrt(local.covariance[BIAS][BIAS])
         force_noise = setup.acceleration_noise / math.sqrt(dt)
         return LocalizationState(
-            local=here,
-            globe=here if self._globe is None else self._globe.estimate(pose, self._moved, self._tilt_rms),
+            local=local_estimate,
+            globe=local_estimate if self._globe is None else self._globe.estimate(pose, self._moved, self._tilt_rms),
             twist=Twist(travel.forward / dt, travel.left / dt, 0.0, *self._rates),
             velocity_rms=math.hypot(self._scale_error * self._speed, self._resolution / dt),
             rate_rms=math.sqrt(3.0) * math.hypot(gyro_noise, bias_rms),
@@ -374,8 +374,8 @@ class _Globe:
         yaw = math.remainder(state[YAW] + moved.yaw, math.tau)
         height_rms = math.hypot(math.sqrt(self._offset_variance), self._setup.vertical * self._setup.drift)
         attitude_rms = math.hypot(tilt_rms, tilt_rms, self._filter.yaw_rms)
-        there = Pose(x, y, pose.z + self._offset, pose.roll, pose.pitch, yaw=yaw)
-        return PoseEstimate(there, self._filter.horizontal_rms, height_rms, attitude_rms)
+        antenna = Pose(x, y, pose.z + self._offset, pose.roll, pose.pitch, yaw=yaw)
+        return PoseEstimate(antenna, self._filter.horizontal_rms, height_rms, attitude_rms)
 
     def _rotation(self, heading: float) -> tuple[float, float]:
         turn = self._filter.state[YAW] - heading
@@ -542,15 +542,15 @@ class PoseFilter:
     def observe(self, indices: tuple[int, ...], measured: float, deviation: float) -> None:
         """Correct by a measurement of the sum of some states."""
         rows = self.covariance
-        across = [sum(row[index] for index in indices) for row in rows]
-        spread = sum(across[index] for index in indices) + deviation**2
+        cross_covariance = [sum(row[index] for index in indices) for row in rows]
+        spread = sum(cross_covariance[index] for index in indices) + deviation**2
         if spread <= 0.0:
             return
         error = measured - sum(self.state[index] for index in indices)
-        gains = [each / spread for each in across]
+        gains = [covariance / spread for covariance in cross_covariance]
         self.state = [value + gain * error for value, gain in zip(self.state, gains, strict=True)]
         self.covariance = [
-            [value - gain * other for value, other in zip(row, across, strict=True)]
+            [value - gain * other for value, other in zip(row, cross_covariance, strict=True)]
             for row, gain in zip(rows, gains, strict=True)
         ]
 

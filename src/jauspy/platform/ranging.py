@@ -271,4 +271,6 @@ class Scanner:
 
 def _limited(distances: Sequence[float], min_range: float, max_range: float) -> tuple[float, ...]:
     far, near = math.inf, -math.inf
-    return tuple([far if each > max_range else each if each >= min_range else near for each in distances])
+    return tuple(
+        [far if distance > max_range else distance if distance >= min_range else near for distance in distances]
+    )

@@ -197,8 +197,8 @@ class Transfers:
 
     def abandon(self) -> None:
         """Give up all messages."""
-        transfers = {each.transfer.ticket: each.transfer for each in self._pending.values()}
-        transfers |= {each.ticket: each for large in self._large.values() for each in large.queue}
+        transfers = {pending.transfer.ticket: pending.transfer for pending in self._pending.values()}
+        transfers |= {fragment.ticket: fragment for large in self._large.values() for fragment in large.queue}
         for transfer in transfers.values():
             self._forget(transfer)
             if transfer.reliable:
@@ -281,8 +281,8 @@ class Transfers:
 
     def _resend(self, pending: _PendingAck, now: float) -> None:
         if pending.resends >= self._settings.resends:
-            for each in [each for each, other in self._pending.items() if other.transfer is pending.transfer]:
-                del self._pending[each]
+            for key in [item for item, other in self._pending.items() if other.transfer is pending.transfer]:
+                del self._pending[key]
             self._finish(pending.transfer, now, delivered=False)
             return
         self._counters["resent"] += 1

@@ -121,8 +121,8 @@ class GatewayRules:
 
 def _message_id(raw: RawPacket, data: bytes) -> int | None:
     """The id of the message in a packet; None for an acknowledgement."""
-    at = raw.payload_start
-    return message_id(data, at) if raw.end - 2 >= at + 2 else None
+    offset = raw.payload_start
+    return message_id(data, offset) if raw.end - 2 >= offset + 2 else None
 
 
 ANY_SUBSYSTEM = 0xFFFF
@@ -168,7 +168,7 @@ class Gateway:
 
     def reach(self, source: int, destination: int) -> tuple[str, ...]:
         """The networks for a packet from inside: own ids are inside, all others outside, wildcards both."""
-        to = destination >> 16
-        inside = self._inside if to in (self._subsystem, ANY_SUBSYSTEM) else ()
-        leaves = to != self._subsystem and source >> 16 == self._subsystem
+        subsystem = destination >> 16
+        inside = self._inside if subsystem in (self._subsystem, ANY_SUBSYSTEM) else ()
+        leaves = subsystem != self._subsystem and source >> 16 == self._subsystem
         return inside + (self._outside if leaves else ())

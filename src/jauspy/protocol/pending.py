@@ -78,7 +78,7 @@ class PendingDestinations:
     def _is_full(self, *, relayed: bool) -> bool:
         if len(self._pending) >= MAX_PENDING_DESTINATIONS:
             return True
-        return relayed and sum(each.relayed for each in self._pending.values()) >= MAX_RELAYED_DESTINATIONS
+        return relayed and sum(queue.relayed for queue in self._pending.values()) >= MAX_RELAYED_DESTINATIONS
 
     def pop(self, destination: int, now: float) -> list[bytes]:
         """Remove and return all messages for a destination whose address is now known."""

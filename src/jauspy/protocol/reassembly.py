@@ -165,7 +165,7 @@ class Reassembly:
     def _extend(self, source: _Source, run: FragmentRun) -> FragmentRun | None:
         """The run that contains the new fragment; None if the message would be too large."""
         before, after = source.neighbours(run)
-        if sum(each.size for each in (before, run, after) if each) > self._settings.max_message:
+        if sum(part.size for part in (before, run, after) if part) > self._settings.max_message:
             return None
         self._cost -= source.cost
         if before is not None:

@@ -152,8 +152,8 @@ def _counted(count: Count, item: Sizes) -> Sizes:
 
 def _container_sizes(presence: Scalar | None, members: tuple[Node, ...]) -> Sizes:
     vector = scalar_size(presence) if presence else 0
-    there = zip(members, can_be_there(presence, members), strict=True)
-    found = [(member.optional, *sizes(member)) for member, possible in there if possible]
+    presences = zip(members, can_be_there(presence, members), strict=True)
+    found = [(member.optional, *sizes(member)) for member, possible in presences if possible]
     low = sum(low for optional, low, _ in found if not optional)
     return vector + low, vector + sum(high for _, _, high in found)
 

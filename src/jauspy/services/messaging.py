@@ -142,11 +142,11 @@ class MessageSender:
                 outcome, reply = machine.ask(trigger), None
             else:
                 outcome, reply = self._report(action, action.report, trigger)
-            for each in self._captured:
-                if isinstance(each, Deferred):
-                    return outcome, self._pending(each, trigger)
-                if each.destination == trigger.source:
-                    return outcome, each.payload
+            for output in self._captured:
+                if isinstance(output, Deferred):
+                    return outcome, self._pending(output, trigger)
+                if output.destination == trigger.source:
+                    return outcome, output.payload
             return outcome, reply
         finally:
             self._captured = outer

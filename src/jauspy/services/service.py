@@ -52,11 +52,11 @@ class Timers:
     def __len__(self) -> int:
         return len(self._active)
 
-    def set(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
+    def set(self, key: Hashable, due: float, call: Callable[[], None]) -> None:
         """Call `call` once, at time `at` (seconds)."""
         serial = next(self._serial)
         self._active[key] = (serial, call)
-        heapq.heappush(self._heap, (at, serial, key))
+        heapq.heappush(self._heap, (due, serial, key))
         if len(self._heap) > 2 * len(self._active) + _MAX_STALE:
             self._compact()
 
@@ -102,11 +102,15 @@ def check_services(services: object) -> list[Service]:
     if isinstance(services, Service) or not isinstance(services, Iterable) or isinstance(services, str):
         raise TypeError(f"services are a list, as in [Battery()], not {described(services)}")
     found = list(services)
-    for each in found:
-        if isinstance(each, type) and issubclass(each, Service):
-            raise TypeError(f"services are made from their classes: write {each.__name__}(), not {each.__name__}")
-        if not isinstance(each, Service):
-            raise TypeError(f"a service is made from a class that inherits from jauspy.Service, not {described(each)}")
+    for candidate in found:
+        if isinstance(candidate, type) and issubclass(candidate, Service):
+            raise TypeError(
+                f"services are made from their classes: write {candidate.__name__}(), not {candidate.__name__}"
+            )
+        if not isinstance(candidate, Service):
+            raise TypeError(
+                f"a service is made from a class that inherits from jauspy.Service, not {described(candidate)}"
+            )
     return found
 
 
@@ -305,7 +309,7 @@ class ServiceHost:
     def service(self, kind: type[S]) -> S | None:
         """The service of this class, None when the component has none."""
         if kind not in self._by_class:
-            self._by_class[kind] = next((each for each in self.services if isinstance(each, kind)), None)
+            self._by_class[kind] = next((service for service in self.services if isinstance(service, kind)), None)
         return self._by_class[kind]  # type: ignore[return-value]  # kept by its class
 
     # --- messages -------------------------------------------------------------------------------------------------
@@ -380,14 +384,14 @@ class ServiceHost:
         """For the action of a command that takes time: returns what to call when the command has ended."""
         return self._triggers.begin_command()
 
-    def set_timer(self, key: Hashable, at: float, call: Callable[[], None], *, may_wait: bool = False) -> None:
+    def set_timer(self, key: Hashable, due: float, call: Callable[[], None], *, may_wait: bool = False) -> None:
         """Call `call` at time `at`; a timer with the same key is replaced.
 
         One that `may_wait` is called later when many of them are due, so that everything else is done in time.
         """
         timers, other = (self._background, self._timers) if may_wait else (self._timers, self._background)
         other.cancel(key)
-        timers.set(key, at, call)
+        timers.set(key, due, call)
 
     def cancel_timer(self, key: Hashable) -> None:
         """Cancel the timer, if it is set."""

@@ -201,7 +201,9 @@ class MachineInstance:
     def _find_transitions(self, key: TriggerKey) -> tuple[BoundTransition, ...]:
         """The transitions of the active state for a key, cached for each state."""
         keys = (key, ANY_MESSAGE, ANY_TRIGGER) if isinstance(key, int) else (key, ANY_TRIGGER)
-        found = self._candidates[self._active][key] = tuple(each for each in self._in_order() if each.key in keys)
+        found = self._candidates[self._active][key] = tuple(
+            machine for machine in self._in_order() if machine.key in keys
+        )
         return found
 
     def _in_order(self) -> Iterable[BoundTransition]:
@@ -209,9 +211,9 @@ class MachineInstance:
         state: MergedState | None = self._active
         while state is not None:
             bound = self._states[state]
-            own = state is self._active
-            yield from _catch_all_last(bound.transitions if own else bound.defaults)
-            yield from _catch_all_last(bound.defaults if own else bound.transitions)
+            is_active = state is self._active
+            yield from _catch_all_last(bound.transitions if is_active else bound.defaults)
+            yield from _catch_all_last(bound.defaults if is_active else bound.transitions)
             state = state.parent
 
     def _apply(self, transition: BoundTransition, trigger: Trigger) -> TriggerOutcome:

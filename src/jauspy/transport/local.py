@@ -148,7 +148,7 @@ class LocalTransport:
             status = await node_status.read(self._root)
         except TransportError:  # a node manager of others, or none
             return None
-        return next((str(each["address"]) for each in status.get("clashes", ()) if each["id"] == str(self.id)), None)
+        return next((str(clash["address"]) for clash in status.get("clashes", ()) if clash["id"] == str(self.id)), None)
 
     def _path(self, id: JausID) -> Path:
         return self._root / str(int(id))
@@ -399,10 +399,10 @@ def check_directory(root: Path) -> None:
         link, found = root.lstat(), root.stat()
     except OSError:
         return
-    for each in (link, found):
-        if each.st_uid not in (os.geteuid(), 0):
+    for status in (link, found):
+        if status.st_uid not in (os.geteuid(), 0):
             raise TransportError(
-                f"{root} belongs to another user ({user_name(each.st_uid)}), who could replace the local sockets; "
+                f"{root} belongs to another user ({user_name(status.st_uid)}), who could replace the local sockets; "
                 f"{OTHER_DIRECTORY}, or run as this user"
             )
     if found.st_mode & stat.S_IWOTH and not found.st_mode & stat.S_ISVTX:

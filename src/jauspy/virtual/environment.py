@@ -47,8 +47,8 @@ class Environment(ABC):
 
     def component(self, id: str | JausID, services: Iterable[Service], **options: Any) -> Component:
         """A component of these services; `options` are those of `Component`."""
-        own = replace(options.pop("options", ComponentOptions()), clock=self.now, utc_now=self.utc_now)
-        return Component(id, services, transport=self.transport(id), options=own, **options)
+        settings = replace(options.pop("options", ComponentOptions()), clock=self.now, utc_now=self.utc_now)
+        return Component(id, services, transport=self.transport(id), options=settings, **options)
 
     def ocu(self, id: str | JausID = "42.1.1", **options: Any) -> OCU:
         """An OCU; `options` are those of `OCU`."""

@@ -74,10 +74,10 @@ class VirtualNetwork(Environment):
 
     def check_services(self) -> None:
         """Raise `AssertionError`, from the exception, if a service of a component raised one; see `allow_errors`."""
-        for each in () if self.allow_errors else self._components:
-            if each.host.first_error is not None:
-                name, error = each.host.first_error
-                raise AssertionError(f"{name} of {each.id} raised {type(error).__name__}: {error}") from error
+        for component in () if self.allow_errors else self._components:
+            if component.host.first_error is not None:
+                name, error = component.host.first_error
+                raise AssertionError(f"{name} of {component.id} raised {type(error).__name__}: {error}") from error
 
     def robot(self, name: str = "inc1") -> RobotRunner:
         """A whole robot of this name on the `kinematic` backend, to be used with `async with`; on virtual time, too."""
@@ -113,8 +113,8 @@ class VirtualNetwork(Environment):
         def keeps(packet: Packet) -> bool:
             if packet.payload[:2] != code:
                 return True
-            at = next(number)
-            return at < after or (end is not None and at >= end)
+            position = next(number)
+            return position < after or (end is not None and position >= end)
 
         self.keeps = keeps
 
@@ -141,13 +141,13 @@ class VirtualNetwork(Environment):
     def sent(self, kind: type[Message], source: str | JausID | None = None) -> list[Packet]:
         """The packets with this message, from `source` or any component, that were sent so far."""
         code, wanted = _code(kind), None if source is None else JausID.of(source)
-        return [each for each in self.log if each.payload[:2] == code and wanted in (None, each.source)]
+        return [packet for packet in self.log if packet.payload[:2] == code and wanted in (None, packet.source)]
 
     def delays(self, datagram: bytes) -> list[float]:
         """The delays after which this datagram arrives, one for each copy; logs it."""
         packets, _ = unpack_all(datagram)
         self.log += packets
-        if any(each.source in self._disconnected or each.destination in self._disconnected for each in packets):
+        if any(packet.source in self._disconnected or packet.destination in self._disconnected for packet in packets):
             return []
         if not all(map(self.keeps, packets)) or self._happens(self.loss):
             return []

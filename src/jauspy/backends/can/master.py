@@ -229,12 +229,12 @@ class Master:
             return
         self._phase = Phase.STOPPED
         self._failure, self._culprit, self._failed_at = why, drive, now
-        for each in self.drives.values():
-            each.motion.start(each)
-            each.note_failure()
+        for stopped in self.drives.values():
+            stopped.motion.start(stopped)
+            stopped.note_failure()
         try:  # at once, not with the next SYNC only
-            for each in self.drives.values():
-                self._send(*each.stop())
+            for stopped in self.drives.values():
+                self._send(*stopped.stop())
                 self._others.sent_command()
             self._send_sync()
         except (can.CanError, OSError):

@@ -186,7 +186,7 @@ class CanRobot:
         }
         plant = self._ticker.plant_robot
         self._cameras = None if plant else KinematicCameras(model, self._drive_base, self._groups)
-        self._lidars = {each.name: Scanner(each) for each in model.lidars}
+        self._lidars = {lidar.name: Scanner(lidar) for lidar in model.lidars}
         try:
             self._ticker.start(self.master, self._tick)
             begin(self.master)
@@ -213,7 +213,7 @@ class CanRobot:
         """The effort of a joint against gravity, at the joint positions of the last cycle."""
         if self._weights is None:
             drives = self._drives.values()
-            self._weights = self._holding.at({each.joint.name: each.position for each in drives})
+            self._weights = self._holding.at({drive.joint.name: drive.position for drive in drives})
         return self._weights.get(joint.name, 0.0)
 
     def _tracks(self) -> CanTracks | None:
@@ -221,15 +221,15 @@ class CanRobot:
         if tracks is None:
             return None
         sides = {}
-        for name, each in self._setup.drives.items():
+        for name, item in self._setup.drives.items():
             motion = self._motions[name]
-            if each.track is not None and isinstance(motion, TrackMotion):
-                sides[each.track] = self._drives[name], motion
+            if item.track is not None and isinstance(motion, TrackMotion):
+                sides[item.track] = self._drives[name], motion
         left, right = (self._model.description.joint(names[0]) for names in (tracks.left, tracks.right))
         return CanTracks(sides["left"], sides["right"], abs(left.origin.y - right.origin.y))
 
     def _pairs(self, group: GroupSetup) -> list[tuple[Drive, JointMotion]]:
-        by_joint = {each.moves: name for name, each in self._setup.drives.items()}
+        by_joint = {item.moves: name for name, item in self._setup.drives.items()}
         pairs = []
         for joint in group.joints:
             motion = self._motions[by_joint[joint]]

@@ -102,7 +102,7 @@ def element(explorer: Explorer) -> Message:
 
 def _taken(explorer: Explorer, kinds: Mapping[str, Message]) -> Iterator[Message]:
     for name, made in kinds.items():
-        if any(each.startswith(f"{MOBILITY}{name}") for each in explorer.services):
+        if any(service.startswith(f"{MOBILITY}{name}") for service in explorer.services):
             yield made
 
 
@@ -113,8 +113,8 @@ def set_goal(explorer: Explorer, waypoint: Message) -> None:
 
 def set_all_goals(explorer: Explorer) -> None:
     """Set one waypoint and loiter of each kind that the component accepts without a list."""
-    for each in _taken(explorer, {**_WAYPOINTS, **_LOITERS}):
-        set_goal(explorer, each)
+    for kind in _taken(explorer, {**_WAYPOINTS, **_LOITERS}):
+        set_goal(explorer, kind)
 
 
 def stop(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare

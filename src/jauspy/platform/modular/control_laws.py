@@ -82,8 +82,8 @@ class PidLaw:
     """
 
     def __init__(self, servos: Sequence[ServoData], gains: Sequence[Gains]) -> None:
-        self._pids = [Pid(each, servo.max_torque) for each, servo in zip(gains, servos, strict=True)]
-        self._compliance = np.array([1.0 / each.stiffness for each in servos])
+        self._pids = [Pid(gain, servo.max_torque) for gain, servo in zip(gains, servos, strict=True)]
+        self._compliance = np.array([1.0 / servo.stiffness for servo in servos])
 
     def torques(self, setpoint: Setpoint, measured: JointMeasurements, dt: float) -> Array:
         """The torques of the motors."""
@@ -112,11 +112,11 @@ class ModelLaw:
         self.bias = np.zeros(len(servos))
         """Torques (N m) that are to be added: of a closed loop, in which the model alone does not determine them."""
         self._model = model
-        self._stiffness = np.array([each.stiffness for each in servos])
-        self._friction = np.array([each.friction for each in servos])
-        self._damping = np.array([each.damping for each in servos])
-        self._rotor = np.array([each.rotor_inertia for each in servos])
-        self._limit = np.array([each.max_torque for each in servos])
+        self._stiffness = np.array([servo.stiffness for servo in servos])
+        self._friction = np.array([servo.friction for servo in servos])
+        self._damping = np.array([servo.damping for servo in servos])
+        self._rotor = np.array([servo.rotor_inertia for servo in servos])
+        self._limit = np.array([servo.max_torque for servo in servos])
         self._compliance = self._rotor / self._stiffness
         natural = np.minimum(STIFFENING / np.sqrt(self._compliance), min(TORQUE_BANDWIDTH, LARGEST_STEP / dt))
         omega = natural / SEPARATION

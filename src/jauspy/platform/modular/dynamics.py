@@ -165,8 +165,8 @@ def _solids(cell: CellSetup, body: Body) -> Iterable[PartSolid]:
 
 def _unit_inertia(solids: Iterable[PartSolid]) -> Any:
     """The inertia of a box of one kilogram."""
-    own = sum((solid_inertia(solid) for solid in solids), pin.Inertia.Zero())
-    return pin.Inertia(1.0, own.lever, own.inertia / own.mass) if own.mass else pin.Inertia.Zero()
+    inertia = sum((solid_inertia(solid) for solid in solids), pin.Inertia.Zero())
+    return pin.Inertia(1.0, inertia.lever, inertia.inertia / inertia.mass) if inertia.mass else pin.Inertia.Zero()
 
 
 def joint_axis(cell: CellSetup, link: Link) -> Vector:

@@ -213,13 +213,13 @@ class BinSetup(Table):
         x, y, t = self.length, self.width, self.thickness
         height = self.wall + t
         middle = self.wall / 2.0 - t / 2.0
-        along, across = (x + 2.0 * t, t, height), (t, y, height)
+        sides, ends = (x + 2.0 * t, t, height), (t, y, height)
         return (
             _cuboid((x, y, t), (0.0, 0.0, -t / 2.0)),
-            _cuboid(along, (0.0, -(y + t) / 2.0, middle)),
-            _cuboid(along, (0.0, (y + t) / 2.0, middle)),
-            _cuboid(across, (-(x + t) / 2.0, 0.0, middle)),
-            _cuboid(across, ((x + t) / 2.0, 0.0, middle)),
+            _cuboid(sides, (0.0, -(y + t) / 2.0, middle)),
+            _cuboid(sides, (0.0, (y + t) / 2.0, middle)),
+            _cuboid(ends, (-(x + t) / 2.0, 0.0, middle)),
+            _cuboid(ends, ((x + t) / 2.0, 0.0, middle)),
         )
 
 
@@ -320,10 +320,10 @@ class CellSetup(Table):
 
     def type_of(self, part: str) -> PartType:
         """The type of a part. Raises `ConfigError` for an unknown name."""
-        for each in self.parts:
-            if each.name == part:
-                return self.types[each.type]
-        raise ConfigError(f"no part {part!r}; there are: {', '.join(sorted(each.name for each in self.parts))}")
+        for placed in self.parts:
+            if placed.name == part:
+                return self.types[placed.type]
+        raise ConfigError(f"no part {part!r}; there are: {', '.join(sorted(placed.name for placed in self.parts))}")
 
 
 Moments = tuple[Vector, Vector, Vector]
@@ -347,8 +347,8 @@ def combined(bodies: Iterable[tuple[Inertia, Transform]]) -> Inertia:
         center = add(center, scaled(middle, body.mass / mass))
     moments = _NONE
     for body, middle, pose in rows:
-        own = product(product(pose.rotation, body.moments), transposed(pose.rotation))
-        moments = _sum(_sum(moments, own), _of_point(body.mass, difference(middle, center)))
+        turned = product(product(pose.rotation, body.moments), transposed(pose.rotation))
+        moments = _sum(_sum(moments, turned), _of_point(body.mass, difference(middle, center)))
     return Inertia(mass, center, moments)
 
 
@@ -367,16 +367,16 @@ def _of_solid(solid: PartSolid) -> Inertia:
     if solid.shape is Shape.CUBOID:
         squares = (y * y + z * z) / 12.0, (x * x + z * z) / 12.0, (x * x + y * y) / 12.0
     else:
-        across = (3.0 * x * x + z * z) / 12.0
-        squares = across, across, x * x / 2.0
+        transverse = (3.0 * x * x + z * z) / 12.0
+        squares = transverse, transverse, x * x / 2.0
     a, b, c = scaled(squares, solid.mass)
     return Inertia(solid.mass, IDENTITY.position, ((a, 0.0, 0.0), (0.0, b, 0.0), (0.0, 0.0, c)))
 
 
-def _of_point(mass: float, at: Vector) -> Moments:
+def _of_point(mass: float, position: Vector) -> Moments:
     """Of a point mass: m (r.r I - r r^T)."""
-    square = dot(at, at)
-    x, y, z = at
+    square = dot(position, position)
+    x, y, z = position
     return (
         (mass * (square - x * x), -mass * x * y, -mass * x * z),
         (-mass * x * y, mass * (square - y * y), -mass * y * z),

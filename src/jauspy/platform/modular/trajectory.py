@@ -212,8 +212,8 @@ def plan_within_torques(
         if ratio <= 1.0:
             return motion
         slower = min(0.9, max(0.3, 1.0 / ratio))
-        lowered = tuple(each * slower for each in limits.acceleration)
-        limits = Limits(limits.velocity, lowered, tuple(each * slower for each in limits.jerk))
+        lowered = tuple(limit * slower for limit in limits.acceleration)
+        limits = Limits(limits.velocity, lowered, tuple(limit * slower for limit in limits.jerk))
     raise MotionError(
         f"the motion to {_text(target)}{f' in {duration:.3g} s' if duration else ''} needs {ratio:.2f} times the "
         "torque that a servo module has"
@@ -223,4 +223,4 @@ def plan_within_torques(
 def _text(target: Sequence[float] | None) -> str:
     if target is None:
         return "rest"
-    return "(" + ", ".join(f"{each:.4g}" for each in target) + ") rad"
+    return "(" + ", ".join(f"{position:.4g}" for position in target) + ") rad"

@@ -103,5 +103,5 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
             max_force=self._limits.max_force,
             max_moment=self._limits.max_moment,
         )
-        names = [each.name.rpartition("/")[2] for each in self._connectors.values()]
+        names = [connector.name.rpartition("/")[2] for connector in self._connectors.values()]
         return report(limits, [report.ConnectorNameRec(sent_text(name)) for name in names])

@@ -85,7 +85,7 @@ class EventClients:
             return False
         if not client.is_trusted and client.sent + PROBE_COST > MAX_UNHEARD:
             return False
-        return sum(now < each.probed_until for each in self._clients.values()) < MAX_PROBES
+        return sum(now < client.probed_until for client in self._clients.values()) < MAX_PROBES
 
     def _on_acknowledged(self, client: _Client, delivered: bool) -> None:
         client.probed_until = -math.inf
