@@ -379,7 +379,7 @@ class _Owner:
         return self._nest(node, key=_bare(node))
 
     def _alias(self, made: type[Struct]) -> type[Struct]:
-        """Also offer a shared class under the message that uses it."""
+        """Offer a shared class under the message that uses it, too."""
         if made.__name__ not in self._taken:
             self._taken.add(made.__name__)
             self._nested[made.__name__] = made

@@ -189,7 +189,7 @@ class Position:
         return f"{self._base} + {offset}" if offset else self._base
 
     def parenthesized(self) -> str:
-        """As `here`, in parentheses, for use after a minus sign."""
+        """Expression of `here` in parentheses, for use after a minus sign."""
         return f"({self.here()})" if self._base and self._offset else self.here()
 
     def skip(self, size: int) -> None:

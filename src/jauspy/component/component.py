@@ -235,7 +235,7 @@ class Component:
 
     @property
     def id(self) -> JausID:
-        """Its current id."""
+        """Current JAUS id of the component."""
         return self.host.id
 
     @property

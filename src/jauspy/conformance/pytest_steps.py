@@ -73,7 +73,7 @@ class _Session:
         self._running: Iterator[Result] = iter(())
         self._results: list[Result] = []
         self._problem: JausError | None = None
-        """Why the steps that follow cannot be run."""
+        """Reason why the steps that follow cannot be run."""
         self._closed = False
 
     def test_of(self, number: int) -> Callable[[], None]:

@@ -159,7 +159,7 @@ def entry_json(entry: TraceEntry) -> dict[str, Any]:
 
 
 def transitions_json(report: Report) -> dict[str, Any]:
-    """Of the target's state machines: how many there are, how many were taken and judged, and why others were not."""
+    """Count transitions of the target's state machines: all, taken and judged ones, and why others were not."""
     found = report.transitions
     return {
         "declared": len(found),

@@ -14,7 +14,7 @@ from jauspy.errors import JausError
 
 
 class Verdict(StrEnum):
-    """How one step ended."""
+    """Outcome of one step."""
 
     PASS = "pass"  # noqa: S105 # nosec B105 # a verdict
     FAIL = "fail"
@@ -26,7 +26,7 @@ class Verdict(StrEnum):
     MALFORMED = "malformed"
     """The right message id with bytes that its definition does not allow."""
     SKIPPED = "skipped"
-    """Not run, for the given reason."""
+    """Skipped step, for the given reason."""
 
 
 MAX_CAME: Final = 3
@@ -34,7 +34,7 @@ MAX_CAME: Final = 3
 DEPENDS_ON_TARGET: Final = (
     "it depends on internal state of the target: another transition was taken, or it is not known which"
 )
-"""Why a transition was not seen although its input was sent."""
+"""Reason why a transition was not seen although its input was sent."""
 
 
 @dataclass(frozen=True, slots=True)

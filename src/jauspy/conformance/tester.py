@@ -369,7 +369,7 @@ Listener: TypeAlias = Callable[[Packet, bool], None]
 
 
 class StepNotes(NamedTuple):
-    """What the report has of a step: its source, expectations and checks."""
+    """Record of a step for the report: its source, expectations and checks."""
 
     why: tuple[str, ...]
     expected: tuple[str, ...]

@@ -80,7 +80,7 @@ class ReceivedMessage:
 
     @property
     def code(self) -> int:
-        """Its message id."""
+        """Message id of the datagram."""
         return message_id(self.payload)
 
 

@@ -121,7 +121,7 @@ def _axes(chain: Sequence[Joint]) -> tuple[list[_Axis], list[Joint], Transform]:
 
 
 def _normals(axes: Sequence[_Axis]) -> list[tuple[Vector, Vector]]:
-    """For each axis the direction of the common normal with the next one, and where it starts on the axis."""
+    """Directions of the common normals of each axis with the next one, and where they start on the axis."""
     found: list[tuple[Vector, Vector]] = []
     for number, axis in enumerate(axes):
         if number + 1 < len(axes):
@@ -161,7 +161,7 @@ def _frame(axis: _Axis, origin: Vector, normal: Vector) -> Transform:
 
 
 def _link(joint: Joint, before: Transform, axis: _Axis, frame: Transform) -> DHLink:
-    """From the frame of the joint before to this joint's."""
+    """Parameters that lead from the frame of the joint before to that of this joint."""
     x_axis, _, previous = transposed(before.rotation)
     length = dot(difference(axis.point, before.position), x_axis)
     arrival = add(before.position, scaled(x_axis, length))
@@ -190,7 +190,7 @@ def pan_tilt_frame(chain: Sequence[Joint]) -> Transform:
 
 
 def reversed_axes(chain: Sequence[Joint]) -> tuple[bool, bool]:
-    """For pan and tilt: whether the joint's axis is opposite to JAUS's, which are down and right."""
+    """Test for pan and tilt whether the joint's axis is opposite to JAUS's, which are down and right."""
     frame, axes = Transform(), list[Vector]()
     for joint in chain:
         if joint.kind is not JointKind.FIXED:

@@ -28,7 +28,7 @@ MAX_STEP: Final = 0.5
 POSE_WEIGHTS: Final = (0.2, 0.01, 0.0)
 """Metres that a radian of attitude error counts as, descent by descent: the full pose first, the point alone last."""
 POINT_WEIGHTS: Final = (0.0, 0.01, 0.0)
-"""As `POSE_WEIGHTS`, for the second try from a start: the point first."""
+"""Weights as in `POSE_WEIGHTS`, for the second try from a start: the point first."""
 MIN_RELATIVE_GAIN: Final = 0.02
 """A descent ends when a step lowers the cost by less than this part."""
 MIN_COST: Final = 1e-14

@@ -147,7 +147,7 @@ class LiveMapping:
             self.counters["scans"] += 1
 
     async def _add(self, pose: PlanarPose, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]) -> None:
-        """When cancelled, waits until the scan is in the map."""
+        """Add a scan; when cancelled, wait until it is in the map."""
         if not self._threaded:
             self.mapper.add(pose, lidar, angles, ranges)
             return

@@ -23,7 +23,7 @@ _Pairs = Iterator[tuple[JausID, NetworkPort]]
 
 FORMS: Final = "udp://IP[:PORT], tcp://HOST[:PORT], serial:DEVICE or IP:PORT (which means UDP)"
 _WRAPPED: Final = ":value"
-"""In FKIE's files, a value may be wrapped together with its description."""
+"""Key of a value that FKIE's files wrap together with its description."""
 
 
 def load_address_book(path: Path) -> AddressEntries:

@@ -185,7 +185,7 @@ class RuleConfig(NodeSettings):
     """One rule of a gateway; it applies to packets that match all of its conditions."""
 
     action: Literal["allow", "deny"] = "allow"
-    """Whether matching packets are forwarded."""
+    """`allow` forwards matching packets, `deny` drops them."""
     source: IdPattern = "*.*.*"
     """Source ids; * is any."""
     destination: IdPattern = "*.*.*"

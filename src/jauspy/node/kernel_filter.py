@@ -15,7 +15,7 @@ from jauspy.protocol.header import Priority
 
 _SO_ATTACH_FILTER: Final = 26
 _SO_DETACH_FILTER: Final = 27
-"""From asm-generic/socket.h."""
+"""Socket option of asm-generic/socket.h, which Python does not name."""
 _UDP_HEADER: Final = 8
 _LOAD_BYTE, _LOAD_WORD, _AND, _EQUALS, _ANY_OF, _ABOVE, _RETURN = 0x30, 0x20, 0x54, 0x15, 0x45, 0x25, 0x06
 _RANDOM: Final = 0xFFFFF000 + 56

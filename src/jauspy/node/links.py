@@ -26,7 +26,7 @@ _LOG = get_logger(__name__)
 MAX_CONNECTIONS: Final = 64
 """Accepted connections; see `TcpPeers` for what happens to further ones."""
 MAX_CONNECTIONS_PER_HOST: Final = 16
-"""Of these, from one host; for IPv6, from one network of 64 bits, because a host there may have any address."""
+"""Connections from one host among these; for IPv6 from one network of 64 bits, whose addresses a host may all have."""
 BUSY_INTERVAL: Final = 5.0
 """Seconds after a packet in which a connection is not closed in favour of one from a host with as many."""
 IDLE_LIMIT: Final = ADDRESS_LIFETIME

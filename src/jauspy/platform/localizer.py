@@ -74,7 +74,7 @@ class MeasuredDrive(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Turning:
-    """How a chassis turns, as its odometry assumes."""
+    """Turning behaviour of a chassis, as its odometry assumes."""
 
     point: float = 0.0
     """Metres ahead of the base, of the point that does not move sideways."""
@@ -256,7 +256,7 @@ class Localizer(Localization):
 _NO_IMU: Final = ImuSetup(
     rate=RATE, gyro_noise=0.0, gyro_scale_error=TURN_ERROR, acceleration_bias=GRAVITY * math.radians(3.0)
 )
-"""What is known of the attitude without one."""
+"""Stand-in for a missing IMU: the errors of an attitude that only wheels or tracks tell."""
 
 
 class _Measured(NamedTuple):
@@ -298,7 +298,7 @@ class _Moved:
             self.rates = (x + rates[0] * dt, y + rates[1] * dt, z + rates[2] * dt)
 
     def motion(self, dt: float, position_noise: float, turn_slip: float, imu: ImuSetup) -> DeadReckonedMotion:
-        """What the filters need, in the local frame. At rest the heading does not change."""
+        """Motion for the prediction of the filters, in the local frame. At rest the heading does not change."""
         moving = max(0.0, dt - self.at_rest)
         return DeadReckonedMotion(
             x=self.x,

@@ -80,7 +80,7 @@ class Level(NamedTuple):
     macroblocks_per_second: int
     macroblocks: int
     bits_per_second: int
-    """Of the coded pictures in Baseline and Main; High may have a quarter more."""
+    """Bit rate of the coded pictures in Baseline and Main; High may have a quarter more."""
 
 
 LEVELS: Final = (

@@ -31,7 +31,7 @@ MIN_TRACK: Final = 0.01
 
 
 class WheelKind(Enum):
-    """How a wheeled chassis turns; the values are those of `type` in TOML."""
+    """Kinds of wheeled chassis by how they turn; the values are those of `type` in TOML."""
 
     SKID_STEER = "skid_steer"
     ACKERMANN = "ackermann"
@@ -45,19 +45,19 @@ class Wheel:
     joint: Joint
     x: float
     y: float
-    """Where it stands."""
+    """Position of the wheel's centre in the root link, metres."""
     radius: float
     sign: float
     """1.0 if it rolls forward as its joint's position grows, -1.0 if backward."""
 
     @property
     def speed(self) -> float:
-        """Of its rim without resistance, m/s."""
+        """Speed of the rim without resistance, m/s."""
         return self.joint.velocity * self.radius
 
     @property
     def rollers(self) -> float:
-        """Of a mecanum wheel, 1.0 if its rollers let it move to the front left, -1.0 if to the front right."""
+        """Direction of a mecanum wheel's rollers: 1.0 if they let it move front left, -1.0 front right."""
         return math.copysign(1.0, self.x * self.y)
 
 
@@ -77,16 +77,16 @@ class WheelSetup:
 
     kind: WheelKind
     wheels: tuple[Wheel, ...]
-    """Those that are driven."""
+    """Driven wheels."""
     inertia: float
-    """Of rotor and gear of each at the wheel, kg m^2."""
+    """Inertia of each wheel's rotor and gear, at the wheel, kg m^2."""
     steering: tuple[SteeringJoint, ...] = ()
     axle: float = 0.0
     """x of the wheels that do not steer, of an Ackermann chassis."""
 
     @property
     def free_speed(self) -> float:
-        """Of the chassis without resistance, m/s."""
+        """Speed of the chassis without resistance, m/s."""
         return min(wheel.speed for wheel in self.wheels)
 
     @property
@@ -274,7 +274,7 @@ def _moving(description: RobotDescription, key: str, name: str, kinds: tuple[Joi
 
 
 def _radii(description: RobotDescription) -> dict[str, float]:
-    """By link: half of the smaller extent across of its first collision shape that is round."""
+    """Radii of wheels by link: half of the diameter of its first collision shape that is round."""
     return {box.link: box.size[0] / 2.0 for box in reversed(collision_boxes(description.urdf)) if box.is_round}
 
 

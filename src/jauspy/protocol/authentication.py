@@ -27,7 +27,7 @@ from jauspy.protocol.header import Priority
 from jauspy.protocol.sources import TokenBuckets
 
 MAGIC: Final = 0xA5
-"""In place of the version byte; node managers without authentication drop it as an unknown version."""
+"""First byte, in place of the version byte; node managers without authentication drop it as an unknown version."""
 CHALLENGE: Final = 0xA6
 ANSWER: Final = 0xA7
 MAX_AGE: Final = 30.0

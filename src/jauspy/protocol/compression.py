@@ -278,7 +278,7 @@ def is_compressed(data: bytes) -> bool:
 
 
 def _parse(data: bytes, offset: int) -> tuple[_FlaggedPacket, int]:
-    """The packet with flags at `at`, and where it ends."""
+    """Parse the packet with flags at `offset`; returns it and where it ends."""
     left = len(data) - offset
     if left < _START.size:
         raise ProtocolError("truncated", f"{left} bytes are too few for a header")

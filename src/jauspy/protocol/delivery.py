@@ -43,7 +43,7 @@ class Delivery:
     source_memory: int = 0
     total_memory: int = 0
     fragment_timeout: float = 3.0
-    """How long an incomplete message waits for its next fragment."""
+    """Seconds that an incomplete message waits for its next fragment."""
 
     def __post_init__(self) -> None:
         if not (self.ack_timeout > 0 and self.fragment_timeout > 0 and self.resends >= 0 and 1 <= self.window <= 256):
@@ -212,7 +212,7 @@ class Transfers:
         return self._outcomes.popleft() if self._outcomes else None
 
     def next_timeout(self) -> float | None:
-        """When `handle_timeout` is to be called, or None."""
+        """Time at which `handle_timeout` is to be called, or None."""
         times = [large.next_burst for large in self._large.values() if large.timed]
         if self._pending:
             times.append(next(iter(self._pending.values())).deadline)

@@ -75,7 +75,7 @@ class GatewayRules:
         """Time of the last fragment of each allowed large message."""
 
     def refusal(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
-        """Why a packet from `network` is refused, as a counter's name; None when it is allowed."""
+        """Reason to refuse a packet from `network`, as a counter's name; None when it is allowed."""
         if not self._rules:
             return None
         flag = raw.control >> 6
@@ -137,10 +137,10 @@ class Gateway:
         self._outside = tuple(name for name in networks if name not in self._inside)
         self._rules = rules
         self.refused: OrderedDict[Refused, int] = OrderedDict()
-        """How many packets of each kind were refused; of the kinds refused last, at most `MAX_REFUSED`."""
+        """Numbers of refused packets of each kind; of the kinds refused last, at most `MAX_REFUSED`."""
 
     def refusal(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
-        """Why a packet from `network` is refused, as a counter's name; None when it is accepted."""
+        """Reason to refuse a packet from `network`, as a counter's name; None when it is accepted."""
         why = self._refusal(raw, data, network, now)
         if why is not None:
             continues = raw.control >> 6 in (DataFlag.MIDDLE, DataFlag.LAST)

@@ -65,7 +65,7 @@ class StreamDecoder:
             self.version = self._buffer.pop(0)
 
     def _locate(self, start: int) -> tuple[bytes, int, int]:
-        """What precedes the packet in a datagram, and the offsets where the packet begins and ends."""
+        """Split a datagram: the bytes before the packet, and the offsets where the packet begins and ends."""
         flags, size = _START.unpack_from(self._buffer, start)
         if flags not in (0, 0x40) or size < header.OVERHEAD:
             raise ProtocolError("stream_lost", f"flags {flags:02x} and size {size} are no header")

@@ -25,7 +25,7 @@ _ACK_REQUIRED: Final = Ack.REQUIRED << 4
 _ACK_MASK: Final = 3 << 4
 _COMPRESSION_BYTES: Final = 2
 _QUERIES_AND_REPORTS: Final = range(0x2000, 0x6000)
-"""Their message ids (AS5710); below are commands, above are those of experiments."""
+"""Message ids of queries and reports (AS5710); commands are below, experimental messages above."""
 _LEGACY_FIRST_BYTES: Final = (bytes([legacy.V1]), legacy.OPC_GREETING[:1])
 
 

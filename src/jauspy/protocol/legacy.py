@@ -30,7 +30,7 @@ RA_VERSION: Final = 2
 RA_SIZE: Final = _RA.size
 _MAX_DATA: Final = 0xFFF
 _FLAGS: Final = {0: DataFlag.SINGLE, 1: DataFlag.FIRST, 2: DataFlag.MIDDLE, 4: DataFlag.MIDDLE, 8: DataFlag.LAST}
-"""From data control; 4 is a middle fragment that is resent."""
+"""Data flags by the field data control; 4 is a middle fragment that is resent."""
 MAX_PEER_VERSIONS: Final = 1024
 
 
@@ -157,5 +157,5 @@ def _flag(control: int) -> DataFlag:
 
 
 def _priority(properties: int) -> int:
-    """From 0..15 to 0..3, as in known node managers, without their error at 0."""
+    """Convert a priority from 0..15 to 0..3, as known node managers, without their error at 0."""
     return min(max((properties & 0x0F) - 3, 0) // 3, Priority.SAFETY_CRITICAL)

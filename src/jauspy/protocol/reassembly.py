@@ -20,7 +20,7 @@ FRAGMENT_OVERHEAD: Final = 256
 """Bytes of memory charged for a fragment in addition to its payload."""
 MAX_SOURCES: Final = 256
 CHECKS_PER_TIMEOUT: Final = 4
-"""How often incomplete messages are checked within `fragment_timeout`."""
+"""Number of checks of incomplete messages within `fragment_timeout`."""
 
 
 @dataclass(slots=True)
@@ -149,7 +149,7 @@ class Reassembly:
         return True, self._complete(key, run) if run.complete else None
 
     def next_timeout(self) -> float | None:
-        """When `handle_timeout` is to be called, or None."""
+        """Time at which `handle_timeout` is to be called, or None."""
         return self._check_at
 
     def handle_timeout(self, now: float) -> None:

@@ -136,7 +136,7 @@ class Router:
         return self._egress.drain()
 
     def next_timeout(self) -> float | None:
-        """When `handle_timeout` is to be called, or None."""
+        """Time at which `handle_timeout` is to be called, or None."""
         return self._pending.next_timeout()
 
     def handle_timeout(self, now: float) -> None:
@@ -162,7 +162,7 @@ class Router:
         self.sources.forget(port)
 
     def cacheable_route(self, source: int, destination: int, port: Port, now: float) -> LocalPort | UdpPort | None:
-        """Where every plain packet of these ids from `port` is sent; None if each must pass through `receive`.
+        """Route of every plain packet of these ids from `port`; None if each must pass through `receive`.
 
         The route holds until `changed` is called for one of the ids, and for a moment at most: rate limits, learned
         addresses and their checks need to see packets in `receive`.
@@ -255,7 +255,7 @@ class Router:
     def _refusal(
         self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float, sequence: int | None, *, verified: bool
     ) -> str | None:
-        """Why a packet from this address is not accepted, as a counter's name; None if it is."""
+        """Reason to refuse a packet from this address, as a counter's name; None if it is accepted."""
         source = raw.source
         if not verified and addressing.is_wildcard(source):
             return "wildcard_source"

@@ -159,7 +159,7 @@ def _container_sizes(presence: Scalar | None, members: tuple[Node, ...]) -> Size
 
 
 def can_be_there(presence: Scalar | None, members: Iterable[Node]) -> Iterator[bool]:
-    """For each member of a container, false if it is optional and the presence vector has no bit for it."""
+    """List for each member of a container whether it can be present: false if the presence vector has no bit for it."""
     bits = 8 * scalar_size(presence) if presence else 0
     for member in members:
         counts = member.optional and presence is not None

@@ -61,7 +61,7 @@ def suggestion(name: str, known: Iterable[str]) -> str:
 
 
 NAME_ITS_FILE: Final = "name its file, too, or the folder of its set, such as core"
-"""What to do when a definition of another file is missing."""
+"""Advice for a missing definition of another file."""
 
 
 def required(element: Element, name: str) -> str:

@@ -48,7 +48,7 @@ def is_a(service: ServiceDefinition, urn: str, parent_of: ParentOf[ServiceDefini
 def most_derived_first(
     services: Iterable[ServiceDefinition], parent_of: ParentOf[ServiceDefinition]
 ) -> tuple[ServiceDefinition, ...]:
-    """These services and all their ancestors, one per URN, the longest lineage first: the order of a component.
+    """Order services and all their ancestors as in a component: one per URN, the longest lineage first.
 
     Where lineages bring different versions of one service, the version that comes first is kept.
     """

@@ -183,7 +183,7 @@ def load_own(sources: Iterable[str | Path], references: Iterable[str | Path] = (
 
 
 def load_beside_builtin(paths: Iterable[Path], *, states: bool = True) -> Schema:
-    """These files and all built-in services; definitions in the files replace built-in ones."""
+    """Load these files and all built-in services; definitions in the files replace built-in ones."""
     given = list(paths)
     return load_files([*given, *_builtin_sets(given)], base=load_builtin(), states=states)
 
@@ -219,7 +219,7 @@ def identity_of(path: Path) -> Identity:
 
 @cache
 def load_needed(wanted: frozenset[Wanted]) -> Schema:
-    """These shipped services with all ancestors, the same as in `load_builtin()`.
+    """Load these shipped services with all ancestors, the same as in `load_builtin()`.
 
     For a service without the wanted version all versions are loaded, for an unknown service none.
     """

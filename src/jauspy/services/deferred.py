@@ -93,7 +93,7 @@ class TimerHost(Protocol):
     on_timer_change: Callable[[], None]
 
     def set_timer(self, key: Hashable, due: float, call: Callable[[], None]) -> None:
-        """Call `call` at time `at` (seconds)."""
+        """Call `call` at time `due` (seconds)."""
         ...
 
 

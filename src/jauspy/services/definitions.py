@@ -131,8 +131,8 @@ def _add(found: dict[str, Definition], definition: Definition, parent_of: Parent
         existing = found.setdefault(ancestor.id, ancestor)
         if existing.version != ancestor.version:
             raise ConfigError(
-                f"{definition.name} needs {ancestor.id} {ancestor.version}, but another service of this component needs "
-                f"{existing.version}; give each version a component of its own"
+                f"{definition.name} needs {ancestor.id} {ancestor.version}, but another service of this component "
+                f"needs {existing.version}; give each version a component of its own"
             )
 
 
@@ -193,7 +193,7 @@ RENAMED_SERVICES: Final = {
     f"{_MANIPULATOR}ManipulatorJointPositionsListDriver": (f"{_MANIPULATOR}ManipulatorJointPositionListDriver",),
     f"{_MANIPULATOR}PanTiltJointVelocitiesDriver": (f"{_MANIPULATOR}PanTiltJointVelocityDriver",),
 }
-"""Those that have another name now: one of these services does the same."""
+"""Services that have another name now: one of the named ones does the same."""
 
 
 def answered_in_older_version(services: Collection[str], inputs: Collection[int]) -> Iterator[str]:

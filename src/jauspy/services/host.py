@@ -104,7 +104,7 @@ class Host(ServiceHost):
         return self._output.drain()
 
     def next_timeout(self) -> float | None:
-        """When to call `handle_timeout`; None when no timer is set."""
+        """Time at which to call `handle_timeout`; None when no timer is set."""
         due, background = self._timers.next(), self._background.next()
         if background is None:
             return due

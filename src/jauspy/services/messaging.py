@@ -81,7 +81,7 @@ class Outgoing(NamedTuple):
     priority: Priority = Priority.STANDARD
     broadcast: Broadcast = Broadcast.NONE
     on_acknowledged: Callable[[bool], None] | None = None
-    """With it, the message is resent until it is acknowledged (called with True) or given up (False)."""
+    """Callback with which the message is resent until it is acknowledged (called with True) or given up (False)."""
 
 
 class OutputQueue:

@@ -12,7 +12,7 @@ from jauspy.services.state_machine import Trigger
 
 _SUFFIX: Final = "presence_vector"
 _SENSOR_VECTOR: Final = "query_presence_vector"
-"""In the records of a query about several sensors (AS6060): for the record with the same SensorID; 0 is all."""
+"""Field of the records of a query about several sensors (AS6060): for the record with the same SensorID; 0 is all."""
 _VECTORS: Final[dict[type[Message], tuple[tuple[str, str], ...]]] = {}
 _OPTIONAL: Final[dict[type[Struct], tuple[str, ...]]] = {}
 _SENSOR_LISTS: Final[dict[type[Message], tuple[str, ...]]] = {}

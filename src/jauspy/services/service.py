@@ -53,7 +53,7 @@ class Timers:
         return len(self._active)
 
     def set(self, key: Hashable, due: float, call: Callable[[], None]) -> None:
-        """Call `call` once, at time `at` (seconds)."""
+        """Call `call` once, at time `due` (seconds)."""
         serial = next(self._serial)
         self._active[key] = (serial, call)
         heapq.heappush(self._heap, (due, serial, key))
@@ -264,7 +264,7 @@ class ServiceHost:
         self._output = OutputQueue(max_output, self.counters)
         self._timers = Timers()
         self._background = Timers()
-        """Those that may wait."""
+        """Timers that may wait."""
         self._triggers = TriggerQueue(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
         self._errors = ActionErrors(self.counters, self._on_action_error)
         self._deferred = DeferredReplies(self, self._errors)
@@ -341,7 +341,7 @@ class ServiceHost:
         return self._sender.ask(self._bound.machines["ReceiveFSM"], Trigger(query.CODE, query, source))
 
     def defer(self, fallback: Callable[[], Message | None]) -> Deferred:
-        """For an action that cannot report yet: it returns this and sets its result later.
+        """Make a deferred reply for an action that cannot report yet: the action returns it and sets its result later.
 
         Without a result after `REPLY_TIMEOUT` seconds, `fallback` makes the report.
         """
@@ -381,11 +381,11 @@ class ServiceHost:
         self._triggers.put(Trigger(command.CODE, command, source), CommandCompletion(on_ended))
 
     def begin_command(self) -> CommandCompletion:
-        """For the action of a command that takes time: returns what to call when the command has ended."""
+        """Begin a command that takes time; returns the function to call when it has ended."""
         return self._triggers.begin_command()
 
     def set_timer(self, key: Hashable, due: float, call: Callable[[], None], *, may_wait: bool = False) -> None:
-        """Call `call` at time `at`; a timer with the same key is replaced.
+        """Call `call` at time `due`; a timer with the same key is replaced.
 
         One that `may_wait` is called later when many of them are due, so that everything else is done in time.
         """

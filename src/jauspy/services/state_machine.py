@@ -97,7 +97,7 @@ class BoundAction:
     sends: bool = False
     """True for `Send`: a message goes out."""
     report: Callable[[Trigger], object] | None = None
-    """For a `Send` to the source of the trigger: makes the `Message`, a `Deferred` one, or None."""
+    """Function that makes the `Message` of a `Send` to the source of the trigger, a `Deferred` one, or None."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -268,7 +268,7 @@ class MachineInstance:
 
 
 def _catch_all_last(transitions: tuple[BoundTransition, ...]) -> list[BoundTransition]:
-    """In order, except that those for any trigger come last."""
+    """Sort transitions: those for any trigger come last, the others keep their order."""
     return sorted(transitions, key=lambda each: each.key == ANY_TRIGGER)
 
 
@@ -326,7 +326,7 @@ class TriggerQueue:
             self._drop(trigger, completion)
 
     def begin_command(self) -> CommandCompletion:
-        """For the action of a command that takes time: what to call when it has ended."""
+        """Begin a command that takes time; returns the function to call when it has ended."""
         command = self._command or CommandCompletion()
         command.takes_time = True
         return command

@@ -171,7 +171,7 @@ class LocalTransport:
         clean_up(self.path)
 
     def _no_answer(self) -> str:
-        """Why the node manager may not have answered, and what to do."""
+        """Explain why the node manager may not have answered, and what to do."""
         if (why := refusal(Path(self._node))) is not None:
             return why
         if is_alive(Path(self._node)):
@@ -341,7 +341,7 @@ def is_dead(path: Path) -> bool:
 
 
 def refusal(path: Path) -> str | None:
-    """Why this user cannot send to `path`, as one sentence; None when nothing prevents it."""
+    """Sentence that says why this user cannot send to `path`; None when nothing prevents it."""
     return _refusal(path, _probe(path))
 
 

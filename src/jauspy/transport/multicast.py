@@ -22,7 +22,7 @@ RECEIVE_BUFFER: Final = 4 * 1024 * 1024
 """Bytes requested of the kernel, so that a burst is not lost before it is read; the kernel may grant less."""
 _IP_MULTICAST_ALL: Final = 49
 _IPV6_MULTICAST_ALL: Final = 29
-"""From linux/in.h and in6.h; with 0 a socket receives only groups that it has joined itself."""
+"""Socket option of linux/in.h and in6.h; with 0 a socket receives only groups that it has joined itself."""
 ALL_INTERFACES: Final = "all"
 """Every interface that has an IPv4 address, except the loopback interface."""
 WATCH_INTERVAL: Final = 5.0
@@ -87,7 +87,7 @@ def receiver(group: tuple[str, int]) -> socket.socket:
 
 @dataclass(frozen=True, slots=True)
 class AddressFamily:
-    """How sockets of one address family join groups; `present` resolves configured interfaces to present ones."""
+    """Means to join groups with sockets of one address family; `present` resolves configured interfaces."""
 
     level: int
     join: int

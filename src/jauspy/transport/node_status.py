@@ -15,7 +15,7 @@ from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
 from jauspy.transport import multicast
 
 SOCKET_NAME: Final = "JuniorRTE.status"
-"""In the directory of the node manager's own socket."""
+"""Name of the status socket, in the directory of the node manager's own one."""
 READ_TIMEOUT: Final = 2.0
 """Seconds for one reader."""
 SHORT_READ_TIMEOUT: Final = 0.25

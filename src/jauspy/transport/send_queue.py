@@ -19,7 +19,7 @@ DATAGRAM_OVERHEAD: Final = 128
 """Bytes that Python needs for a queued datagram besides its own."""
 PRIORITIES: Final = 4
 PRIORITY_SHARE: Final = 1 / 8
-"""Of a queue, for each priority: a flood of urgent packets does not displace all others."""
+"""Part of a queue that each priority has for itself: a flood of urgent packets does not displace all others."""
 LOW_PRIORITY_TURN: Final = 16
 """Every 16th datagram is one of the lowest priority, so that these are late, but not starved."""
 MAX_CANDIDATES: Final = 8

@@ -56,7 +56,7 @@ class VirtualNetwork(Environment):
         self.keeps: Callable[[Packet], bool] = lambda _: True
         """Packets for which it returns false are lost, in addition to random loss."""
         self.allow_errors = False
-        """With the fixture `virtual_network`, a test does not fail when a service raised an exception."""
+        """True to let a test with the fixture `virtual_network` pass although a service raised an exception."""
         self._components: list[Component] = []
         self._disconnected: set[JausID] = set()
         self._random = random.Random(seed)  # noqa: S311 - repeatable, not secret
@@ -106,7 +106,7 @@ class VirtualNetwork(Environment):
     # --- disturbances ---------------------------------------------------------------------------------------------
 
     def lose(self, kind: type[Message], times: int | None = None, *, after: int = 0) -> None:
-        """From now on lose packets with this message: all but the first `after`, and no more than `times`."""
+        """Lose packets with this message from now on: all but the first `after`, and no more than `times`."""
         code, number = _code(kind), count()
         end = None if times is None else after + times
 
@@ -127,7 +127,7 @@ class VirtualNetwork(Environment):
         self._disconnected.discard(JausID.of(id))
 
     def stall(self, id: str | JausID, seconds: float) -> None:
-        """For this time, the component reads nothing, as if its process were stopped; it reads what arrived afterwards.
+        """Keep the component from reading for this time, as if its process were stopped; it reads afterwards what came.
 
         Its timers run on. Raises `ConfigError` if no component here has this id.
         """

@@ -9,7 +9,7 @@ from typing import Final
 import can
 
 REASONS: Final = ("error_frame", "remote", "extended", "fd", "unknown", "length", "value")
-"""Why frames are ignored, as in the counters `ignored.length`."""
+"""Reasons to ignore frames, as in the counters `ignored.length`."""
 
 
 def deviation(message: can.Message) -> str:

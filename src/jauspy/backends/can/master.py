@@ -53,7 +53,7 @@ FLOOD: Final = 2000.0
 
 
 class Phase(Enum):
-    """What the cycle sends to the drives."""
+    """Phases of the cycle, by what it sends to the drives."""
 
     LISTENING = "nothing at all"
     IDLE = "SYNC, and nothing that moves"
@@ -257,7 +257,7 @@ class Master:
             raise DriveFault(self.reason())
 
     def reason(self) -> str:
-        """Why the drives were stopped; empty if they were not."""
+        """Reason why the drives were stopped; empty if they were not."""
         if not self._failure:
             return ""
         drive = self._culprit

@@ -265,24 +265,24 @@ class CanRobot:
 
     @property
     def groups(self) -> Mapping[str, CanJoints]:
-        """Its other joints, by the names that its description gives them."""
+        """Joints besides the chassis, by the names of their groups in the description."""
         return self._groups
 
     @property
     def lidars(self) -> Mapping[str, RangeFinder]:
-        """Its lidars: those of the simulation; on a bus they never scan, for they are not on it."""
+        """Lidars of the simulation; on a bus they never scan, for they are not on it."""
         robot = self._ticker.plant_robot
         return self._lidars if robot is None else robot.lidars
 
     @property
     def force_torque(self) -> Mapping[str, ForceTorqueSensor]:
-        """Its sensors of force and torque: those of the simulation."""
+        """Sensors of force and torque of the simulation."""
         robot = self._ticker.plant_robot
         return {} if robot is None else robot.force_torque
 
     @property
     def cameras(self) -> Mapping[str, CameraSource]:
-        """Its cameras: those of the simulation, or pictures of sky and floor from where the joints put them."""
+        """Cameras of the simulation, or pictures of sky and floor from where the joints put them."""
         robot = self._ticker.plant_robot
         if robot is not None:
             return robot.cameras
@@ -338,7 +338,7 @@ class CanRobot:
         return late
 
     def _tick(self) -> None:
-        """After each cycle."""
+        """Take over what the drives have measured, after each cycle."""
         self._weights = None
         if self._tracked is not None:
             self._tracked.update()

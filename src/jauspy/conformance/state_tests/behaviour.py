@@ -296,7 +296,7 @@ def _effect(action: str, situation: Situation, role: str) -> Situation:
 
 
 TRANSPORT: Final = "urn:jaus:jss:core:Transport"
-"""This service has no messages, so it is not in the registry."""
+"""URN of the service Transport, which has no messages, so the registry lacks it."""
 
 
 @dataclass(frozen=True)

@@ -173,7 +173,7 @@ class StimulusResult:
     before: Situation
     outcome: Prediction
     took: Callable[[str], None]
-    """To be called with the name of an internal event that the input has also caused."""
+    """Callback for the name of an internal event that the input has also caused."""
 
 
 @dataclass(frozen=True, slots=True)

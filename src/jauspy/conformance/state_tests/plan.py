@@ -194,7 +194,7 @@ STIMULI: Final[tuple[Stimulus, ...]] = (
 INTERNAL_EVENTS: Final[tuple[Stimulus, ...]] = (SILENT_CLIENT, NOT_RENEWED, DUE, EXPIRED)
 """Internal events that can be caused from outside."""
 INTERNAL_EVENTS_1_0: Final = (replace(SILENT_CLIENT, message="Timeout"), DUE)
-"""Those of version 1.0, where Timeout ends control, not an event."""
+"""Internal events of version 1.0, where Timeout ends control, not an event."""
 ACCESS_CONTROL_1_0: Final = ("urn:jaus:jss:core:AccessControl", "1.0")
 
 

@@ -193,7 +193,7 @@ IMAGE_TIMEOUT: Final = 10.0
 """Seconds until the first image of a camera that has to be started."""
 
 _ANY: Final = {"isCoordinateTransformSupported": False}
-"""Its value makes no difference to the outputs."""
+"""Predicates whose values make no difference to the outputs."""
 
 _ALL: Final = QueryStillImageDataExt.QueryStillImageDataRec(
     QueryStillImageDataExt.SensorID.ALL_SENSORS, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, 0xFF

@@ -1,4 +1,4 @@
-"""How the joints of a modular arm follow their setpoints: a PID each (stage 1), or the arm's model (stage 2).
+"""Control laws by which the joints of a modular arm follow setpoints: a PID each (stage 1), or a model (stage 2).
 
 Both return the torques of the motors. Vectors are in the order of the chain; rad, rad/s, N m.
 """
@@ -23,13 +23,13 @@ TORQUE_BANDWIDTH: Final = 100.0
 """rad/s: natural frequency of errors of the springs' torques, at most."""
 
 LARGEST_STEP: Final = 0.45
-"""This natural frequency times the control period, at most."""
+"""Greatest product of the natural frequency of `TORQUE_BANDWIDTH` and the control period."""
 
 STIFFENING: Final = 4.0
-"""This natural frequency over that of the rotor on its spring, at most; the gain of the torque error is its square."""
+"""Greatest ratio of that frequency to that of the rotor on its spring; its square is the gain of the torque error."""
 
 SEPARATION: Final = 8.0
-"""This natural frequency over that of position errors."""
+"""Ratio of that frequency to the natural frequency of position errors."""
 
 POSITION_DAMPING: Final = 0.9
 """Damping ratio of position errors."""
@@ -54,7 +54,7 @@ SLIDING_PART: Final = 0.7
 
 
 class JointMeasurements(NamedTuple):
-    """What the modules measure, and how fast the springs' torques change (N m/s)."""
+    """Measurements of all modules, and the rates of the springs' torques (N m/s)."""
 
     q: Array
     v: Array
@@ -174,6 +174,6 @@ class ModelLaw:
 
 
 def smooth_step(part: float) -> float:
-    """From 0 to 1 while `part` goes from 0 to 1, with slope 0 at both ends."""
+    """Go from 0 to 1 while `part` does, with slope 0 at both ends: 3 p^2 - 2 p^3."""
     part = min(1.0, max(0.0, part))
     return part * part * (3.0 - 2.0 * part)

@@ -54,7 +54,7 @@ class ArmModel:
 
     @property
     def has_load(self) -> bool:
-        """Whether there is a box at the tip that joints carry."""
+        """True if there is a box at the tip that joints carry."""
         return self._load_joint > 0
 
     @property

@@ -19,7 +19,7 @@ class Attachment(NamedTuple):
     """A connector that holds a part."""
 
     connector: str
-    """As in `servo_1/output`."""
+    """Name of the connector, as in `servo_1/output`."""
     part: str
     offset: Transform
     """Frame of the part in the frame of the connector."""
@@ -234,7 +234,7 @@ def _chain(
 
 
 def _holds_on(body: Body, types: Mapping[str, PartType], held_by: tuple[str, ...]) -> bool:
-    """Whether a connector of this body holds on to another base."""
+    """True if a connector of this body holds on to another base."""
     names = types[body.part].connectors
     return any(f"{body.part}/{name}" in held_by for name in names) and _has_connectors(body, types)
 

@@ -17,7 +17,7 @@ TORQUE_SAMPLES: Final = 40
 """Moments of a trajectory at which its torques are compared with their limits."""
 
 TORQUE_ROUNDS: Final = 8
-"""How often accelerations are lowered until the torques of a trajectory are within limits."""
+"""Number of times that accelerations are lowered until the torques of a trajectory are within limits."""
 
 
 LONGEST_BRAKING: Final = 0.13
@@ -47,7 +47,7 @@ class Shaper:
 
     @property
     def ended(self) -> bool:
-        """Whether the mean is the last setpoint, because nothing else came in for the whole length."""
+        """True if the mean is the last setpoint, because nothing else came in for the whole length."""
         return self._same >= len(self._rows)
 
     def advance(self, setpoint: Setpoint) -> Setpoint:
@@ -78,7 +78,7 @@ class Limits:
 
 
 class PlannedMotion:
-    """A motion from a setpoint to rest at a target; `at` returns where it is. Unlimited turns: no angle is wrapped."""
+    """Motion from a setpoint to rest at a target; `sample` returns where it is. Turns are unlimited: no angle is wrapped."""
 
     def __init__(
         self,

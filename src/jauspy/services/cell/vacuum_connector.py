@@ -42,7 +42,7 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
         self._connectors = dict(enumerate(connectors, start=1))
         self._limits = limits
         self._refusals: dict[int, str] = {}
-        """Why a connector was not vented when it was last told to, by number."""
+        """Reasons why connectors were not vented when they were last told to, by number."""
 
     def set_connector(self, msg: SetConnector) -> None:
         """Switch a connector on (pump) or off (vent); an unknown number is ignored and counted.

@@ -60,7 +60,7 @@ _EXPLAINED: Final[dict[int, str]] = {
 
 
 def explained(reason: int) -> str:
-    """Why a command was refused, as part of a sentence."""
+    """Reason why a command was refused, as part of a sentence."""
     return _EXPLAINED.get(reason, f"reason {reason}")
 
 
@@ -75,7 +75,7 @@ class CommandRecord:
     """None without a valid seal."""
     message: str
     payload: bytes
-    """As received, with the seal."""
+    """Payload as received, with the seal."""
     outcome: str
     """`taken`, `ignored` or `failed` by the state machine, or `refused: REASON`."""
 

@@ -190,7 +190,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         return found if msg.CODE == CancelEvent.CODE or isinstance(found, EventSubscription) else None
 
     def _refusal(self, msg: EventSetup, source: JausID) -> EventRejectCode | None:
-        """Why the event cannot be set up as requested; None when it can."""
+        """Reason why the event cannot be set up as requested; None when it can."""
         if (kind := self._refused_kind(msg)) is not None:
             return kind
         query = self.host.read(msg.query_message)

@@ -72,7 +72,7 @@ class VideoStreams:
     def __init__(self, cameras: Cameras, targets: Iterable[Network] = ()) -> None:
         self.cameras = cameras
         self.end_points: dict[int, EndPoint] = {}
-        """In the order in which they were registered."""
+        """End points by number, in the order in which they were registered."""
         self._targets = tuple(targets)
         self._number = 0
 

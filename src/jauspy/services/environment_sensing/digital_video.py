@@ -180,7 +180,7 @@ def _find_problems(requested: _RequestedSettings) -> list[tuple[_Code, str]]:
 
 
 def capabilities(sensor: int) -> _Capabilities:
-    """What the streams of every camera support."""
+    """Capabilities that the streams of every camera have."""
     return _Capabilities(
         sensor,
         minimum_bit_rate=MIN_BIT_RATE // KILO,

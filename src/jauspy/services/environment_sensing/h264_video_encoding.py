@@ -40,7 +40,7 @@ PROFILES: Final = {
     _Profile.MAIN: H264Profile.MAIN,
     _Profile.HIGH: H264Profile.HIGH,
 }
-"""By JAUS's numbers. Of two numbers for one profile, the first is reported."""
+"""Profiles by JAUS's numbers. Of two numbers for one profile, the first is reported."""
 
 PROFILE_OF: Final = {profile: number for number, profile in reversed(PROFILES.items())}
 

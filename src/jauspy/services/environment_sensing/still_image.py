@@ -56,7 +56,7 @@ OnImage: TypeAlias = Callable[[Still | None], None]
 NATIVE: Final = ReportStillImageDataExt.ReportCoordinateSystem.NATIVE
 
 FORMATS: Final = {_Number.JPEG: StillFormat.JPEG, _Number.PNG: StillFormat.PNG}
-"""By JAUS's numbers."""
+"""Formats by JAUS's numbers."""
 
 FORMAT_NUMBERS: Final = {format: number for number, format in FORMATS.items()}
 

@@ -236,7 +236,7 @@ EnumT = TypeVar("EnumT", bound=Enum)
 
 
 class Source(Protocol):
-    """What the fields describe."""
+    """Camera and settings that the fields describe."""
 
     @property
     def setup(self) -> CameraSetup:

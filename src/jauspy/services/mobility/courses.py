@@ -42,7 +42,7 @@ class Course(Protocol):
 
     @property
     def limits(self) -> AccelerationLimits | None:
-        """How fast the velocity may change; None for the limits of the chassis."""
+        """Limits of changes of velocity; None for those of the chassis."""
         ...
 
     def steer(self, pose: Pose, /) -> PlanarVelocity | None:

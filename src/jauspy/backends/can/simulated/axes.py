@@ -48,7 +48,7 @@ class Plant(Protocol):
 
     @property
     def axes(self) -> Mapping[str, Axis]:
-        """By the name of the drive."""
+        """Axes by the name of the drive."""
         ...
 
     @property
