@@ -1,7 +1,7 @@
 """Makes a map from scans and odometry, and corrects the odometry by scan matching.
 
 Matching is a Gauss-Newton search for the pose at which the ends of the rays fit the map, coarse to fine, similar to
-Hector SLAM (Kohlbrecher et al., 2011). Where the map does not constrain the pose, as along a corridor, odometry does.
+Hector SLAM (Kohlbrecher et al., A flexible and scalable SLAM system with full 3D motion estimation, 2011). Where the map does not constrain the pose, as along a corridor, odometry does.
 """
 
 from __future__ import annotations
@@ -103,9 +103,11 @@ def match(grid: OccupancyGrid, points: Points, guess: PlanarPose, deviation: tup
     if len(points) < MIN_POINTS:
         return guess
     normals = _normal_projections(points)
+    # least squares over the echoes and the guess: sum of w (1 - attraction)^2 + (guess - pose)' P^-1 (guess - pose)
     occupied = grid.log_odds > 0.0
     prior = 1.0 / np.array([deviation[0], deviation[0], deviation[1]]) ** 2
     pose = expected = np.array(guess)
+    # wide attraction first, which finds the wall from afar, then narrow, which finds its place
     for cells in ATTRACTION_WIDTHS:
         near = _attraction(occupied, cells)
         for _ in range(MAX_ITERATIONS):
@@ -117,7 +119,10 @@ def match(grid: OccupancyGrid, points: Points, guess: PlanarPose, deviation: tup
 
 
 def _step(residuals: Array, slopes: Array, prior: Array, offset: Array) -> Array:
-    """The Gauss-Newton step, shape (3,), for residuals (n,), their slopes (n, 3), and the offset (3,) to the guess."""
+    """The Gauss-Newton step, shape (3,), for residuals (n,), their slopes (n, 3), and the offset (3,) to the guess.
+
+    It solves (w J'J + P^-1) step = w J'r + P^-1 offset, with the weight w of an echo and the covariance P of the guess.
+    """
     hessian = POINT_WEIGHT * slopes.T @ slopes + np.diag(prior)
     return np.asarray(np.linalg.solve(hessian, POINT_WEIGHT * slopes.T @ residuals + prior * offset), np.float64)
 
@@ -127,9 +132,11 @@ def _slopes(grid: OccupancyGrid, near: Array, scan: tuple[Points, Array], pose: 
     points, normals = scan
     placed = transformed(PlanarPose(*pose.tolist()), points)
     value, slope = _sample(grid, near, placed)
+    # project each slope on the normal of its wall, in the map: R N R'
     c, s = np.cos(pose[2]), np.sin(pose[2])
     turn = np.array([[c, -s], [s, c]])
     slope = np.einsum("nij,nj->ni", turn @ normals @ turn.T, slope)
+    # a turn moves an end at (x, y) from the robot by (-y, x)
     around = placed - pose[:2]
     return 1.0 - value, np.column_stack([slope, slope[:, 1] * around[:, 0] - slope[:, 0] * around[:, 1]])
 
@@ -156,6 +163,7 @@ def _sample(grid: OccupancyGrid, near: Array, points: Points) -> tuple[Array, Ar
     u, v = (place - np.floor(place)).T
     a, b = near[row, column], near[row, column + 1]
     c, d = near[row + 1, column], near[row + 1, column + 1]
+    # bilinear, with the derivative of the same polynomial
     value = (1.0 - v) * ((1.0 - u) * a + u * b) + v * ((1.0 - u) * c + u * d)
     slope = np.column_stack([(1.0 - v) * (b - a) + v * (d - c), (1.0 - u) * (c - a) + u * (d - b)])
     return value, slope / grid.resolution
@@ -180,6 +188,7 @@ def _attraction(occupied: NDArray[np.bool_], cells: int) -> Array:
         return near
     window = np.s_[_around(rows, cells), _around(columns, cells)]
     part = occupied[window].astype(np.float64)
+    # each round lets a cell have what its largest neighbour has, less one step: a distance along rows and columns
     for _ in range(cells):
         before = part - 1.0 / cells
         for target, source in _NEIGHBOURS:

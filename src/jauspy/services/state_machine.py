@@ -202,7 +202,7 @@ class MachineInstance:
         """The transitions of the active state for a key, cached for each state."""
         keys = (key, ANY_MESSAGE, ANY_TRIGGER) if isinstance(key, int) else (key, ANY_TRIGGER)
         found = self._candidates[self._active][key] = tuple(
-            machine for machine in self._in_order() if machine.key in keys
+            transition for transition in self._in_order() if transition.key in keys
         )
         return found
 
@@ -217,6 +217,7 @@ class MachineInstance:
             state = state.parent
 
     def _apply(self, transition: BoundTransition, trigger: Trigger) -> TriggerOutcome:
+        # actions run in the state that is left; one that fails, or returns STAY, keeps it
         stay = False
         for action in transition.actions:
             try:
@@ -230,8 +231,9 @@ class MachineInstance:
         return TriggerOutcome.TAKEN if does_something else TriggerOutcome.IGNORED
 
     def _change_state(self, transition: BoundTransition, trigger: Trigger) -> None:
+        """Change to the end of a simple or push transition, or back to the state that a pop returns to (AS5684)."""
         if transition.kind == "pop":
-            if self._pushed:
+            if self._pushed:  # a pop without a push stays where it is
                 target = self._pushed.pop()
                 self._move(target, target, trigger)
         elif (end := transition.end) is not None:
@@ -242,12 +244,17 @@ class MachineInstance:
             self._move(end, end.leaf(), trigger)
 
     def _move(self, target: MergedState, leaf: MergedState, trigger: Trigger) -> None:
-        """Leave up to the state around both, then enter down to `leaf`; a target that is active is left and entered."""
+        """Leave up to the state around both, then enter down to `leaf`; a target that is active is left and entered.
+
+        That state is the least common compound ancestor of W3C SCXML (2015), appendix D.
+        """
         left = list(self._active.upwards())
+        # the innermost state that contains both; None if the whole machine does
         around = target.parent
         while around is not None and not around.contains(self._active):
             around = around.parent
         depth = len(around.path) if around is not None else 0
+        # exit actions from the innermost state outward, entry actions from the outermost inward
         for state in left:
             if len(state.path) > depth:
                 self._run_each(self._states[state].exit, trigger)

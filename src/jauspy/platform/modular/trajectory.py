@@ -78,7 +78,7 @@ class Limits:
 
 
 class PlannedMotion:
-    """Motion from a setpoint to rest at a target; `sample` returns where it is. Turns are unlimited: no angle is wrapped."""
+    """Motion from a setpoint to rest at a target; `sample` returns where it is. No angle is wrapped."""
 
     def __init__(
         self,

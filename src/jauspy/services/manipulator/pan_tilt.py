@@ -78,7 +78,7 @@ class PanTilt(Arm):
 
     @property
     def coordinate_system(self) -> Transform:
-        """Frame in that of the vehicle (JAUS's axes): z along pan, y along tilt, x ahead; where the axes are closest."""
+        """Frame in the vehicle's (JAUS's axes): z along pan, y along tilt, x ahead; where the axes are closest."""
         return JAUS_FROM_REP_103 @ self._mount() @ self._frame
 
 
