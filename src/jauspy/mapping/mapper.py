@@ -1,7 +1,8 @@
 """Makes a map from scans and odometry, and corrects the odometry by scan matching.
 
 Matching is a Gauss-Newton search for the pose at which the ends of the rays fit the map, coarse to fine, similar to
-Hector SLAM (Kohlbrecher et al., A flexible and scalable SLAM system with full 3D motion estimation, 2011). Where the map does not constrain the pose, as along a corridor, odometry does.
+Hector SLAM (Kohlbrecher et al., A flexible and scalable SLAM system with full 3D motion estimation, 2011). Where the
+map does not constrain the pose, as along a corridor, odometry does.
 """
 
 from __future__ import annotations

@@ -426,10 +426,10 @@ def pairs(one: Schema, other: Schema) -> Iterator[tuple[ServiceDefinition | None
             found.append((service, same))
             left.remove(service)
             right.remove(same)
-    for service in sorted(left, key=lambda each: version_key(each.version), reverse=True):
+    for service in sorted(left, key=lambda candidate: version_key(candidate.version), reverse=True):
         versions = [other for other in right if other.id == service.id]
         if versions:
-            newest = max(versions, key=lambda each: version_key(each.version))
+            newest = max(versions, key=lambda candidate: version_key(candidate.version))
             found.append((service, newest))
             left.remove(service)
             right.remove(newest)

@@ -96,7 +96,7 @@ class OutputQueue:
         """Queue a message."""
         self._queue.append(outgoing)
         if len(self._queue) > self._limit:
-            self._queue.remove(min(self._queue, key=lambda each: each.priority))
+            self._queue.remove(min(self._queue, key=lambda queued: queued.priority))
             self._counters["output_dropped"] += 1
 
     def drain(self) -> list[Outgoing]:

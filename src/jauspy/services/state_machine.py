@@ -276,7 +276,7 @@ class MachineInstance:
 
 def _catch_all_last(transitions: tuple[BoundTransition, ...]) -> list[BoundTransition]:
     """Sort transitions: those for any trigger come last, the others keep their order."""
-    return sorted(transitions, key=lambda each: each.key == ANY_TRIGGER)
+    return sorted(transitions, key=lambda transition: transition.key == ANY_TRIGGER)
 
 
 class CommandCompletion:

@@ -58,7 +58,7 @@ class QueueMemory:
         """Drop the excess, after this queue has grown."""
         while self.bytes > self._limit:
             average = self.bytes / len(self._queues)
-            largest = queue if queue.bytes >= average else max(self._queues, key=lambda each: each.bytes)
+            largest = queue if queue.bytes >= average else max(self._queues, key=lambda queued: queued.bytes)
             largest.drop_one()
             self._counters.drop("queue_memory", "the queues of all destinations are too long")
 

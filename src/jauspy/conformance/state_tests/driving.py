@@ -140,10 +140,10 @@ def _set_before_release(waypoint: Message) -> Prepare:
 
 
 def _waypoint(waypoint: Message, kind: type[Message], report: type[Message], *right: Check) -> tuple[Stimulus, ...]:
-    def with_waypoint(each: Stimulus) -> Stimulus:
+    def with_waypoint(stimulus: Stimulus) -> Stimulus:
         return replace(
-            each,
-            variant=f"{each.variant} of one that was set",
+            stimulus,
+            variant=f"{stimulus.variant} of one that was set",
             truths={"waypointExists": True},
             before=lambda explorer, _: set_goal(explorer, waypoint),
             after=stop,

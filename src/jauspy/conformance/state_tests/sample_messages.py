@@ -83,7 +83,7 @@ def _fields(report: Message, vectors: Iterable[str]) -> Iterator[tuple[Bit, str,
 
 def _inside(report: Message, vectors: Iterable[str]) -> list[str]:
     """All optional fields in parts of several records. Not each has a bit; without any bit, none is requested."""
-    names = [each for vector in vectors if (each := vector.removesuffix(PRESENCE).rstrip("_"))]
+    names = [name for vector in vectors if (name := vector.removesuffix(PRESENCE).rstrip("_"))]
     parts = (getattr(report, slot.name) for slot in _slots(report) if any(name in slot.name for name in names))
     several = (part for part in parts if isinstance(part, Struct) and not _optional(part))
     records = (getattr(part, slot.name) for part in several for slot in _slots(part))

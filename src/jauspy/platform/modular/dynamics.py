@@ -124,10 +124,10 @@ class PayloadEstimator:
         self._acceleration = self._acceleration + part * ((v - self._last) / dt - self._acceleration)
         self._torque = self._torque + part * (spring - self._torque)
         self._last = v
-        without, each = self._model.load_torques(q, v, self._acceleration)
+        without, per_kilogram = self._model.load_torques(q, v, self._acceleration)
         keep = 1.0 - dt / MEMORY
-        self._product = keep * self._product + float(each @ (self._torque - without))
-        self._square = keep * self._square + float(each @ each)
+        self._product = keep * self._product + float(per_kilogram @ (self._torque - without))
+        self._square = keep * self._square + float(per_kilogram @ per_kilogram)
         return min(LARGEST, max(0.0, self._product / self._square)) if self._square > 1e-9 else 0.0
 
 

@@ -367,7 +367,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     def _fitting(self, found: Mapping[JausID, tuple[OfferedService, ...]]) -> dict[JausID, tuple[OfferedService, ...]]:
         """The components that fit `MAX_REPORT`: this one with the services that fit, others with all of theirs."""
         left, kept = MAX_REPORT, {}
-        for id in sorted(found, key=lambda each: each != self.host.id):
+        for id in sorted(found, key=lambda component: component != self.host.id):
             offers = within(found[id], left - _RECORDS)
             if id == self.host.id or (left >= _RECORDS and len(offers) == len(found[id])):
                 kept[id] = offers

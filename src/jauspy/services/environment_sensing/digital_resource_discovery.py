@@ -154,7 +154,7 @@ class VideoStreams:
         newest_first = [(rank(item.client), number) for number, item in reversed(self.end_points.items())]
         return [
             number
-            for rank_of_owner, number in sorted(newest_first, key=lambda each: each[0])
+            for rank_of_owner, number in sorted(newest_first, key=lambda ranked: ranked[0])
             if rank_of_owner < rank(client)
         ]
 
