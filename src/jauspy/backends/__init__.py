@@ -106,24 +106,24 @@ def _problems(state: Snapshot, robot: Robot) -> Iterator[str]:
     drive = _named(robot.drive)
     for method in ("pose", "twist", "acceleration"):
         value = getattr(state, method)
-        for each in fields(value):
-            if not math.isfinite(number := getattr(value, each.name)):
-                yield f"{drive}.{method}() returned {each.name} = {number}"
+        for field in fields(value):
+            if not math.isfinite(number := getattr(value, field.name)):
+                yield f"{drive}.{method}() returned {field.name} = {number}"
     for name, joints in state.joints.items():
         group = robot.groups[name]
         method, count = f"{_named(group)}.state() of the group {name!r}", len(group.joints)
-        for each in fields(joints):
-            numbers = getattr(joints, each.name)
+        for field in fields(joints):
+            numbers = getattr(joints, field.name)
             if len(numbers) != count:
-                yield f"{method} returned {len(numbers)} {each.name} for {count} joints"
+                yield f"{method} returned {len(numbers)} {field.name} for {count} joints"
             for joint, number in zip(group.joints, numbers, strict=False):
                 if not math.isfinite(number):
-                    yield f"{method} returned {number} in {each.name} for the joint {joint.name!r}"
+                    yield f"{method} returned {number} in {field.name} for the joint {joint.name!r}"
 
 
 def _check_members(part: object, contract: type, what: str) -> None:
     """Raise `ConfigError` if a part lacks a member of its contract."""
-    members = {name: value for each in contract.__mro__ for name, value in vars(each).items() if name[0] != "_"}
+    members = {name: value for base in contract.__mro__ for name, value in vars(base).items() if name[0] != "_"}
     for name, member in sorted(members.items()):
         is_method = not isinstance(member, property)
         if not hasattr(part, name):

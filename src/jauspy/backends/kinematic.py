@@ -66,22 +66,22 @@ class KinematicRobot:
         self.groups: Mapping[str, KinematicJoints] = {
             name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()
         }
-        """Its other joints, by the names that its description gives them."""
+        """Joints besides the chassis, by the names of their groups in the description."""
         self._cameras = KinematicCameras(robot, self.drive, self.groups)
         self._lamps = switched_lamps(robot.lamps)
         self.lidars: Mapping[str, Scanner] = {setup.name: Scanner(setup) for setup in robot.lidars}
-        """Its lidars, by name."""
+        """Lidars by name."""
         self.force_torque: Mapping[str, SampledForceTorque] = {
             setup.name: SampledForceTorque(setup, gravity_wrench(robot.description, setup.link, self._positions))
             for setup in robot.force_torque
         }
-        """Its force-torque sensors, by name: they measure the weight of the links beyond them, without noise."""
+        """Force-torque sensors by name: they measure the weight of the links beyond them, without noise."""
         self._time = 0.0
         self._measure()
 
     @property
     def cameras(self) -> Mapping[str, CameraSource]:
-        """Its cameras, which show sky and floor."""
+        """Cameras by name, which show sky and floor."""
         return self._cameras.cameras
 
     @property
@@ -291,7 +291,7 @@ class KinematicWheels(WheelDrive):
         return Pose(x=self._x, y=self._y, yaw=math.remainder(self._yaw, math.tau))
 
     def twist(self) -> Twist:
-        """As the wheels roll."""
+        """Velocity by the wheels as they roll."""
         vx, vy, wz = self.odometry()
         return Twist(vx=vx, vy=vy, wz=wz)
 
@@ -301,7 +301,7 @@ class KinematicWheels(WheelDrive):
 
     @property
     def steering(self) -> float:
-        """To the left."""
+        """Angle of steering to the left, radians."""
         return self._angle
 
     def step(self, dt: float) -> None:
@@ -311,7 +311,7 @@ class KinematicWheels(WheelDrive):
         for number, (wheel, effort) in enumerate(zip(self.wheels.wheels, self._efforts, strict=True)):
             self._speeds[number] = _speed_after(self._speeds[number], effort * wheel.speed, dt, braking=braking)
         if self.wheels.steering:
-            change = min(each.joint.velocity for each in self.wheels.steering) * dt
+            change = min(joint.joint.velocity for joint in self.wheels.steering) * dt
             self._angle += min(change, max(-change, self._wanted_angle - self._angle))
         after = self.twist()
         vx, vy, wz = ((b + a) / 2.0 for b, a in ((before.vx, after.vx), (before.vy, after.vy), (before.wz, after.wz)))

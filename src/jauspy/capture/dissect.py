@@ -133,7 +133,7 @@ def _encoded(message: Message, *, strict: bool) -> bytes | None:
 def _undecided(code: int, collision: Collision | None) -> str:
     if collision is None:
         return f"unknown message {code:04X}h"
-    names = [f"{each.name} of {each.service.removeprefix(STANDARD)} {each.version}" for each in collision.entries]
+    names = [f"{entry.name} of {entry.service.removeprefix(STANDARD)} {entry.version}" for entry in collision.entries]
     return f"message {code:04X}h is {' or '.join(names)}; specify the {collision.remedy}"
 
 

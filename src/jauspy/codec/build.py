@@ -145,8 +145,8 @@ def _planned(schema: m.Schema) -> list[_Planned]:
                 found.append(_Planned(module, taken[message.name], service, message, asks(message, service)))
     for one in found:
         if one.is_query:
-            own = (other for other in found if other.module == one.module)
-            one.answer = next((other for other in own if answers(one.message, other.message)), None)
+            same_module = (other for other in found if other.module == one.module)
+            one.answer = next((other for other in same_module if answers(one.message, other.message)), None)
     return found
 
 
@@ -379,7 +379,7 @@ class _Owner:
         return self._nest(node, key=_bare(node))
 
     def _alias(self, made: type[Struct]) -> type[Struct]:
-        """Also offer a shared class under the message that uses it."""
+        """Offer a shared class under the message that uses it, too."""
         if made.__name__ not in self._taken:
             self._taken.add(made.__name__)
             self._nested[made.__name__] = made

@@ -189,7 +189,7 @@ class Position:
         return f"{self._base} + {offset}" if offset else self._base
 
     def parenthesized(self) -> str:
-        """As `here`, in parentheses, for use after a minus sign."""
+        """Expression of `here` in parentheses, for use after a minus sign."""
         return f"({self.here()})" if self._base and self._offset else self.here()
 
     def skip(self, size: int) -> None:
@@ -206,8 +206,8 @@ class Position:
 
     def settle(self) -> list[str]:
         """Lines that bring the position into the variable `at`, as loops, branches and calls need it."""
-        here, moved = self.here(), self._base != "at"
-        lines = [f"at = {here}"] if moved else [f"at += {self._offset}"] if self._offset else []
+        position, moved = self.here(), self._base != "at"
+        lines = [f"at = {position}"] if moved else [f"at += {self._offset}"] if self._offset else []
         self.settled()
         return lines
 
@@ -279,8 +279,8 @@ def presence_bits(composite: Composite) -> dict[str, int]:
 
 def run_masks(namespace: Namespace, head: str, run: Iterable[Slot], bits: dict[str, int]) -> str:
     """The packers of a run of optional fields; those without a presence bit are never there."""
-    there = [slot for slot in run if bits.get(slot.name) != 0]
-    codes = [(bits.get(slot.name, 0), code) for slot in there for code in fixed_codes(slot.item) or []]
+    present = [slot for slot in run if bits.get(slot.name) != 0]
+    codes = [(bits.get(slot.name, 0), code) for slot in present for code in fixed_codes(slot.item) or []]
     return namespace.masks(head, codes)
 
 

@@ -231,21 +231,21 @@ class _Decoder:
 
     def _number(self, code: str, name: str) -> list[str]:
         """A single unsigned number."""
-        here = self.position.here()
+        position = self.position.here()
         self.position.skip(SIZES[code])
         if code == "B":
-            return [f"{name} = data[{here}]"]
-        return [f"({name},) = {self.namespace.packer(code)}.unpack_from(data, {here})"]
+            return [f"{name} = data[{position}]"]
+        return [f"({name},) = {self.namespace.packer(code)}.unpack_from(data, {position})"]
 
     def _run(self, run: Run, bits: dict[str, int]) -> list[str]:
         if not any(slot.optional for slot in run):
             return self._unpack_slots(run, "self")
         mask = sum(bits[slot.name] for slot in run if slot.optional)
-        here = self.position.here()
+        position = self.position.here()
         lines = [
             f"packer = {run_masks(self.namespace, '', run, bits)}[mask & 0x{mask:X}]",
-            f"raw = iter(packer.unpack_from(data, {here})).__next__",
-            "at += packer.size" if here == "at" else f"at = {here} + packer.size",
+            f"raw = iter(packer.unpack_from(data, {position})).__next__",
+            "at += packer.size" if position == "at" else f"at = {position} + packer.size",
         ]
         self.position.settled()
         for slot in run:
@@ -270,14 +270,14 @@ class _Decoder:
     def _unpack(self, codes: list[str], targets: list[str]) -> list[str]:
         if not codes:
             return []
-        here = self.position.here()
+        position = self.position.here()
         if len(codes) <= 3 and set(codes) == {"B"}:  # indexing costs less than a call
             places = [self.position.here(number) for number in range(len(codes))]
             self.position.skip(len(codes))
             return [f"{target} = data[{place}]" for target, place in zip(targets, places, strict=True)]
         self.position.skip(size_of(codes))
         names = f"({targets[0]},)" if len(targets) == 1 else ", ".join(targets)
-        return [f"{names} = {self.namespace.packer(codes)}.unpack_from(data, {here})"]
+        return [f"{names} = {self.namespace.packer(codes)}.unpack_from(data, {position})"]
 
     def _single(self, slot: Slot, bits: dict[str, int]) -> list[str]:
         target = member("self", slot.name)
@@ -387,9 +387,12 @@ class _Decoder:
 
     def _grid(self, item: Grid, hint: str, target: str) -> list[str]:
         """Numbers: one call unpacks them all."""
-        raw, here, codes = self.locals.name(hint), self.position.here(), grid_codes(item)
+        raw, position, codes = self.locals.name(hint), self.position.here(), grid_codes(item)
         self.position.skip(size_of(codes))
-        return [f"{raw} = {self.namespace.packer(codes)}.unpack_from(data, {here})", *grid_values(item, raw, target)]
+        return [
+            f"{raw} = {self.namespace.packer(codes)}.unpack_from(data, {position})",
+            *grid_values(item, raw, target),
+        ]
 
     def _choice(self, layout: Choice) -> list[str]:
         lines = ["choice = data[at]"]

@@ -100,6 +100,8 @@ class _Checks:
         exact = f"{raw} = exact_raw({name}, {self._namespace.scaling(scaling)})"
         if scaling.function != "round" or scaling.top > 0xFFFFFFFF or not 0 < scaling.factor < math.inf:
             return [*lines, exact], [raw]
+        # raw = floor((value - lower) top / (upper - lower) + 1/2) in floats; near a tie, where their errors may decide,
+        # in rational numbers
         return [
             *lines,
             f"near = {scaling.position.format(name)}",

@@ -154,7 +154,7 @@ class ExplainedValue:
     raw: int | float | bytes
     value: Any
     problem: str = ""
-    """What the definition requires instead of this value or these bytes."""
+    """Requirement of the definition that this value or these bytes do not meet."""
     damaged: bool = False
     """True for the field that cannot be read; no field after it can be read, either."""
 
@@ -168,7 +168,7 @@ class Explainer:
         self._size = size
         """Bytes of the message."""
         self._unusual = ""
-        """What is wrong with the value of the next row."""
+        """Problem of the value of the next row."""
 
     def message(self, message: m.MessageDefinition, tree: Container) -> dict[str, Any]:
         """The values of the body."""

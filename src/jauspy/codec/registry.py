@@ -226,9 +226,9 @@ class Registry:
         """The other messages with the id of a message: in other versions of its set, and in `collisions`."""
         code = kind.CODE
         if kind not in self._others:
-            here = (kind.NAME, kind.SERVICE, kind.VERSION)
+            key = (kind.NAME, kind.SERVICE, kind.VERSION)
             entries = self.entries_of(code)
-            first = [entry for entry in entries if (entry.name, entry.service, entry.version) == here]
+            first = [entry for entry in entries if (entry.name, entry.service, entry.version) == key]
             self._others[kind] = meanings([*first, *entries])[1:] if len(entries) > 1 else ()
         return self._others[kind]
 

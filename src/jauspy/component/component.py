@@ -70,15 +70,15 @@ class LoopTimer:
         self._handle: asyncio.TimerHandle | None = None
         self._at: float | None = None
 
-    def set(self, loop: asyncio.AbstractEventLoop, at: float | None) -> None:
+    def set(self, loop: asyncio.AbstractEventLoop, due: float | None) -> None:
         """Set the time, None for never; the same time as before costs nothing."""
         if self._handle is not None:
-            if at == self._at:
+            if due == self._at:
                 return
             self._handle.cancel()
             self._handle = None
-        if at is not None:
-            self._handle, self._at = loop.call_later(max(0.0, at - self._clock()), self._expire), at
+        if due is not None:
+            self._handle, self._at = loop.call_later(max(0.0, due - self._clock()), self._expire), due
 
     def cancel(self) -> None:
         """Cancel the timer, if it is set."""
@@ -229,11 +229,13 @@ class Component:
         self._acknowledgements = Acknowledgements(self._endpoint, self._on_unreachable)
 
     def __repr__(self) -> str:
-        return f"<component {self.id} with {', '.join(each.name for each in self.host.definitions.values())}>"
+        return (
+            f"<component {self.id} with {', '.join(definition.name for definition in self.host.definitions.values())}>"
+        )
 
     @property
     def id(self) -> JausID:
-        """Its current id."""
+        """Current JAUS id of the component."""
         return self.host.id
 
     @property
@@ -340,11 +342,11 @@ class Component:
 
         Raises `ProtocolError` for a wildcard destination, since broadcasts are not acknowledged.
         """
-        to = JausID.of(destination)
-        if to.is_wildcard:
-            raise ProtocolError("not_acknowledged", f"{to} is a broadcast, which is not acknowledged")
-        ticket = self._send(to, message, priority, Broadcast.NONE, Ack.REQUIRED)
-        await self._acknowledgements.wait(ticket, f"{to} did not acknowledge {message.NAME}")
+        receiver = JausID.of(destination)
+        if receiver.is_wildcard:
+            raise ProtocolError("not_acknowledged", f"{receiver} is a broadcast, which is not acknowledged")
+        ticket = self._send(receiver, message, priority, Broadcast.NONE, Ack.REQUIRED)
+        await self._acknowledgements.wait(ticket, f"{receiver} did not acknowledge {message.NAME}")
 
     def move(self, id: str | JausID) -> None:
         """Change the id: registration and Discovery have the new one, events and control end.
@@ -511,8 +513,8 @@ class Component:
         """Set the timer; most datagrams do not change it."""
         if self._loop is not None:
             services, delivery = self.host.next_timeout(), self._endpoint.next_timeout()
-            at = services if delivery is None or (services is not None and services < delivery) else delivery
-            self._timer.set(self._loop, at)
+            due = services if delivery is None or (services is not None and services < delivery) else delivery
+            self._timer.set(self._loop, due)
 
     def host_towards(self, id: JausID) -> str | None:
         """The host to which datagrams for a component are sent; None if the transport does not know it."""
@@ -553,10 +555,10 @@ def run(*components: Component) -> None:
 
     Raises `TransportError` when one cannot start. In a program with its own event loop, use `component.run()`.
     """
-    for each in components:
-        if not isinstance(each, Component):
+    for component in components:
+        if not isinstance(component, Component):
             raise TypeError(
-                f"run() takes components, as in jauspy.Component('101.1.120', [...]), not {described(each)}"
+                f"run() takes components, as in jauspy.Component('101.1.120', [...]), not {described(component)}"
             )
     try:
         asyncio.run(_serve(components))

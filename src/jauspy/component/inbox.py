@@ -40,7 +40,7 @@ class ClientInbox:
         self._queues.setdefault(key, deque()).append(packet)
         self._size += 1
         if self._size > MAX_WAITING:
-            self._drop(max(self._queues, key=lambda each: len(self._queues[each])))
+            self._drop(max(self._queues, key=lambda client: len(self._queues[client])))
 
     def take(self) -> Packet | None:
         """Remove and return the packet whose turn it is."""

@@ -79,7 +79,7 @@ def check_stream(client: Client, event: int, rate: float, report: type[Message])
     client.forget(Event)  # of before: the tester may have been held up
     arrivals = client.collect(Event, seconds)
     _there_are_some(tester, arrivals)
-    unexpected = {each.event_id for _, each in arrivals} - {event}
+    unexpected = {arrival.event_id for _, arrival in arrivals} - {event}
     tester.check(
         "the events have the id that was confirmed",
         f"they have {sorted(unexpected)}, not {event}" if unexpected else "",
@@ -119,11 +119,11 @@ def _content(event: Event, report: type[Message]) -> str:
 
 def pace(arrivals: Arrivals, rate: float) -> str:
     """Return what is wrong with the intervals, or an empty string; the first report may arrive at any time."""
-    times = [at for at, _ in arrivals]
+    times = [time for time, _ in arrivals]
     if len(times) < PERIODS - 1:
         return f"{len(times)} events came in {PERIODS / rate:.3g} s, which is not {rate:.2g} Hz"
     intervals = [after - before for before, after in pairwise(times)]
-    wrong = [each for each in intervals if abs(each * rate - 1.0) > TOLERANCE]
+    wrong = [interval for interval in intervals if abs(interval * rate - 1.0) > TOLERANCE]
     return f"{len(times)} events, {wrong[0]:.3f} s apart, which is not {rate:.2g} Hz" if wrong else ""
 
 

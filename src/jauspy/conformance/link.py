@@ -169,11 +169,11 @@ class UdpLink:
         except OSError:  # an ICMP error of an earlier datagram; a missing answer is reported elsewhere
             return None
         packets, _ = judp.unpack_all(datagram)
-        if any(int(each.source) in self._ids for each in packets):
+        if any(int(packet.source) in self._ids for packet in packets):
             return None
-        for each in packets:
-            if not each.source.is_wildcard:
-                self._learn(int(each.source), sender)
+        for packet in packets:
+            if not packet.source.is_wildcard:
+                self._learn(int(packet.source), sender)
         return datagram
 
     def _learn(self, id: int, address: Address) -> None:

@@ -178,7 +178,7 @@ def discover(tester: Tester) -> Offers:
     a whole timeout. If a component does not answer, its whole node is queried, because often one Discovery service
     reports for all components.
     """
-    listed = that("lists a component", lambda report: any(each.component_list for each in report.node_list))
+    listed = that("lists a component", lambda report: any(node.component_list for node in report.node_list))
     client = tester.client(DISCOVERY_CLIENT)
     try:
         first = client.ask(ALL_SERVICES, ReportServices, listed, within=2.0)

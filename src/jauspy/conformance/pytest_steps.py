@@ -25,7 +25,7 @@ def offers_of(virtual_target: VirtualTarget) -> Offers:
     """The services of the components of a virtual target, read without messages."""
     return Offers(
         {
-            id: frozenset(each.key for each in component.host.definitions.values())
+            id: frozenset(definition.key for definition in component.host.definitions.values())
             for id, component in virtual_target.components.items()
         }
     )
@@ -73,7 +73,7 @@ class _Session:
         self._running: Iterator[Result] = iter(())
         self._results: list[Result] = []
         self._problem: JausError | None = None
-        """Why the steps that follow cannot be run."""
+        """Reason why the steps that follow cannot be run."""
         self._closed = False
 
     def test_of(self, number: int) -> Callable[[], None]:

@@ -54,7 +54,7 @@ def page(report: Report) -> str:
         summary=summary(report),
         counts=[(verdict, report.counts[verdict]) for verdict in Verdict if report.counts[verdict]],
         transitions=transitions_summary(report),
-        not_taken=[each for each in report.transitions if not each.step],
+        not_taken=[transition for transition in report.transitions if not transition.step],
     )
 
 
@@ -108,9 +108,9 @@ def _case(suite: ET.Element, report: Report, result: Result) -> None:
 def explanation(result: Result) -> list[str]:
     """The expectation of a failed step, the check that does not hold, and the messages that came."""
     return [
-        *(f"expected: {each}" for each in result.expected),
-        *(f"failed check: {each.name}: {each.problem}" for each in result.failed_checks),
-        *(f"came: {each}" for each in result.came),
+        *(f"expected: {line}" for line in result.expected),
+        *(f"failed check: {check.name}: {check.problem}" for check in result.failed_checks),
+        *(f"came: {line}" for line in result.came),
     ]
 
 
@@ -135,15 +135,15 @@ def result_json(result: Result) -> dict[str, Any]:
         "reason": result.reason,
         "why": result.why,
         "expected": list(result.expected),
-        "checks": [{"check": each.name, "problem": each.problem} for each in result.checks],
-        "failed": [each.name for each in result.failed_checks],
+        "checks": [{"check": check.name, "problem": check.problem} for check in result.checks],
+        "failed": [check.name for check in result.failed_checks],
         "came": list(result.came),
         "began": round(result.began, 6),
         "elapsed": round(result.elapsed, 6),
         "points": result.points,
         "earned": result.earned,
         "taken": list(result.taken),
-        "traffic": [entry_json(each) for each in result.entries],
+        "traffic": [entry_json(entry) for entry in result.entries],
         "left_out": result.omitted,
     }
 
@@ -159,12 +159,14 @@ def entry_json(entry: TraceEntry) -> dict[str, Any]:
 
 
 def transitions_json(report: Report) -> dict[str, Any]:
-    """Of the target's state machines: how many there are, how many were taken and judged, and why others were not."""
+    """Count transitions of the target's state machines: all, taken and judged ones, and why others were not."""
     found = report.transitions
     return {
         "declared": len(found),
-        "taken": sum(1 for each in found if each.step),
-        "left": [{"transition": each.name, "reason": each.reason} for each in found if not each.step],
+        "taken": sum(1 for transition in found if transition.step),
+        "left": [
+            {"transition": transition.name, "reason": transition.reason} for transition in found if not transition.step
+        ],
     }
 
 

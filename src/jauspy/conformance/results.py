@@ -14,7 +14,7 @@ from jauspy.errors import JausError
 
 
 class Verdict(StrEnum):
-    """How one step ended."""
+    """Outcome of one step."""
 
     PASS = "pass"  # noqa: S105 # nosec B105 # a verdict
     FAIL = "fail"
@@ -26,7 +26,7 @@ class Verdict(StrEnum):
     MALFORMED = "malformed"
     """The right message id with bytes that its definition does not allow."""
     SKIPPED = "skipped"
-    """Not run, for the given reason."""
+    """Skipped step, for the given reason."""
 
 
 MAX_CAME: Final = 3
@@ -34,7 +34,7 @@ MAX_CAME: Final = 3
 DEPENDS_ON_TARGET: Final = (
     "it depends on internal state of the target: another transition was taken, or it is not known which"
 )
-"""Why a transition was not seen although its input was sent."""
+"""Reason why a transition was not seen although its input was sent."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,15 +86,15 @@ class Result:
     @property
     def failed_checks(self) -> tuple[CheckResult, ...]:
         """The checks that do not hold."""
-        return tuple(each for each in self.checks if each.problem)
+        return tuple(check for check in self.checks if check.problem)
 
     @property
     def came(self) -> tuple[str, ...]:
         """The last messages that came in a step that did not pass, decoded, the last one first."""
         if self.verdict in (Verdict.PASS, Verdict.SKIPPED):
             return ()
-        received = (each for each in reversed(self.entries) if each.direction is Direction.RECEIVED)
-        return tuple(islice((line for each in received for line in each.lines), MAX_CAME)) or ("nothing",)
+        received = (entry for entry in reversed(self.entries) if entry.direction is Direction.RECEIVED)
+        return tuple(islice((line for message in received for line in message.lines), MAX_CAME)) or ("nothing",)
 
     @property
     def rest(self) -> str:
@@ -130,7 +130,7 @@ class Report:
     @property
     def points(self) -> tuple[float, float]:
         """Points earned, and points of all steps."""
-        return sum(each.earned for each in self.results), sum(each.points for each in self.results)
+        return sum(result.earned for result in self.results), sum(result.points for result in self.results)
 
     @property
     def transitions(self) -> tuple[TransitionResult, ...]:
@@ -150,7 +150,7 @@ class Report:
     @property
     def failures(self) -> tuple[Result, ...]:
         """The steps that neither passed nor were skipped."""
-        return tuple(each for each in self.results if each.verdict not in (Verdict.PASS, Verdict.SKIPPED))
+        return tuple(result for result in self.results if result.verdict not in (Verdict.PASS, Verdict.SKIPPED))
 
     @property
     def status(self) -> int:
@@ -165,7 +165,7 @@ class Report:
 def transitions_summary(report: Report) -> str:
     """Such as `218 of 230 transitions were taken and judged`; empty for a profile without state machines."""
     found = report.transitions
-    taken = sum(1 for each in found if each.step)
+    taken = sum(1 for transition in found if transition.step)
     return f"{taken} of {len(found)} state machine transitions in these steps were taken and judged" if found else ""
 
 

@@ -79,9 +79,9 @@ class LivenessMonitor:
         self._asked = self._asked % MAX_PROBE_CLIENTS + 1
         asking = tester.client(f"42.9.{self._asked}")
         asking.pending.clear()
-        for to in {tester.target, tester.memory.get("component", tester.target)}:
+        for destination in {tester.target, tester.memory.get("component", tester.target)}:
             for ping in HARMLESS_QUERIES:
-                asking.send(ping, to=to)
+                asking.send(ping, to=destination)
         return tester.pump(
             tester.now + tester.timeout,
             lambda: any(tester.target.matches(heard.source) for heard in asking.pending),
@@ -255,7 +255,7 @@ def _check_one_component(tester: Tester) -> None:
     found = {source for source, _ in client.answers(query, ReportIdentification, COUNT_TIME * tester.timeout)}
     if not found:  # a late answer must not pass for one to the first step
         deadline = tester.now + LATE_TIME * tester.timeout
-        tester.pump(deadline, lambda: any(each.code == ReportIdentification.CODE for each in client.pending))
+        tester.pump(deadline, lambda: any(packet.code == ReportIdentification.CODE for packet in client.pending))
     if len(found) > 1:
         ids = ", ".join(map(str, sorted(found)))
         raise ConfigError(
@@ -291,7 +291,7 @@ def _offers(profile: Profile, tester: Tester, named: Offers | None) -> Offers:
 
 
 def _chosen(steps: tuple[Step, ...], only: Iterable[str]) -> tuple[Step, ...]:
-    chosen = tuple(step for step in steps if not only or any(step.id.startswith(each) for each in only))
+    chosen = tuple(step for step in steps if not only or any(step.id.startswith(prefix) for prefix in only))
     if not chosen:
         beginnings = list(dict.fromkeys(step.id.partition("/")[0] for step in steps))
         there_are = ", ".join([*beginnings[:12], *(["..."] if len(beginnings) > 12 else [])])
@@ -320,7 +320,7 @@ def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
         title=step.title,
         verdict=verdict,
         reason=reason,
-        why="; ".join(dict.fromkeys(each for each in (*tester.why, step.why) if each)),
+        why="; ".join(dict.fromkeys(reason for reason in (*tester.why, step.why) if reason)),
         expected=tuple(dict.fromkeys(tester.expected)),
         checks=tuple(tester.checks),
         entries=tester.record.of_step,

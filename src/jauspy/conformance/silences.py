@@ -58,18 +58,18 @@ class Silences:
 
         Raises `Skipped` if the last ones there were silent, or if those in several states were and it never passed.
         """
-        here = self._inputs[message].setdefault(state, [])
-        if len(here) >= MAX_SILENCES:
-            raise Skipped(f"{message} is not sent again in {state}: {here[-1]} in {len(here)} steps before")
+        inputs = self._inputs[message].setdefault(state, [])
+        if len(inputs) >= MAX_SILENCES:
+            raise Skipped(f"{message} is not sent again in {state}: {inputs[-1]} in {len(inputs)} steps before")
         everywhere = [reason for reasons in self._inputs[message].values() for reason in reasons]
         if message not in self._passed and len(everywhere) > MAX_SILENCES:
             raise Skipped(f"{message} is not sent again: {everywhere[-1]} in {len(everywhere)} steps before")
         try:
             yield
         except Silent as silent:
-            here.append(str(silent))
+            inputs.append(str(silent))
             raise
-        here.clear()
+        inputs.clear()
         self._passed.add(message)
 
 

@@ -194,7 +194,10 @@ MANAGEMENT_TABLE: Final = StateTable(
     "1.1",
     "AS5710 rev. A, Management",
     (
-        *(TableRow(each, OTHER, QueryStatus(), answer(ReportStatus, status=each.status), each) for each in EVERYWHERE),
+        *(
+            TableRow(state, OTHER, QueryStatus(), answer(ReportStatus, status=state.status), state)
+            for state in EVERYWHERE
+        ),
         TableRow(STANDBY, CONTROLLER, Resume(), None, READY),
         *ignored(Resume(), (FREE, OTHER), (STANDBY, OTHER), (READY, CONTROLLER), (EMERGENCY, CONTROLLER)),
         TableRow(READY, CONTROLLER, Standby(), None, STANDBY),
@@ -246,7 +249,7 @@ ACCESS_CONTROL_TABLE: Final = StateTable(
     "1.1",
     "AS5710 rev. A, AccessControl",
     (
-        *(TableRow(each, OTHER, QueryControl(), _controlled_by(each.controller), each) for each in EVERYWHERE),
+        *(TableRow(state, OTHER, QueryControl(), _controlled_by(state.controller), state) for state in EVERYWHERE),
         *everywhere(OTHER, QueryTimeout(), answer(ReportTimeout)),
         *everywhere(OTHER, QueryAuthority(), answer(ReportAuthority)),
         TableRow(FREE, CONTROLLER, RequestControl, _confirm(ACCEPTED), STANDBY, effect=AUTHORITY_KEPT),
@@ -345,7 +348,7 @@ LIST_TABLE: Final = StateTable(
     (
         *everywhere(OTHER, QueryElementCount(), answer(ReportElementCount)),
         *everywhere(OTHER, QueryElementList(), answer(ReportElementList)),
-        *ignored(QueryElement(UNKNOWN_ID), *((each, OTHER) for each in EVERYWHERE), variant="an unknown one"),
+        *ignored(QueryElement(UNKNOWN_ID), *((state, OTHER) for state in EVERYWHERE), variant="an unknown one"),
         TableRow(STANDBY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, STANDBY, variant="an unknown message"),
         TableRow(READY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, READY, variant="an unknown message"),
         *ignored(UNSUPPORTED_ELEMENT, (FREE, OTHER), (STANDBY, OTHER), variant="an unknown message"),
@@ -411,7 +414,7 @@ TABLES: Final = (
 def table_steps(component: JausID, offered: Iterable[ServiceKey], wanted: Iterable[ServiceKey]) -> list[Step]:
     """A step for each row of the `wanted` services whose state a component that offers these services can be in."""
     services = frozenset(urn for urn, _ in offered)
-    tables = [each for each in TABLES if (each.service, each.version) in wanted]
+    tables = [table for table in TABLES if (table.service, table.version) in wanted]
     return [
         _step(component, services, table, row)
         for table in tables
@@ -473,9 +476,9 @@ def _steering_of(test: RowTest, tester: Tester) -> Steering:
 
 
 def _cancel_events(test: RowTest, client: Client) -> None:
-    for each in list(client.confirmed):
-        if each.code == ConfirmEventRequest.CODE:
-            event = ConfirmEventRequest.decode(each.payload, strict=False)[0].event_id
+    for packet in list(client.confirmed):
+        if packet.code == ConfirmEventRequest.CODE:
+            event = ConfirmEventRequest.decode(packet.payload, strict=False)[0].event_id
             client.ask(CancelEvent(REQUEST, event), ConfirmEventRequest, to=test.component)
 
 

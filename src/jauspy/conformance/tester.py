@@ -86,7 +86,7 @@ class Expectation(Generic[M]):
         """Return the message. Raises `StepOutcome` if none fits; one that comes within twice the time is late."""
         self._seconds = seconds
         tester, deadline = self._tester, self._tester.now + seconds
-        tester.expected.append(" and ".join((message_name(self._kind), *(each.name for each in self._checks))))
+        tester.expected.append(" and ".join((message_name(self._kind), *(check.name for check in self._checks))))
         tester.pump(deadline, self._process_pending)
         if self._found is None and (self._outcome is None or self._source.is_wildcard):
             tester.pump(deadline + seconds, self._process_pending)
@@ -139,9 +139,9 @@ class Expectation(Generic[M]):
             return
         self._client.pending.remove(received)
         results = [
-            CheckResult(f"{message_name(self._kind)} {each.name}", each.problem(message)) for each in self._checks
+            CheckResult(f"{message_name(self._kind)} {check.name}", check.problem(message)) for check in self._checks
         ]
-        problems = [each.problem for each in results if each.problem]
+        problems = [result.problem for result in results if result.problem]
         outcome = (
             Failed(f"{message_name(self._kind)} from {received.source}: {'; '.join(problems)}") if problems else None
         )
@@ -267,7 +267,7 @@ class Client:
 
         Messages for which `where` is false stay pending. `source` is the target, or one component of it.
         """
-        flat = [one for each in checks for one in ((each,) if isinstance(each, Check) else each)]
+        flat = [one for check in checks for one in ((check,) if isinstance(check, Check) else check)]
         return Expectation(self, answer, flat, where, source).wait(within * self.tester.timeout)
 
     def collect(
@@ -305,8 +305,8 @@ class Client:
 
     def unasked(self, besides: Collection[int] = ()) -> list[str]:
         """The names of pending messages, except events, queries of the target and these ids."""
-        waiting = [each for each in self.pending if self.tester.target.matches(each.source)]
-        return [self.name_of(each) for each in waiting if is_answer(each.code) and each.code not in besides]
+        waiting = [packet for packet in self.pending if self.tester.target.matches(packet.source)]
+        return [self.name_of(packet) for packet in waiting if is_answer(packet.code) and packet.code not in besides]
 
     def name_of(self, received: ReceivedMessage) -> str:
         """The name and id of a message, as in `ReportStatus 4002h`."""
@@ -315,7 +315,7 @@ class Client:
 
     def forget(self, kind: type[Message]) -> None:
         """Discard pending messages of this kind."""
-        self.pending = deque((each for each in self.pending if each.code != kind.CODE), maxlen=MAX_PENDING)
+        self.pending = deque((packet for packet in self.pending if packet.code != kind.CODE), maxlen=MAX_PENDING)
 
     def take(self, datagram: bytes) -> None:
         """Handle a datagram for this client, and acknowledge packets that require it."""
@@ -369,7 +369,7 @@ Listener: TypeAlias = Callable[[Packet, bool], None]
 
 
 class StepNotes(NamedTuple):
-    """What the report has of a step: its source, expectations and checks."""
+    """Record of a step for the report: its source, expectations and checks."""
 
     why: tuple[str, ...]
     expected: tuple[str, ...]
@@ -535,16 +535,16 @@ class Tester:
         self._record(Direction.RECEIVED, datagram, other_port=arrival.other_port)
         packets, errors = judp.unpack_all(datagram)
         for client in self._clients.values():
-            if errors or any(each.destination.matches(client.id) for each in packets):
+            if errors or any(packet.destination.matches(client.id) for packet in packets):
                 client.take(datagram)
         for packet in packets:
             for listener in self.listeners:
                 listener(packet, arrival.other_port)
-        if any(self.target.matches(each.source) for each in packets):
+        if any(self.target.matches(packet.source) for packet in packets):
             self.has_received = self.received_in_step = True
             if not self.target.is_wildcard or "component" in self.memory:
                 return
-            self.memory["component"] = next(each.source for each in packets if self.target.matches(each.source))
+            self.memory["component"] = next(packet.source for packet in packets if self.target.matches(packet.source))
 
     def _record(self, direction: Direction, datagram: bytes, *, other_port: bool) -> None:
         self.record.add(TraceEntry(self.now, direction, datagram, self.registry, other_port))

@@ -44,7 +44,7 @@ class TraceEntry:
         """A line for each packet: from, to, message and fields."""
         if not self.packets:
             return (f"{len(self.data)} bytes that are no AS5669A packet",)
-        return tuple(f"{each.source} to {each.destination}: {self._content(each)}" for each in self.packets)
+        return tuple(f"{packet.source} to {packet.destination}: {self._content(packet)}" for packet in self.packets)
 
     def _content(self, packet: Packet) -> str:
         if not packet.payload:
@@ -81,7 +81,7 @@ class ReceivedMessage:
 
     @property
     def code(self) -> int:
-        """Its message id."""
+        """Message id of the datagram."""
         return message_id(self.payload)
 
 

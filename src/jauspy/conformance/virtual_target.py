@@ -78,7 +78,7 @@ class TargetComponent:
 
     def next_timeout(self) -> float | None:
         """Time of the next call of `work`; None if nothing is scheduled."""
-        due = [at for at in (self.host.next_timeout(), self.endpoint.next_timeout()) if at is not None]
+        due = [time for time in (self.host.next_timeout(), self.endpoint.next_timeout()) if time is not None]
         return min(due, default=None)
 
 
@@ -101,7 +101,7 @@ class VirtualTarget:
         step: float = 0.02,
         now: float = 0.0,
     ) -> None:
-        self.components = {each.host.id: each for each in components}
+        self.components = {component.host.id: component for component in components}
         self.node = Router(ROOT)
         self._delay = delay
         self._tick = tick
@@ -142,8 +142,8 @@ class VirtualTarget:
         """Deliver a datagram to the node manager after the delay."""
         port = OTHER_PORT if other_port else USUAL_PORT
         self._listening.add(port)
-        for each in self.inbound(datagram):
-            heapq.heappush(self._in_flight, (self._now + self._delay, next(self._order), each, port))
+        for copy in self.inbound(datagram):
+            heapq.heappush(self._in_flight, (self._now + self._delay, next(self._order), copy, port))
 
     def receive(self, until: float) -> Arrival | None:
         """The next arrival; virtual time advances until then, at most to `until`."""
@@ -161,14 +161,14 @@ class VirtualTarget:
     def _next_event(self) -> float:
         times = [component.next_timeout() for component in self.components.values()]
         times += [self.node.next_timeout(), self._in_flight[0][0] if self._in_flight else None]
-        return max(self._now, min((at for at in times if at is not None), default=float("inf")))
+        return max(self._now, min((time for time in times if time is not None), default=float("inf")))
 
-    def _advance(self, to: float) -> None:
-        while self._tick is not None and self._now < to:
-            span = min(self._step, to - self._now)
+    def _advance(self, end: float) -> None:
+        while self._tick is not None and self._now < end:
+            span = min(self._step, end - self._now)
             self._tick(span)
-            self._now = to if span < self._step else self._now + span
-        self._now = max(self._now, to)
+            self._now = end if span < self._step else self._now + span
+        self._now = max(self._now, end)
         while self._in_flight and self._in_flight[0][0] <= self._now:
             _, _, datagram, port = heapq.heappop(self._in_flight)
             self.node.receive(datagram, port, self._now)
@@ -196,4 +196,4 @@ class VirtualTarget:
         elif isinstance(port, GroupPort | UdpPort):
             back = self.reply_port(port) if isinstance(port, UdpPort) else USUAL_PORT
             if back in self._listening:
-                self._arrived += (Arrival(each, back == OTHER_PORT) for each in self.outbound(datagram))
+                self._arrived += (Arrival(copy, back == OTHER_PORT) for copy in self.outbound(datagram))

@@ -102,7 +102,7 @@ class Fuzzer:
     def replay(self, finding: FuzzFinding) -> FuzzFinding | None:
         """Check the bytes of a finding again; None if there is no problem any more."""
         if finding.check == CHECK:
-            return next((each for each in self.identity if each.cause == finding.cause), None)
+            return next((case for case in self.identity if case.cause == finding.cause), None)
         wanted = (finding.message, finding.service, finding.version)
         for target in self.targets:
             if wanted == (target.cls.NAME, target.cls.SERVICE, target.cls.VERSION):
@@ -209,7 +209,7 @@ def run(plan: CampaignPlan, progress: Callable[[CampaignResult], None] = lambda 
     """Run all cases. `progress` is called after each chunk of cases."""
     first = fuzzer(plan)
     outcome = CampaignResult(messages=len(first.targets), seeds=len(first.seeds))
-    outcome.findings.update((each.cause, each) for each in first.identity)
+    outcome.findings.update((case.cause, case) for case in first.identity)
     progress(outcome)
     for report in _in_this_process(first, plan) if plan.jobs == 1 else _in_processes(plan):
         outcome.cases += report.cases
@@ -258,9 +258,9 @@ CHECK: Final = "identity"
 
 def load_package(name: str) -> Registry:
     """The registry of a package of `jauspy schema generate`, also in this folder; raises `ConfigError`."""
-    here = str(Path.cwd())
-    if here not in sys.path:
-        sys.path.insert(0, here)
+    folder = str(Path.cwd())
+    if folder not in sys.path:
+        sys.path.insert(0, folder)
     try:
         found = getattr(import_module(name), "registry", None)
     except ImportError as error:
@@ -300,7 +300,7 @@ def _key(entry: MessageEntry) -> tuple[str, str, str]:
 
 
 def _instead(entry: MessageEntry, defined: Registry) -> str:
-    versions = [each.version for each in defined.own if (each.service, each.name) == (entry.service, entry.name)]
+    versions = [known.version for known in defined.own if (known.service, known.name) == (entry.service, entry.name)]
     return f", but in version {' and '.join(versions)}" if versions else ""
 
 

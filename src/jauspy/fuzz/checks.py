@@ -51,7 +51,7 @@ def _inside(name: str, item: Item, value: Any, reference: Any) -> str | None:
 def _elements(item: Item, value: Any, reference: Any) -> str | None:
     if len(value) != len(reference):
         return "length"
-    found = (difference(item, own, other) for own, other in zip(value, reference, strict=True))
+    found = (difference(item, one, other) for one, other in zip(value, reference, strict=True))
     return next((path for path in found if path is not None), None)
 
 
@@ -85,10 +85,10 @@ def _real(item: Real, value: Any, reference: Any) -> str | None:
 def _composite(item: Composite, value: Any, reference: dict[str, Any]) -> str | None:
     left = dict(reference)
     for slot in item.slots:
-        own, other = getattr(value, slot.name), left.pop(slot.name, None)
-        if (own is None) != (other is None):
+        field_value, other = getattr(value, slot.name), left.pop(slot.name, None)
+        if (field_value is None) != (other is None):
             return slot.name
-        found = None if own is None else _inside(slot.name, slot.item, own, other)
+        found = None if field_value is None else _inside(slot.name, slot.item, field_value, other)
         if found is not None:
             return found
     spare = left.pop("reserved_presence", 0)

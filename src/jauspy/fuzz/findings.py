@@ -161,9 +161,9 @@ def _shorter(data: bytes, budget: _Attempts) -> bytes:
 
 def _zeroed(data: bytes, budget: _Attempts) -> bytes:
     """Replace bytes by zeros where the problem remains."""
-    for at in range(MESSAGE_ID_SIZE, len(data)):
-        if data[at]:
-            candidate = data[:at] + b"\0" + data[at + 1 :]
+    for offset in range(MESSAGE_ID_SIZE, len(data)):
+        if data[offset]:
+            candidate = data[:offset] + b"\0" + data[offset + 1 :]
             if budget.shows(candidate):
                 data = candidate
     return data

@@ -293,78 +293,78 @@ class _Scanner:
         self.data = data
         self.offsets: list[ByteSpan] = []
 
-    def _add(self, kind: OffsetKind, at: int, code: str, item: Item | None = None) -> int:
+    def _add(self, kind: OffsetKind, offset: int, code: str, item: Item | None = None) -> int:
         """Add the offset of a number; returns its value."""
         size = SIZES[code]
-        if at + size > len(self.data):
+        if offset + size > len(self.data):
             raise _OutOfData
-        self.offsets.append(ByteSpan(kind, at, size, item))
-        return int.from_bytes(self.data[at : at + size], "little")
+        self.offsets.append(ByteSpan(kind, offset, size, item))
+        return int.from_bytes(self.data[offset : offset + size], "little")
 
-    def item(self, item: Item, at: int) -> int:
+    def item(self, item: Item, offset: int) -> int:
         """Add the offsets of an item; returns its end."""
         match item:
             case Composite():
-                return self._composite(item, at)
+                return self._composite(item, offset)
             case Number() | Real() | Bits():
-                self._add("number", at, item.code, item)
-                return at + SIZES[item.code]
+                self._add("number", offset, item.code, item)
+                return offset + SIZES[item.code]
             case Choice():
-                chosen = self._add("tag", at, "B", item)
+                chosen = self._add("tag", offset, "B", item)
                 if chosen not in item.items:
                     raise _OutOfData
-                return self.item(item.items[chosen], at + 1)
+                return self.item(item.items[chosen], offset + 1)
             case Formatted():
-                chosen = self._add("tag", at, "B", item)
-                return self._bytes(item.count, at + 1, nested=chosen in item.nested_formats)
+                chosen = self._add("tag", offset, "B", item)
+                return self._bytes(item.count, offset + 1, nested=chosen in item.nested_formats)
             case Text(count=None):
-                return at + item.length
+                return offset + item.length
             case Text():
                 assert item.count is not None
-                return self._bytes(item.count, at, nested=False)
+                return self._bytes(item.count, offset, nested=False)
             case Blob():
-                return self._bytes(item.count, at, nested=item.nested is not None)
+                return self._bytes(item.count, offset, nested=item.nested is not None)
             case Repeat():
-                return self._repeat(item, at)
+                return self._repeat(item, offset)
             case Union():
-                tag = self._add("tag", at, item.code, item)
+                tag = self._add("tag", offset, item.code, item)
                 if tag >= len(item.arms):
                     raise _OutOfData
-                return self._composite(list(item.arms.values())[tag], at + SIZES[item.code])
+                return self._composite(list(item.arms.values())[tag], offset + SIZES[item.code])
             case Grid():
                 for _ in range(math.prod(item.sizes)):
-                    at = self.item(item.item, at)
-                return at
+                    offset = self.item(item.item, offset)
+                return offset
             case _:
                 raise TypeError(item)
 
-    def _composite(self, item: Composite, at: int) -> int:
-        mask, place, vector = 0, len(self.offsets), at
+    def _composite(self, item: Composite, offset: int) -> int:
+        mask, place, vector = 0, len(self.offsets), offset
         if item.presence:
-            mask = self._add("presence", at, item.presence, item)
-            at += SIZES[item.presence]
+            mask = self._add("presence", offset, item.presence, item)
+            offset += SIZES[item.presence]
         cuts: list[int] = []
         for slot in item.slots:
-            start = at
+            start = offset
             if not slot.optional or mask >> len(cuts) // 2 & 1:
-                at = self.item(slot.item, at)
+                offset = self.item(slot.item, offset)
             if slot.optional:
-                cuts += [start, at]
+                cuts += [start, offset]
         if item.presence:
             self.offsets[place] = ByteSpan("presence", vector, SIZES[item.presence], item, tuple(cuts))
-        return at
+        return offset
 
-    def _counted(self, count: Count, at: int, cuts: list[int], *, nested: bool = False) -> None:
+    def _counted(self, count: Count, offset: int, cuts: list[int], *, nested: bool = False) -> None:
         self.offsets.append(
-            ByteSpan(kind="count", at=at, size=SIZES[count.code], item=None, cuts=tuple(cuts), nested=nested)
+            ByteSpan(kind="count", at=offset, size=SIZES[count.code], item=None, cuts=tuple(cuts), nested=nested)
         )
 
-    def _bytes(self, count: Count, at: int, *, nested: bool) -> int:
-        size = self._add("count", at, count.code)
+    def _bytes(self, count: Count, offset: int, *, nested: bool) -> int:
+        size = self._add("count", offset, count.code)
         self.offsets.pop()
-        start = at + SIZES[count.code]
+        start = offset + SIZES[count.code]
         end = min(start + size, len(self.data))
-        self._counted(count, at, [start, end], nested=nested)
+        self._counted(count, offset, [start, end], nested=nested)
         if nested:
             self._message(start, end)
         return start + size
@@ -388,16 +388,16 @@ class _Scanner:
                     )
                 )
 
-    def _repeat(self, item: Repeat, at: int) -> int:
-        total = self._add("count", at, item.count.code)
+    def _repeat(self, item: Repeat, offset: int) -> int:
+        total = self._add("count", offset, item.count.code)
         place = len(self.offsets) - 1
-        start = at
-        at += SIZES[item.count.code]
-        cuts = [at]
+        start = offset
+        offset += SIZES[item.count.code]
+        cuts = [offset]
         for _ in range(total):
-            at = self.item(item.item, at)
-            if at > len(self.data):
+            offset = self.item(item.item, offset)
+            if offset > len(self.data):
                 raise _OutOfData
-            cuts.append(at)
+            cuts.append(offset)
         self.offsets[place] = ByteSpan("count", start, SIZES[item.count.code], item, tuple(cuts))
-        return at
+        return offset

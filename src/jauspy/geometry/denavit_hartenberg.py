@@ -121,7 +121,7 @@ def _axes(chain: Sequence[Joint]) -> tuple[list[_Axis], list[Joint], Transform]:
 
 
 def _normals(axes: Sequence[_Axis]) -> list[tuple[Vector, Vector]]:
-    """For each axis the direction of the common normal with the next one, and where it starts on the axis."""
+    """Directions of the common normals of each axis with the next one, and where they start on the axis."""
     found: list[tuple[Vector, Vector]] = []
     for number, axis in enumerate(axes):
         if number + 1 < len(axes):
@@ -137,12 +137,12 @@ def _normal(axis: _Axis, following: _Axis, before: Vector | None) -> tuple[Vecto
     sine = math.sqrt(dot(normal, normal))
     if sine > PARALLEL_TOLERANCE:
         # the distance along this axis at which the two lines come closest to each other
-        along = dot(cross(between, following.direction), normal) / (sine * sine)
-        return scaled(normal, 1.0 / sine), add(axis.point, scaled(axis.direction, along))
-    across = difference(between, scaled(axis.direction, dot(between, axis.direction)))
-    distance = math.sqrt(dot(across, across))
+        shift = dot(cross(between, following.direction), normal) / (sine * sine)
+        return scaled(normal, 1.0 / sine), add(axis.point, scaled(axis.direction, shift))
+    perpendicular = difference(between, scaled(axis.direction, dot(between, axis.direction)))
+    distance = math.sqrt(dot(perpendicular, perpendicular))
     if distance > PARALLEL_TOLERANCE:
-        return scaled(across, 1.0 / distance), axis.point
+        return scaled(perpendicular, 1.0 / distance), axis.point
     if before is not None and abs(dot(before, axis.direction)) < PARALLEL_TOLERANCE:
         return before, axis.point
     return _any_normal(axis.direction), axis.point
@@ -151,8 +151,8 @@ def _normal(axis: _Axis, following: _Axis, before: Vector | None) -> tuple[Vecto
 def _any_normal(direction: Vector) -> Vector:
     """A direction perpendicular to another: forward or left if possible."""
     start = X if abs(direction[0]) < 0.9 else Y
-    across = difference(start, scaled(direction, dot(start, direction)))
-    return scaled(across, 1.0 / math.sqrt(dot(across, across)))
+    perpendicular = difference(start, scaled(direction, dot(start, direction)))
+    return scaled(perpendicular, 1.0 / math.sqrt(dot(perpendicular, perpendicular)))
 
 
 def _frame(axis: _Axis, origin: Vector, normal: Vector) -> Transform:
@@ -161,13 +161,13 @@ def _frame(axis: _Axis, origin: Vector, normal: Vector) -> Transform:
 
 
 def _link(joint: Joint, before: Transform, axis: _Axis, frame: Transform) -> DHLink:
-    """From the frame of the joint before to this joint's."""
-    along, _, previous = transposed(before.rotation)
-    length = dot(difference(axis.point, before.position), along)
-    arrival = add(before.position, scaled(along, length))
+    """Parameters that lead from the frame of the joint before to that of this joint."""
+    x_axis, _, previous = transposed(before.rotation)
+    length = dot(difference(axis.point, before.position), x_axis)
+    arrival = add(before.position, scaled(x_axis, length))
     offset = dot(difference(frame.position, arrival), axis.direction)
-    twist = _angle(previous, axis.direction, along)
-    angle = _angle(along, transposed(frame.rotation)[0], axis.direction)
+    twist = _angle(previous, axis.direction, x_axis)
+    angle = _angle(x_axis, transposed(frame.rotation)[0], axis.direction)
     return DHLink(joint, length, twist, offset, angle)
 
 
@@ -190,7 +190,7 @@ def pan_tilt_frame(chain: Sequence[Joint]) -> Transform:
 
 
 def reversed_axes(chain: Sequence[Joint]) -> tuple[bool, bool]:
-    """For pan and tilt: whether the joint's axis is opposite to JAUS's, which are down and right."""
+    """Test for pan and tilt whether the joint's axis is opposite to JAUS's, which are down and right."""
     frame, axes = Transform(), list[Vector]()
     for joint in chain:
         if joint.kind is not JointKind.FIXED:

@@ -1,4 +1,4 @@
-"""How wide two fingers that slide are open, by the positions of their joints."""
+"""Width between two fingers that slide, by the positions of their joints."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class FingerWidth:
     """The metres between two fingers: a sum, since they slide."""
 
     at_zero: float
-    """With all joints at zero."""
+    """Width with all joints at zero, metres."""
     rates: Mapping[str, float] = field(default_factory=dict)
     """Metres by which a metre of each independent joint widens it, by name."""
 
@@ -52,7 +52,7 @@ def finger_width(description: RobotDescription, joints: Sequence[str]) -> Finger
 
 
 def _opening(joint: Joint, frames: Mapping[str, Transform]) -> Vector:
-    """Where a finger goes as the position of its driven joint grows, in the root link's frame, per metre."""
+    """Direction of a finger as the position of its driven joint grows, in the root link's frame, per metre."""
     x, y, z = frames[joint.child].rotate(joint.axis)
     rate = joint.multiplier if joint.mimics else 1.0
     return rate * x, rate * y, rate * z

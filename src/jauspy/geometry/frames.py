@@ -69,7 +69,7 @@ class FrameTree:
 
     def between(self, link: str, other: str) -> list[Joint]:
         """The joints, fixed ones included, that connect two links."""
-        chains = [self.description.chain(self.root, each) for each in (link, other)]
+        chains = [self.description.chain(self.root, end) for end in (link, other)]
         return [joint for one, two in (chains, chains[::-1]) for joint in one if joint not in two]
 
     def is_fixed(self, link: str) -> bool:

@@ -37,20 +37,20 @@ def to_ecef(place: Geodetic) -> Vector:
 def from_ecef(point: Vector) -> Geodetic:
     """The inverse of `to_ecef`: fixed-point iteration, exact to nanometres on and near the ground."""
     x, y, z = point
-    across = math.hypot(x, y)
-    latitude = math.atan2(z, across * (1.0 - _E2))
+    axis_distance = math.hypot(x, y)
+    latitude = math.atan2(z, axis_distance * (1.0 - _E2))
     normal = SEMI_MAJOR_AXIS
     for _ in range(6):
         normal = SEMI_MAJOR_AXIS / math.sqrt(1.0 - _E2 * math.sin(latitude) ** 2)
-        latitude = math.atan2(z + _E2 * normal * math.sin(latitude), across)
+        latitude = math.atan2(z + _E2 * normal * math.sin(latitude), axis_distance)
     # Of the two ways to the height one loses its digits at the poles and the other at the equator.
-    height = across * math.cos(latitude) + z * math.sin(latitude) - SEMI_MAJOR_AXIS**2 / normal
+    height = axis_distance * math.cos(latitude) + z * math.sin(latitude) - SEMI_MAJOR_AXIS**2 / normal
     return Geodetic(latitude, math.atan2(y, x), height)
 
 
 def to_ned(origin: Geodetic, place: Geodetic) -> Vector:
     """Metres north, east and down from the origin, in its tangent plane."""
-    x, y, z = (there - here for there, here in zip(to_ecef(place), to_ecef(origin), strict=True))
+    x, y, z = (coordinate - reference for coordinate, reference in zip(to_ecef(place), to_ecef(origin), strict=True))
     sine, cosine = math.sin(origin.latitude), math.cos(origin.latitude)
     outward = math.cos(origin.longitude) * x + math.sin(origin.longitude) * y
     east = -math.sin(origin.longitude) * x + math.cos(origin.longitude) * y

@@ -28,7 +28,7 @@ MAX_STEP: Final = 0.5
 POSE_WEIGHTS: Final = (0.2, 0.01, 0.0)
 """Metres that a radian of attitude error counts as, descent by descent: the full pose first, the point alone last."""
 POINT_WEIGHTS: Final = (0.0, 0.01, 0.0)
-"""As `POSE_WEIGHTS`, for the second try from a start: the point first."""
+"""Weights as in `POSE_WEIGHTS`, for the second try from a start: the point first."""
 MIN_RELATIVE_GAIN: Final = 0.02
 """A descent ends when a step lowers the cost by less than this part."""
 NEAR: Final = 0.5
@@ -255,7 +255,7 @@ def halton_point(index: int, limits: Sequence[tuple[float, float]]) -> tuple[flo
 
     For a joint without limits, it covers one turn.
     """
-    rows = zip((_one_turn(*each) for each in limits), cycle(HALTON_BASES), strict=False)
+    rows = zip((_one_turn(*limit) for limit in limits), cycle(HALTON_BASES), strict=False)
     return tuple(low + (high - low) * _radical_inverse(index, base) for (low, high), base in rows)
 
 

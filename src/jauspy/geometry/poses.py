@@ -90,12 +90,12 @@ class Transform:
     def to_pose(self) -> Pose:
         """The inverse of `from_pose`; where x points straight up or down, the roll is zero."""
         (xx, _, _), (yx, yy, _), (zx, zy, zz) = self.rotation
-        across = math.hypot(xx, yx)
-        if across < 1e-9:
+        cos_pitch = math.hypot(xx, yx)
+        if cos_pitch < 1e-9:
             roll, yaw = 0.0, math.atan2(-self.rotation[0][1], yy)
         else:
             roll, yaw = math.atan2(zy, zz), math.atan2(yx, xx)
-        return Pose(*self.position, roll, math.atan2(-zx, across), yaw)
+        return Pose(*self.position, roll, math.atan2(-zx, cos_pitch), yaw)
 
 
 @dataclass(frozen=True, slots=True)

@@ -40,7 +40,7 @@ class Joint:
     origin: Pose = ORIGIN
     """The joint's frame in the parent link's, at position zero."""
     axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
-    """Of unit length, in the joint's frame."""
+    """Unit vector of the axis, in the joint's frame."""
     lower: float = 0.0
     upper: float = 0.0
     effort: float = 0.0
@@ -67,7 +67,7 @@ class Joint:
         return self.kind is not JointKind.FIXED and self.mimics is None
 
     def position(self, positions: Mapping[str, float]) -> float:
-        """Its position where the independent joints have `positions`, by name; those without one are at zero."""
+        """Position of the joint where independent joints have `positions`, by name; joints without one are at zero."""
         if self.mimics is None:
             return positions.get(self.name, 0.0)
         return self.multiplier * positions.get(self.mimics, 0.0) + self.offset
@@ -392,9 +392,9 @@ def _size(geometry: Element | None) -> tuple[float, float, float] | None:
             x, y, z = numbers(kind, "size", 3)
             return x, y, z
         case "cylinder":
-            across = 2.0 * numbers(kind, "radius", 1)[0]
-            return across, across, numbers(kind, "length", 1)[0]
+            diameter = 2.0 * numbers(kind, "radius", 1)[0]
+            return diameter, diameter, numbers(kind, "length", 1)[0]
         case "sphere":
-            across = 2.0 * numbers(kind, "radius", 1)[0]
-            return across, across, across
+            diameter = 2.0 * numbers(kind, "radius", 1)[0]
+            return diameter, diameter, diameter
     return None

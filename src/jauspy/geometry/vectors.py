@@ -9,7 +9,7 @@ Vector: TypeAlias = tuple[float, float, float]
 Rotation: TypeAlias = tuple[Vector, Vector, Vector]
 """The rows of a 3 x 3 rotation matrix."""
 Quaternion: TypeAlias = tuple[float, float, float, float]
-"""As JAUS writes it: scalar d, then the vector a, b, c."""
+"""Quaternion as JAUS writes it: scalar d, then the vector a, b, c."""
 
 X: Final[Vector] = (1.0, 0.0, 0.0)
 Y: Final[Vector] = (0.0, 1.0, 0.0)

@@ -147,7 +147,7 @@ class LiveMapping:
             self.counters["scans"] += 1
 
     async def _add(self, pose: PlanarPose, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]) -> None:
-        """When cancelled, waits until the scan is in the map."""
+        """Add a scan; when cancelled, wait until it is in the map."""
         if not self._threaded:
             self.mapper.add(pose, lidar, angles, ranges)
             return
@@ -165,8 +165,8 @@ class LiveMapping:
                 await self._updated.wait_for(lambda: self._poses and _after(self._poses[-1].time, time) >= 0.0)
         except TimeoutError:
             return None
-        earlier = [each for each in self._poses if _after(each.time, time) <= 0.0]
-        later = next(each for each in self._poses if _after(each.time, time) >= 0.0)
+        earlier = [pose for pose in self._poses if _after(pose.time, time) <= 0.0]
+        later = next(pose for pose in self._poses if _after(pose.time, time) >= 0.0)
         return interpolated(earlier[-1], later, time) if earlier else None
 
 

@@ -1,7 +1,8 @@
 """Makes a map from scans and odometry, and corrects the odometry by scan matching.
 
 Matching is a Gauss-Newton search for the pose at which the ends of the rays fit the map, coarse to fine, similar to
-Hector SLAM (Kohlbrecher et al., 2011). Where the map does not constrain the pose, as along a corridor, odometry does.
+Hector SLAM (Kohlbrecher et al., A flexible and scalable SLAM system with full 3D motion estimation, 2011). Where the
+map does not constrain the pose, as along a corridor, odometry does.
 """
 
 from __future__ import annotations
@@ -81,14 +82,14 @@ class Mapper:
         self, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]
     ) -> tuple[Points, NDArray[np.bool_]]:
         """Ends of the rays in the robot's frame, shape (n, 2), and which are echoes, shape (n,)."""
-        at, far = np.asarray(angles), np.asarray(ranges)
-        used = np.flatnonzero((far > 0.0) & np.isfinite(at))
+        bearings, distances = np.asarray(angles), np.asarray(ranges)
+        used = np.flatnonzero((distances > 0.0) & np.isfinite(bearings))
         if len(used) > MAX_RAYS:
             used = used[np.linspace(0, len(used) - 1, MAX_RAYS).astype(np.intp)]
-        at, far = at[used], far[used]
-        echoes = far <= self._max_range
-        far = np.minimum(far, self._max_range)
-        return transformed(lidar, np.column_stack([far * np.cos(at), far * np.sin(at)])), echoes
+        bearings, distances = bearings[used], distances[used]
+        echoes = distances <= self._max_range
+        distances = np.minimum(distances, self._max_range)
+        return transformed(lidar, np.column_stack([distances * np.cos(bearings), distances * np.sin(bearings)])), echoes
 
 
 def _moved(step: PlanarPose) -> bool:
@@ -103,9 +104,11 @@ def match(grid: OccupancyGrid, points: Points, guess: PlanarPose, deviation: tup
     if len(points) < MIN_POINTS:
         return guess
     normals = _normal_projections(points)
+    # least squares over the echoes and the guess: sum of w (1 - attraction)^2 + (guess - pose)' P^-1 (guess - pose)
     occupied = grid.log_odds > 0.0
     prior = 1.0 / np.array([deviation[0], deviation[0], deviation[1]]) ** 2
     pose = expected = np.array(guess)
+    # wide attraction first, which finds the wall from afar, then narrow, which finds its place
     for cells in ATTRACTION_WIDTHS:
         near = _attraction(occupied, cells)
         for _ in range(MAX_ITERATIONS):
@@ -117,7 +120,10 @@ def match(grid: OccupancyGrid, points: Points, guess: PlanarPose, deviation: tup
 
 
 def _step(residuals: Array, slopes: Array, prior: Array, offset: Array) -> Array:
-    """The Gauss-Newton step, shape (3,), for residuals (n,), their slopes (n, 3), and the offset (3,) to the guess."""
+    """The Gauss-Newton step, shape (3,), for residuals (n,), their slopes (n, 3), and the offset (3,) to the guess.
+
+    It solves (w J'J + P^-1) step = w J'r + P^-1 offset, with the weight w of an echo and the covariance P of the guess.
+    """
     hessian = POINT_WEIGHT * slopes.T @ slopes + np.diag(prior)
     return np.asarray(np.linalg.solve(hessian, POINT_WEIGHT * slopes.T @ residuals + prior * offset), np.float64)
 
@@ -125,12 +131,14 @@ def _step(residuals: Array, slopes: Array, prior: Array, offset: Array) -> Array
 def _slopes(grid: OccupancyGrid, near: Array, scan: tuple[Points, Array], pose: Array) -> tuple[Array, Array]:
     """Residuals (n,): the attraction that each end lacks; and its slopes (n, 3) along x, y (1/m) and yaw (1/rad)."""
     points, normals = scan
-    there = transformed(PlanarPose(*pose.tolist()), points)
-    value, slope = _sample(grid, near, there)
+    placed = transformed(PlanarPose(*pose.tolist()), points)
+    value, slope = _sample(grid, near, placed)
+    # project each slope on the normal of its wall, in the map: R N R'
     c, s = np.cos(pose[2]), np.sin(pose[2])
     turn = np.array([[c, -s], [s, c]])
     slope = np.einsum("nij,nj->ni", turn @ normals @ turn.T, slope)
-    around = there - pose[:2]
+    # a turn moves an end at (x, y) from the robot by (-y, x)
+    around = placed - pose[:2]
     return 1.0 - value, np.column_stack([slope, slope[:, 1] * around[:, 0] - slope[:, 0] * around[:, 1]])
 
 
@@ -140,11 +148,11 @@ def _normal_projections(points: Points) -> Array:
     Without it, ends would be attracted along the wall to the part that the map already has.
     """
     before, after = (np.roll(points, shift, axis=0) for shift in (1, -1))
-    to, on = points - before, after - points
-    lengths = np.maximum(np.hypot(*to.T) * np.hypot(*on.T), 1e-9)
-    straight = (to * on).sum(axis=1) / lengths > MIN_STRAIGHTNESS
-    along = after - before
-    normal = np.column_stack([-along[:, 1], along[:, 0]]) / np.maximum(np.hypot(*along.T), 1e-9)[:, None]
+    to_before, to_after = points - before, after - points
+    lengths = np.maximum(np.hypot(*to_before.T) * np.hypot(*to_after.T), 1e-9)
+    straight = (to_before * to_after).sum(axis=1) / lengths > MIN_STRAIGHTNESS
+    tangent = after - before
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]]) / np.maximum(np.hypot(*tangent.T), 1e-9)[:, None]
     projections: Array = normal[:, :, None] * normal[:, None, :] * straight[:, None, None]
     return projections
 
@@ -156,6 +164,7 @@ def _sample(grid: OccupancyGrid, near: Array, points: Points) -> tuple[Array, Ar
     u, v = (place - np.floor(place)).T
     a, b = near[row, column], near[row, column + 1]
     c, d = near[row + 1, column], near[row + 1, column + 1]
+    # bilinear, with the derivative of the same polynomial
     value = (1.0 - v) * ((1.0 - u) * a + u * b) + v * ((1.0 - u) * c + u * d)
     slope = np.column_stack([(1.0 - v) * (b - a) + v * (d - c), (1.0 - u) * (c - a) + u * (d - b)])
     return value, slope / grid.resolution
@@ -180,10 +189,11 @@ def _attraction(occupied: NDArray[np.bool_], cells: int) -> Array:
         return near
     window = np.s_[_around(rows, cells), _around(columns, cells)]
     part = occupied[window].astype(np.float64)
+    # each round lets a cell have what its largest neighbour has, less one step: a distance along rows and columns
     for _ in range(cells):
         before = part - 1.0 / cells
-        for there, here in _NEIGHBOURS:
-            np.maximum(part[there], before[here], out=part[there])
+        for target, source in _NEIGHBOURS:
+            np.maximum(part[target], before[source], out=part[target])
     near[window] = part
     return near
 

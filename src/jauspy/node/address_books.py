@@ -23,7 +23,7 @@ _Pairs = Iterator[tuple[JausID, NetworkPort]]
 
 FORMS: Final = "udp://IP[:PORT], tcp://HOST[:PORT], serial:DEVICE or IP:PORT (which means UDP)"
 _WRAPPED: Final = ":value"
-"""In FKIE's files, a value may be wrapped together with its description."""
+"""Key of a value that FKIE's files wrap together with its description."""
 
 
 def load_address_book(path: Path) -> AddressEntries:
@@ -89,10 +89,10 @@ def _collect(pairs: Iterable[tuple[JausID, NetworkPort]]) -> AddressEntries:
 
 def _pairs(table: Mapping[str, Any]) -> _Pairs:
     for id, value in table.items():
-        for each in value if isinstance(value, list) else [value]:
-            if not isinstance(each, str):
-                raise ConfigError(f"{id} = {each!r}: write {FORMS}")
-            yield JausID.parse(id), parse_address(each)
+        for address in value if isinstance(value, list) else [value]:
+            if not isinstance(address, str):
+                raise ConfigError(f"{id} = {address!r}: write {FORMS}")
+            yield JausID.parse(id), parse_address(address)
 
 
 def _toml(data: bytes) -> _Pairs:

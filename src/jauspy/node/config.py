@@ -185,7 +185,7 @@ class RuleConfig(NodeSettings):
     """One rule of a gateway; it applies to packets that match all of its conditions."""
 
     action: Literal["allow", "deny"] = "allow"
-    """Whether matching packets are forwarded."""
+    """`allow` forwards matching packets, `deny` drops them."""
     source: IdPattern = "*.*.*"
     """Source ids; * is any."""
     destination: IdPattern = "*.*.*"
@@ -398,7 +398,9 @@ def _make_rule(number: int, config: RuleConfig) -> GatewayRule:
         source=parse_pattern(config.source),
         destination=parse_pattern(config.destination),
         network=config.network,
-        messages=None if config.messages is None else tuple(_message_ids(number, each) for each in config.messages),
+        messages=None
+        if config.messages is None
+        else tuple(_message_ids(number, message) for message in config.messages),
         rate=config.rate,
     )
 
@@ -461,10 +463,10 @@ def _toml_tables(value: object, name: str, field: FieldInfo) -> Iterator[str]:
         yield from [f"[{name}]", *_toml_table(value, f"{name}.")]
     elif isinstance(value, Mapping):
         yield f"[{name}]"
-        yield from (f"{json.dumps(str(key))} = {_toml_value(each)}" for key, each in value.items())
+        yield from (f"{json.dumps(str(key))} = {_toml_value(item)}" for key, item in value.items())
     elif value:
-        for each in value:  # type: ignore[attr-defined]  # a tuple of models
-            yield from [f"[[{name}]]", *_toml_table(each, f"{name}.")]
+        for item in value:  # type: ignore[attr-defined]  # a tuple of models
+            yield from [f"[[{name}]]", *_toml_table(item, f"{name}.")]
     else:
         for example in field.examples or ():
             lines = _toml_tables((example,) if value == () else example, name, field)
@@ -505,6 +507,6 @@ def _toml_value(value: object, *, octal: bool = False) -> str:
         case float():
             return repr(value)
         case tuple() | list():
-            return f"[{', '.join(_toml_value(each) for each in value)}]"
+            return f"[{', '.join(_toml_value(item) for item in value)}]"
         case _:
             return json.dumps(str(value))

@@ -23,17 +23,17 @@ priority, and not in the kernel, which drops whatever arrives last."""
 ROUTE_BURST: Final = 128
 """Datagrams routed before the event loop gets its turn: a few milliseconds at most."""
 LOW_PRIORITY_SHARE: Final = 8
-"""Of these, for the lowest priorities, so that they are late, but not starved, while urgent ones fill every turn."""
+"""Packets of the lowest priorities among these: they are late, not starved, while urgent ones fill every turn."""
 MAX_QUEUED: Final = 4096
 """Queued datagrams; beyond that the oldest of the lowest priority is dropped."""
 PRIORITY_SHARE: Final = 512
-"""Of these, for each priority: a flood of urgent packets does not displace all others."""
+"""Packets of each priority among these: a flood of urgent packets does not displace all others."""
 MAX_QUEUED_BYTES: Final = 16 << 20
-"""Their bytes; for datagrams of less than 4 kB on average, `MAX_QUEUED` is the tighter bound."""
+"""Bytes of all queued datagrams; for datagrams of less than 4 kB on average, `MAX_QUEUED` is the tighter bound."""
 FILTER_ABOVE: Final = 1024
-"""With more queued datagrams, the kernel filter is attached for the priorities of most of them."""
+"""Queued datagrams above which the kernel filter is attached for the priorities of most of them."""
 UNFILTER_BELOW: Final = 256
-"""With no more queued datagrams, the kernel filter is detached."""
+"""Queued datagrams up to which the kernel filter is detached."""
 SAMPLING_STEP: Final = 4
 """Factor by which the accepted share of safety-critical packets shrinks each time that most of a flood are such
 packets."""
@@ -204,7 +204,10 @@ class Ingress:
         self._filtered.clear()
 
     def _drop_excess(self) -> None:
-        for queue, share in [*((each, PRIORITY_SHARE) for each in self._queues), *((each, 0) for each in self._queues)]:
+        for queue, share in [
+            *((queue, PRIORITY_SHARE) for queue in self._queues),
+            *((queue, 0) for queue in self._queues),
+        ]:
             while len(queue) > share and (self._queued > MAX_QUEUED or self._bytes > MAX_QUEUED_BYTES):
                 self._drop_oldest(queue, len(queue) - share)
 

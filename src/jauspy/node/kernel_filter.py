@@ -15,7 +15,7 @@ from jauspy.protocol.header import Priority
 
 _SO_ATTACH_FILTER: Final = 26
 _SO_DETACH_FILTER: Final = 27
-"""From asm-generic/socket.h."""
+"""Socket option of asm-generic/socket.h, which Python does not name."""
 _UDP_HEADER: Final = 8
 _LOAD_BYTE, _LOAD_WORD, _AND, _EQUALS, _ANY_OF, _ABOVE, _RETURN = 0x30, 0x20, 0x54, 0x15, 0x45, 0x25, 0x06
 _RANDOM: Final = 0xFFFFF000 + 56
@@ -51,20 +51,20 @@ def _attach(
     sock: socket.socket, skip: int, hosts: Collection[str], decision: Sequence[tuple[int, int, int, int]]
 ) -> bool:
     """`decision` compares the priority; it falls through to accept the packet, and jumps one further to drop it."""
-    at, end = _UDP_HEADER + skip, len(decision)
+    index, end = _UDP_HEADER + skip, len(decision)
     code = (
         *_only_from(hosts, 6 if sock.family == socket.AF_INET6 else 4),
-        (_LOAD_BYTE, 0, 0, at),
+        (_LOAD_BYTE, 0, 0, index),
         (_EQUALS, 0, 4 + end, header.VERSION),
-        (_LOAD_BYTE, 0, 0, at + 1),
+        (_LOAD_BYTE, 0, 0, index + 1),
         (_ANY_OF, 2 + end, 0, 0xFF),  # compressed, or not AS5669A: the control byte is elsewhere
-        (_LOAD_BYTE, 0, 0, at + 4),
+        (_LOAD_BYTE, 0, 0, index + 4),
         (_AND, 0, 0, 3),
         *decision,
         (_RETURN, 0, 0, _ACCEPT_ALL),
         (_RETURN, 0, 0, 0),
     )
-    program = ctypes.create_string_buffer(b"".join(_INSTRUCTION.pack(*each) for each in code))
+    program = ctypes.create_string_buffer(b"".join(_INSTRUCTION.pack(*instruction) for instruction in code))
     return _set_option(sock, _SO_ATTACH_FILTER, _PROGRAM.pack(len(code), ctypes.addressof(program)))
 
 
@@ -73,14 +73,14 @@ def _only_from(hosts: Collection[str], version: int) -> list[tuple[int, int, int
     if not hosts:
         return []
     addresses = [ipaddress.ip_address(host.partition("%")[0]) for host in hosts]
-    known = [each.packed for each in addresses if each.version == version]
+    known = [address.packed for address in addresses if address.version == version]
     tests: list[tuple[int, int, int, int]] = []
     for others, packed in zip(reversed(range(len(known))), known, strict=True):
-        for at in range(0, len(packed), 4):
-            left = (len(packed) - at - 4) // 2
+        for offset in range(0, len(packed), 4):
+            left = (len(packed) - offset - 4) // 2
             to_end = 0 if left else others * len(packed) // 2 + 1
-            tests.append((_LOAD_WORD, 0, 0, _IP_HEADER + _SOURCE_IN[version] + at))
-            tests.append((_EQUALS, to_end, left, int.from_bytes(packed[at : at + 4])))
+            tests.append((_LOAD_WORD, 0, 0, _IP_HEADER + _SOURCE_IN[version] + offset))
+            tests.append((_EQUALS, to_end, left, int.from_bytes(packed[offset : offset + 4])))
     return [*tests, (_RETURN, 0, 0, _ACCEPT_ALL)]
 
 

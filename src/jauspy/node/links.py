@@ -26,7 +26,7 @@ _LOG = get_logger(__name__)
 MAX_CONNECTIONS: Final = 64
 """Accepted connections; see `TcpPeers` for what happens to further ones."""
 MAX_CONNECTIONS_PER_HOST: Final = 16
-"""Of these, from one host; for IPv6, from one network of 64 bits, because a host there may have any address."""
+"""Connections from one host among these; for IPv6 from one network of 64 bits, whose addresses a host may all have."""
 BUSY_INTERVAL: Final = 5.0
 """Seconds after a packet in which a connection is not closed in favour of one from a host with as many."""
 IDLE_LIMIT: Final = ADDRESS_LIFETIME
@@ -149,20 +149,20 @@ class TcpPeers:
         by_host: dict[str, list[StreamLink]] = {}
         for link in self._links.values():
             by_host.setdefault(_host(link), []).append(link)
-        own = by_host.get(_host(new), [])
-        if len(own) >= MAX_CONNECTIONS_PER_HOST:
-            return _idlest(own) or new
+        of_host = by_host.get(_host(new), [])
+        if len(of_host) >= MAX_CONNECTIONS_PER_HOST:
+            return _idlest(of_host) or new
         if len(self._links) < MAX_CONNECTIONS:
             return None
         most = max(by_host.values(), key=len)
-        if len(most) > len(own) + 1:
+        if len(most) > len(of_host) + 1:
             return _idlest(most) or min(most, key=_activity)
         return _idlest(self._links.values()) or new
 
     def _close_idle(self) -> None:
         self._idle_timer = asyncio.get_running_loop().call_later(IDLE_CHECK_INTERVAL, self._close_idle)
         oldest = asyncio.get_running_loop().time() - IDLE_LIMIT
-        for link in [each for each in self._links.values() if each.active_at < oldest]:
+        for link in [link for link in self._links.values() if link.active_at < oldest]:
             self._counters["tcp.idle"] += 1
             link.close()
 
@@ -196,7 +196,7 @@ def _activity(link: StreamLink) -> tuple[bool, float]:
 def _idlest(links: Iterable[StreamLink]) -> StreamLink | None:
     """The connection that is idle for longest, first of those that never sent a packet; None if all are busy."""
     busy = asyncio.get_running_loop().time() - BUSY_INTERVAL
-    return min((each for each in links if not each.has_received or each.active_at < busy), key=_activity, default=None)
+    return min((link for link in links if not link.has_received or link.active_at < busy), key=_activity, default=None)
 
 
 class Links:

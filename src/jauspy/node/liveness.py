@@ -68,7 +68,7 @@ class ComponentSockets:
     def find_live(self, may_use: Callable[[int], bool]) -> Iterator[tuple[int, str]]:
         """Id and path of each socket in `root` on which a component listens whose user may use the local socket."""
         try:
-            entries = [each for each in os.scandir(self._root) if re.fullmatch(r"[1-9][0-9]{0,9}", each.name)]
+            entries = [entry for entry in os.scandir(self._root) if re.fullmatch(r"[1-9][0-9]{0,9}", entry.name)]
         except OSError:
             return
         for entry in entries:

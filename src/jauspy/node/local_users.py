@@ -130,7 +130,7 @@ def _members(group: int) -> set[int]:
 
 def _parse_address(text: str) -> str:
     """An address as the kernel prints it: words of 32 bits in the byte order of the machine."""
-    words = (int(text[at : at + 8], 16).to_bytes(4, sys.byteorder) for at in range(0, len(text), 8))
+    words = (int(text[offset : offset + 8], 16).to_bytes(4, sys.byteorder) for offset in range(0, len(text), 8))
     address = ipaddress.ip_address(b"".join(words))
     mapped = address.ipv4_mapped if isinstance(address, ipaddress.IPv6Address) else None
     return str(mapped or address)

@@ -89,7 +89,7 @@ class NodeManager:
             gateway=make_gateway(self.config),
             sources=SourceChecks(
                 source_limits(self.config),
-                authenticated=[each.name for each in self.config.all_networks if each.key_file],
+                authenticated=[setup.name for setup in self.config.all_networks if setup.key_file],
             ),
             changed=self._invalidate,
         )
@@ -140,7 +140,7 @@ class NodeManager:
         """The UDP port in use on a network."""
         if network in self._networks:
             return self._networks[network].port
-        return next(each.port for each in self.config.all_networks if each.name == network)
+        return next(setup.port for setup in self.config.all_networks if setup.name == network)
 
     @property
     def tcp_port(self) -> int | None:
@@ -181,10 +181,10 @@ class NodeManager:
             local.give_to_group(self.path, config.local_group)
             may_use = users_of(self.path)
             self._local_users = LocalUsers(may_use)
-            for each in config.all_networks:
-                authenticator = load_key(each.key_file)
-                self._networks[each.name] = Network(
-                    each, self._router.counters, config.receive_buffer, authenticator, self._router.remove_dead
+            for setup in config.all_networks:
+                authenticator = load_key(setup.key_file)
+                self._networks[setup.name] = Network(
+                    setup, self._router.counters, config.receive_buffer, authenticator, self._router.remove_dead
                 )
             await self._links.open(config, self.port, (port for ports in self._known.values() for port in ports))
             self._mirror = await self._open_services()
@@ -450,13 +450,13 @@ class RoutingCache:
     def _find(self, port: Port, ids: int) -> tuple[Send, str, str] | None:
         source, destination = ids >> 32, ids & _IDS
         loop = asyncio.get_running_loop()
-        to = self._router.cacheable_route(source, destination, port, loop.time())
-        send = None if to is None else self._sender_for(to)
-        if to is None or send is None:
+        cached = self._router.cacheable_route(source, destination, port, loop.time())
+        send = None if cached is None else self._sender_for(cached)
+        if cached is None or send is None:
             return None
         if len(self._routes) >= MAX_ROUTES:
             self.clear()
-        route = self._routes[port, ids] = (send, RECEIVED_COUNTERS[type(port)], ROUTED_COUNTERS[type(to)])
+        route = self._routes[port, ids] = (send, RECEIVED_COUNTERS[type(port)], ROUTED_COUNTERS[type(cached)])
         self._ids.update((source, destination))
         if self._timer is None:
             self._timer = loop.call_later(CACHE_LIFETIME, self.clear)

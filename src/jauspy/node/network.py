@@ -27,7 +27,7 @@ _ANY6: Final = "::"
 _IP_RECVERR: Final = 11
 _MSG_ERRQUEUE: Final = 0x2000
 _SO_MEMINFO: Final = 55
-"""From linux/in.h, linux/socket.h and asm-generic/socket.h; Python has no names for them."""
+"""Socket options of linux/in.h, linux/socket.h and asm-generic/socket.h; Python has no names for them."""
 _MEMINFO: Final = struct.Struct("=9I")
 
 

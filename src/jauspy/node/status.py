@@ -78,7 +78,7 @@ class NodeState:
         return {"id": str(JausID.from_int(id)), "address": format_port(port), "heard": round(heard, 3)}
 
     def _gateway_refusals(self) -> list[tuple[Refused, int]]:
-        """What the gateway refused, the most frequent first."""
+        """Count the packets that the gateway refused, the most frequent kind first."""
         gateway = self.router.gateway
         return sorted(gateway.refused.items(), key=lambda entry: -entry[1]) if gateway is not None else []
 

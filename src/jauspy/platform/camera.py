@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Quality(Enum):
-    """How pictures are rendered: without shadows, with shadows, or with finer shadows and smooth edges."""
+    """Quality of rendered pictures: without shadows, with shadows, or with finer shadows and smooth edges."""
 
     LOW = "low"
     MEDIUM = "medium"
@@ -116,7 +116,7 @@ class CameraSession(Protocol):
 
     @property
     def description(self) -> str:
-        """How images are made, for the log."""
+        """Description of the source of images, for the log."""
         ...
 
     @property

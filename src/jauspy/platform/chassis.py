@@ -134,7 +134,7 @@ def measure(robot: RobotModel) -> Measures:
 
 
 def _centre_of_gravity(masses: list[tuple[Inertial, Vector]], mass: float) -> Vector:
-    x, y, z = (sum(body.mass * at[axis] for body, at in masses) / (mass or 1.0) for axis in range(3))
+    x, y, z = (sum(body.mass * position[axis] for body, position in masses) / (mass or 1.0) for axis in range(3))
     return x, y, z
 
 

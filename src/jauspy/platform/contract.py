@@ -58,17 +58,17 @@ class RobotParts(Protocol):
 
     @property
     def groups(self) -> Mapping[str, JointGroup]:
-        """Its other joints, by the names that its description gives them: `arm`, `gripper`."""
+        """Joints besides the chassis, by the names of their groups in the description: `arm`, `gripper`."""
         ...
 
     @property
     def lidars(self) -> Mapping[str, RangeFinder]:
-        """Its lidars, by name, in the order of its description."""
+        """Lidars by name, in the order of the description."""
         ...
 
     @property
     def force_torque(self) -> Mapping[str, ForceTorqueSensor]:
-        """Its sensors of force and torque, by name, in the order of its description."""
+        """Sensors of force and torque by name, in the order of the description."""
         ...
 
     @property
@@ -82,7 +82,7 @@ class Robot(RobotParts, Protocol):
 
     @property
     def cameras(self) -> Mapping[str, CameraSource]:
-        """Its cameras, by name; each shows the state after the last `advance`."""
+        """Cameras by name; each shows the state after the last `advance`."""
         ...
 
     @property
@@ -164,11 +164,11 @@ class OptionalPart(ABC):
     @property
     @abstractmethod
     def id(self) -> PartId:
-        """Its kind, and its name among those; commands to the part have the same."""
+        """Kind of the part, and its name among those; commands to the part have the same id."""
 
     @abstractmethod
     def state(self) -> object:
-        """Its present state, which never changes afterwards, for snapshots."""
+        """Present state of the part, for snapshots: an object that never changes afterwards."""
 
     def stop(self) -> None:
         """Stop all motion of the part immediately; for parts that move. May be called twice."""
@@ -188,7 +188,7 @@ class Snapshot:
     twist: Twist
     acceleration: Acceleration
     joints: Mapping[str, JointState]
-    """By group."""
+    """States of joints, by group."""
     scans: Mapping[str, RangeScan | None]
     """The last scans, by lidar."""
     wrenches: Mapping[str, Wrench]

@@ -88,17 +88,17 @@ class RobotModel:
     model_path: tuple[str, ...] = ()
     """Directories in which an SDF world's `model://` is searched before those of the environment."""
     cell: CellSetup | None = None
-    """What is in the factory cell around it; None for a robot that is not in one."""
+    """Factory cell around the robot; None for a robot that is not in one."""
     can: CanSetup | str | None = None
     """The drives on its CAN bus, for the backend `can`; a sentence if they do not match the robot."""
     wheels: WheelSetup | None = None
-    """In place of tracks."""
+    """Wheels in place of tracks."""
     tilt_guard: TiltSetup | None = None
-    """None: the robot may tilt as it likes."""
+    """Tilt from which on the robot is stopped; None for no limit."""
     localization: LocalizationSetup = EXACT
-    """How it measures its pose; for robots with a chassis."""
+    """Measurement of its pose; for robots with a chassis."""
     lamps: tuple[LampSetup, ...] = ()
     time_of_day: TimeOfDay = TimeOfDay.DAY
-    """Of the simulated world."""
+    """Light of the simulated world."""
     quality: Quality = Quality.MEDIUM
-    """Of the pictures of its cameras in a simulation."""
+    """Quality of the pictures of its cameras in a simulation."""

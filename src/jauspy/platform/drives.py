@@ -31,7 +31,7 @@ class ParkingBrake(OptionalPart):
         """Engage or release the brake. The chassis then stands until its next effort."""
 
     def state(self) -> object:
-        """Whether it is engaged."""
+        """True while the brake is engaged."""
         return self.engaged
 
     def proxy(self, link: RobotLink) -> ParkingBrake:

@@ -22,7 +22,7 @@ ISO_LEVELS: Final = (100, 200, 400, 800, 1600, 3200)
 
 
 class ZoomMode(Enum):
-    """Whether the lens, computation or both zoom."""
+    """Means of zooming: the lens, computation, or both."""
 
     MIXED = "mixed"
     ANALOG_ONLY = "analog"
@@ -57,7 +57,7 @@ class ImagingMode(Enum):
 
 
 class ExposureMode(Enum):
-    """What of the exposure is automatic. The sensitivity is automatic besides, unless it is set."""
+    """Automatic parts of the exposure. The sensitivity is automatic besides, unless it is set."""
 
     AUTO = "auto"
     MANUAL = "manual"
@@ -153,7 +153,7 @@ class ImagingSetup(Table):
         return optical, zoom / optical
 
     def focal_length(self, fov: float) -> float:
-        """In metres, for a horizontal field of view in radians."""
+        """Focal length in metres, for a horizontal field of view in radians."""
         return self.sensor_width / 2.0 / math.tan(fov / 2.0)
 
     def exposures(self, settings: ImagingSettings) -> tuple[float, float]:

@@ -49,7 +49,7 @@ class JointController:
 
     @property
     def wanted_velocity(self) -> float:
-        """Of the setpoint, rad/s or m/s; 0 without one."""
+        """Velocity of the setpoint, rad/s or m/s; 0 without one."""
         return self._setpoint.velocity
 
     @property

@@ -31,7 +31,7 @@ class Target:
     mode: ControlMode
     value: float
     compensated: bool = False
-    """Of an effort: in addition to what gravity needs, at the same share of the speed limit as of the greatest effort;
+    """True for an effort in addition to what gravity needs, at its share of the speed limit as of the greatest effort;
     zero holds the position."""
     speed: float | None = None
     acceleration: float | None = None
@@ -65,7 +65,7 @@ class JointState:
     velocities: tuple[float, ...]
     efforts: tuple[float, ...]
     overloads: Mapping[str, float] = field(default_factory=dict)
-    """What loads those joints whose brakes hold because their motors cannot, by name; N m or N."""
+    """Loads of joints whose brakes hold because their motors cannot, by name; N m or N."""
 
 
 class JointGroup(Protocol):

@@ -19,7 +19,7 @@ DAYLIGHT: Final = 20_000.0
 
 
 class TimeOfDay(Enum):
-    """How much light the sky gives; by night there is that of a lit street far away."""
+    """Light of the sky; by night there is that of a lit street far away."""
 
     DAY = "day"
     DUSK = "dusk"
@@ -66,11 +66,11 @@ class LampSetup(Table):
     brightness: Annotated[float, Interval(gt=0.0, le=1e6)] = 2000.0
     """Luminous flux, in lumens."""
     position: tuple[_Coordinate, _Coordinate, _Coordinate] = (0.0, 0.0, 0.0)
-    """In the frame of the link, in metres."""
+    """Position in the frame of the link, in metres."""
     tilt: Annotated[float, Interval(ge=-90.0, le=90.0), Converted(math.radians)] = 0.0
     """Radians (degrees in the file) below the x axis."""
     on: bool = False
-    """Whether it is on at the start."""
+    """True if the lamp is on at the start."""
 
     @property
     def intensity(self) -> float:

@@ -110,7 +110,7 @@ def _none(given: object) -> object:
 
 @dataclass(frozen=True, slots=True)
 class LocalizationSetup(Table):
-    """How a robot measures its pose, by sensors with errors or exactly: the table `[localization]`."""
+    """Measurement of a robot's pose, by sensors with errors or exactly: the table `[localization]`."""
 
     source: Literal["sensors", "exact"] | None = None
     """None: `sensors` on the backend `sim`, `exact` on `kinematic`; on a bus of servo drives their encoders."""
@@ -124,7 +124,7 @@ class LocalizationSetup(Table):
     that is known."""
 
     def is_exact(self, default: bool) -> bool:
-        """Whether the pose is exact, on a backend that does so by default, or not."""
+        """True if the pose is exact; `default` is what the backend does unless the file says otherwise."""
         return default if self.source is None else self.source == "exact"
 
     def with_receiver(self, *, has_origin: bool) -> LocalizationSetup:
@@ -147,7 +147,7 @@ class PoseEstimate:
 
     @property
     def position_rms(self) -> float:
-        """In three dimensions."""
+        """Error of the position in three dimensions, metres."""
         return math.hypot(self.horizontal_rms, self.vertical_rms)
 
 
@@ -157,15 +157,15 @@ class LocalizationState:
     """The estimate of a robot's motion. Both poses are in the estimated frame of the world."""
 
     local: PoseEstimate
-    """By dead reckoning; its errors are counted since the start, or since the pose was declared."""
+    """Pose by dead reckoning; its errors are counted since the start, or since the pose was declared."""
     globe: PoseEstimate
-    """By GNSS and dead reckoning."""
+    """Pose by GNSS and dead reckoning."""
     twist: Twist
-    """In the frame of the base."""
+    """Velocity in the frame of the base."""
     velocity_rms: float
     rate_rms: float
     acceleration: Acceleration
-    """In the frame of the base, without gravity."""
+    """Acceleration in the frame of the base, without gravity."""
     acceleration_rms: float
     angular_acceleration_rms: float
 
@@ -256,9 +256,9 @@ class LocalizedDrive:
         return self._state().local.pose
 
     def twist(self) -> Twist:
-        """By odometry and gyroscope."""
+        """Velocity by odometry and gyroscope."""
         return self._state().twist
 
     def acceleration(self) -> Acceleration:
-        """By the accelerometer, without gravity."""
+        """Acceleration by the accelerometer, without gravity."""
         return self._state().acceleration

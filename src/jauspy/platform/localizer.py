@@ -52,7 +52,7 @@ FIRST_FIX_DEVIATION: Final = 1000.0
 """Standard deviation of the position before the first fix, in metres."""
 
 
-MAX_SURPRISE: Final = 6.0
+MAX_INNOVATION: Final = 6.0
 """Standard deviations between fix and dead reckoning above which the fix is trusted: the robot slid, or was carried."""
 
 
@@ -74,7 +74,7 @@ class MeasuredDrive(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Turning:
-    """How a chassis turns, as its odometry assumes."""
+    """Turning behaviour of a chassis, as its odometry assumes."""
 
     point: float = 0.0
     """Metres ahead of the base, of the point that does not move sideways."""
@@ -135,10 +135,10 @@ class Localizer(Localization):
         """As `Localization.declare`."""
         self._move_filters(self._read_at)
         if position_rms is not None:
-            self._local.declare((X, Y), position_rms / math.sqrt(3.0))
+            self._local.reset_variance((X, Y), position_rms / math.sqrt(3.0))
             self._height_rms = position_rms / math.sqrt(3.0)
         if heading_rms is not None:
-            self._local.declare((YAW,), heading_rms)
+            self._local.reset_variance((YAW,), heading_rms)
         self._state = None
 
     def step(self, now: float) -> None:
@@ -167,11 +167,14 @@ class Localizer(Localization):
         rates = difference(measured, self._bias)
         self._rest = self._rest + dt if self._stands(travel, rates) else 0.0
         up, before = self._attitude.up(), self._attitude.forward()
+        # accelerations: of the base without gravity, and of its turn
         linear = difference(force, scaled(up, GRAVITY))
         angular = scaled(difference(rates, self._rates), 1.0 / dt)
         at_rest = self._rest > REST_TIME
         self._rates = rates
+        # at rest a turn about the vertical is bias and noise: the heading stays
         turned = difference(rates, scaled(up, dot(rates, up))) if at_rest else rates
+        # what the accelerometer measures of a curve and of speeding up, which is not gravity: dv/dt + w x v
         curving = ((speed - self._speed) / dt, rates[2] * speed, -rates[1] * speed)
         self._speed = speed
         if self._imu is None:
@@ -217,8 +220,9 @@ class Localizer(Localization):
         self._moved, self._moved_at = _Moved(self._angles[2]), now
 
     def _correct_bias(self, moved: _Moved) -> None:
+        """Correct the bias of the gyroscope by its mean at rest: a Kalman filter of one state for each axis."""
         noise = self._imu_setup.gyro_noise / math.sqrt(moved.at_rest)
-        variance = self._local.covariance[BIAS][BIAS]
+        variance = self._local.covariance[GYRO_BIAS][GYRO_BIAS]
         gain = variance / (variance + noise**2)
         mean = scaled(moved.rates, 1.0 / moved.at_rest)
         step = scaled(difference(mean, self._bias), gain)
@@ -226,7 +230,7 @@ class Localizer(Localization):
             self._globe.correct_bias(mean[2] - self._bias[2], noise, step[2])
         x, y, z = self._bias
         self._bias = (x + step[0], y + step[1], z + step[2])
-        self._local.declare((BIAS,), math.sqrt(variance * (1.0 - gain)))
+        self._local.reset_variance((GYRO_BIAS,), math.sqrt(variance * (1.0 - gain)))
 
     def _errors(self, local: PoseFilter) -> tuple[float, float, float]:
         return local.horizontal_rms, self._height_rms, math.hypot(self._tilt_rms, self._tilt_rms, local.yaw_rms)
@@ -236,13 +240,13 @@ class Localizer(Localization):
         roll, pitch, yaw = self._angles
         setup, local = self._imu_setup, self._local
         pose = Pose(self._x, self._y, self._z, roll, pitch, yaw=yaw)
-        here = PoseEstimate(pose, *self._errors(local))
+        local_estimate = PoseEstimate(pose, *self._errors(local))
         gyro_noise = setup.gyro_noise / math.sqrt(dt)
-        bias_rms = math.sqrt(local.covariance[BIAS][BIAS])
+        bias_rms = math.sqrt(local.covariance[GYRO_BIAS][GYRO_BIAS])
         force_noise = setup.acceleration_noise / math.sqrt(dt)
         return LocalizationState(
-            local=here,
-            globe=here if self._globe is None else self._globe.estimate(pose, self._moved, self._tilt_rms),
+            local=local_estimate,
+            globe=local_estimate if self._globe is None else self._globe.estimate(pose, self._moved, self._tilt_rms),
             twist=Twist(travel.forward / dt, travel.left / dt, 0.0, *self._rates),
             velocity_rms=math.hypot(self._scale_error * self._speed, self._resolution / dt),
             rate_rms=math.sqrt(3.0) * math.hypot(gyro_noise, bias_rms),
@@ -256,7 +260,7 @@ class Localizer(Localization):
 _NO_IMU: Final = ImuSetup(
     rate=RATE, gyro_noise=0.0, gyro_scale_error=TURN_ERROR, acceleration_bias=GRAVITY * math.radians(3.0)
 )
-"""What is known of the attitude without one."""
+"""Stand-in for a missing IMU: the errors of an attitude that only wheels or tracks tell."""
 
 
 class _Measured(NamedTuple):
@@ -298,7 +302,7 @@ class _Moved:
             self.rates = (x + rates[0] * dt, y + rates[1] * dt, z + rates[2] * dt)
 
     def motion(self, dt: float, position_noise: float, turn_slip: float, imu: ImuSetup) -> DeadReckonedMotion:
-        """What the filters need, in the local frame. At rest the heading does not change."""
+        """Motion for the prediction of the filters, in the local frame. At rest the heading does not change."""
         moving = max(0.0, dt - self.at_rest)
         return DeadReckonedMotion(
             x=self.x,
@@ -338,7 +342,7 @@ class _Globe:
     def fix(self, now: float, height: float) -> None:
         """Correct by a fix; `height` is that of dead reckoning, metres."""
         x, y, z = self._receiver.fix(self._drive.pose(), now)
-        self._filter.fade(math.exp((self._fixed_at - now) / self._setup.drift_time), self._setup.drift)
+        self._filter.decay_fix_errors(math.exp((self._fixed_at - now) / self._setup.drift_time), self._setup.drift)
         self._fixed_at = now
         self._observe(x, y)
         gain = self._offset_variance / (self._offset_variance + self._height_noise**2)
@@ -363,8 +367,8 @@ class _Globe:
 
     def correct_bias(self, residual: float, noise: float, step: float) -> None:
         """The residual bias that was measured, rad/s; dead reckoning uses `step` of it from now on."""
-        self._filter.observe((BIAS,), residual, noise)
-        self._filter.state[BIAS] -= step
+        self._filter.observe((GYRO_BIAS,), residual, noise)
+        self._filter.state[GYRO_BIAS] -= step
 
     def estimate(self, pose: Pose, moved: _Moved, tilt_rms: float) -> PoseEstimate:
         """The pose, where `moved` is what the filter does not know yet."""
@@ -374,20 +378,21 @@ class _Globe:
         yaw = math.remainder(state[YAW] + moved.yaw, math.tau)
         height_rms = math.hypot(math.sqrt(self._offset_variance), self._setup.vertical * self._setup.drift)
         attitude_rms = math.hypot(tilt_rms, tilt_rms, self._filter.yaw_rms)
-        there = Pose(x, y, pose.z + self._offset, pose.roll, pose.pitch, yaw=yaw)
-        return PoseEstimate(there, self._filter.horizontal_rms, height_rms, attitude_rms)
+        antenna = Pose(x, y, pose.z + self._offset, pose.roll, pose.pitch, yaw=yaw)
+        return PoseEstimate(antenna, self._filter.horizontal_rms, height_rms, attitude_rms)
 
     def _rotation(self, heading: float) -> tuple[float, float]:
         turn = self._filter.state[YAW] - heading
         return math.cos(turn), math.sin(turn)
 
     def _observe(self, x: float, y: float) -> None:
+        # a fix far from dead reckoning means that this is wrong: forget the position, so that the fix replaces it
         lost = max(
-            self._filter.surprise((X, DRIFT_X), x, self._setup.noise),
-            self._filter.surprise((Y, DRIFT_Y), y, self._setup.noise),
+            self._filter.normalised_innovation((X, DRIFT_X), x, self._setup.noise),
+            self._filter.normalised_innovation((Y, DRIFT_Y), y, self._setup.noise),
         )
-        if lost > MAX_SURPRISE:
-            self._filter.declare((X, Y), FIRST_FIX_DEVIATION)
+        if lost > MAX_INNOVATION:
+            self._filter.reset_variance((X, Y), FIRST_FIX_DEVIATION)
         self._filter.observe((X, DRIFT_X), x, self._setup.noise)
         self._filter.observe((Y, DRIFT_Y), y, self._setup.noise)
 
@@ -432,6 +437,7 @@ class AttitudeFilter:
         fx, fy, fz = force
         length = math.sqrt(fx * fx + fy * fy + fz * fz)
         if abs(length - GRAVITY) < MAX_SHOCK:
+            # turn the estimated vertical towards the measured one: their cross product is axis and sine of the error
             ux, uy, uz = self.up()
             gain = 1.0 / (GRAVITY_TIME * length)
             wx += gain * (fy * uz - fz * uy)
@@ -471,7 +477,7 @@ def _from_angles(roll: float, pitch: float, yaw: float) -> Quaternion:
 
 Row: TypeAlias = list[float]
 
-X, Y, YAW, SCALE, BIAS, GAIN, DRIFT_X, DRIFT_Y = range(8)
+X, Y, YAW, SCALE, GYRO_BIAS, GYRO_SCALE, DRIFT_X, DRIFT_Y = range(8)
 STATES: Final = 8
 
 
@@ -492,6 +498,8 @@ class DeadReckonedMotion:
 class PoseFilter:
     """An extended Kalman filter of a pose on the ground: dead reckoning lets errors grow, fixes reduce them.
 
+    Prediction and correction as in Thrun, Burgard and Fox, Probabilistic Robotics (2005), table 3.3.
+
     The state: x, y (m), yaw (rad), the errors of the encoders' scale, of the gyroscope's bias (rad/s) and of its scale,
     and the slow errors of the fixes in x and y (m). `deviations` are those of the state at the start.
     """
@@ -506,31 +514,37 @@ class PoseFilter:
     def move(self, motion: DeadReckonedMotion) -> None:
         """Move by a motion of dead reckoning."""
         state = self.state
+        # the mean: the motion, less the estimated errors of encoders and gyroscope
         x, y = motion.x * (1.0 + state[SCALE]), motion.y * (1.0 + state[SCALE])
         state[X] += x
         state[Y] += y
-        state[YAW] += motion.yaw * (1.0 + state[GAIN]) - motion.dt * state[BIAS]
+        state[YAW] += motion.yaw * (1.0 + state[GYRO_SCALE]) - motion.dt * state[GYRO_BIAS]
+        # the covariance: F P F' + Q, where F, the derivative by the state, differs from 1 in three rows only
         rows = self.covariance
         self._mix(rows, motion, x, y)
-        for row in rows:  # the same for the columns: F P F'
+        for row in rows:  # of F P, multiply the columns by F', too
             yaw, scale = row[YAW], row[SCALE]
             row[X] += motion.x * scale - y * yaw
             row[Y] += motion.y * scale + x * yaw
-            row[YAW] = yaw - motion.dt * row[BIAS] + motion.yaw * row[GAIN]
+            row[YAW] = yaw - motion.dt * row[GYRO_BIAS] + motion.yaw * row[GYRO_SCALE]
         rows[X][X] += motion.position_variance
         rows[Y][Y] += motion.position_variance
         rows[YAW][YAW] += motion.yaw_variance
-        rows[BIAS][BIAS] += motion.bias_variance
+        rows[GYRO_BIAS][GYRO_BIAS] += motion.bias_variance
 
     @staticmethod
     def _mix(rows: list[Row], motion: DeadReckonedMotion, x: float, y: float) -> None:
-        yaw, scale, bias, gain = rows[YAW], rows[SCALE], rows[BIAS], rows[GAIN]
+        """Multiply the rows by F. A turn moves the way by (-y, x), an error of the scale lengthens it."""
+        yaw, scale, bias, gyro_scale = rows[YAW], rows[SCALE], rows[GYRO_BIAS], rows[GYRO_SCALE]
         rows[X] = [a - y * b + motion.x * c for a, b, c in zip(rows[X], yaw, scale, strict=True)]
         rows[Y] = [a + x * b + motion.y * c for a, b, c in zip(rows[Y], yaw, scale, strict=True)]
-        rows[YAW] = [a - motion.dt * b + motion.yaw * c for a, b, c in zip(yaw, bias, gain, strict=True)]
+        rows[YAW] = [a - motion.dt * b + motion.yaw * c for a, b, c in zip(yaw, bias, gyro_scale, strict=True)]
 
-    def fade(self, kept: float, deviation: float) -> None:
-        """Let the slow errors of the fixes decay by the factor `kept`, towards this stationary deviation."""
+    def decay_fix_errors(self, kept: float, deviation: float) -> None:
+        """Let the slow errors of the fixes decay by the factor `kept`, towards this stationary deviation.
+
+        They are first-order Gauss-Markov processes: x <- k x, and the variance becomes k^2 P + (1 - k^2) deviation^2.
+        """
         rows = self.covariance
         for index in (DRIFT_X, DRIFT_Y):
             self.state[index] *= kept
@@ -540,27 +554,29 @@ class PoseFilter:
             rows[index][index] += (1.0 - kept * kept) * deviation**2
 
     def observe(self, indices: tuple[int, ...], measured: float, deviation: float) -> None:
-        """Correct by a measurement of the sum of some states."""
+        """Correct by a measurement of the sum of some states, whose error has this standard deviation."""
         rows = self.covariance
-        across = [sum(row[index] for index in indices) for row in rows]
-        spread = sum(across[index] for index in indices) + deviation**2
-        if spread <= 0.0:
+        # H has a one for each of these states: P H' is a sum of columns, S = H P H' + r^2 a sum of its elements
+        cross_covariance = [sum(row[index] for index in indices) for row in rows]
+        innovation_variance = sum(cross_covariance[index] for index in indices) + deviation**2
+        if innovation_variance <= 0.0:
             return
-        error = measured - sum(self.state[index] for index in indices)
-        gains = [each / spread for each in across]
-        self.state = [value + gain * error for value, gain in zip(self.state, gains, strict=True)]
+        # gain K = P H' / S, then x + K (z - H x) and P - K H P
+        innovation = measured - sum(self.state[index] for index in indices)
+        gains = [covariance / innovation_variance for covariance in cross_covariance]
+        self.state = [value + gain * innovation for value, gain in zip(self.state, gains, strict=True)]
         self.covariance = [
-            [value - gain * other for value, other in zip(row, across, strict=True)]
+            [value - gain * other for value, other in zip(row, cross_covariance, strict=True)]
             for row, gain in zip(rows, gains, strict=True)
         ]
 
-    def surprise(self, indices: tuple[int, ...], measured: float, deviation: float) -> float:
-        """How many standard deviations a measurement of the sum of some states is from what is expected."""
-        spread = sum(self.covariance[a][b] for a in indices for b in indices) + deviation**2
-        error = abs(measured - sum(self.state[index] for index in indices))
-        return error / math.sqrt(spread) if spread > 0.0 else 0.0
+    def normalised_innovation(self, indices: tuple[int, ...], measured: float, deviation: float) -> float:
+        """Innovation of such a measurement, in standard deviations: |z - H x| / sqrt(H P H' + r^2)."""
+        innovation_variance = sum(self.covariance[a][b] for a in indices for b in indices) + deviation**2
+        innovation = abs(measured - sum(self.state[index] for index in indices))
+        return innovation / math.sqrt(innovation_variance) if innovation_variance > 0.0 else 0.0
 
-    def declare(self, indices: Iterable[int], deviation: float) -> None:
+    def reset_variance(self, indices: Iterable[int], deviation: float) -> None:
         """Set the deviation of states, independent of previous knowledge."""
         for index in indices:
             for row in self.covariance:

@@ -20,7 +20,7 @@ PlanarSpeeds: TypeAlias = tuple[float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Travel:
-    """What encoders counted: metres forward and to the left, and radians to the left, in the frame of the base."""
+    """Distance by encoders: metres forward and to the left, and radians to the left, in the frame of the base."""
 
     forward: float
     left: float
@@ -51,7 +51,7 @@ class Encoders:
         self._turn += wz * dt
 
     def read(self) -> Travel:
-        """What was counted since the last call."""
+        """Distance since the last call."""
         way = math.hypot(self._forward, self._left)
         scale = self._scale + (self._random.gauss(0.0, self._setup.noise) / math.sqrt(way) if way else 0.0)
         forward, left = scale * self._forward + self._rest[0], scale * self._left + self._rest[1]

@@ -54,7 +54,7 @@ class LidarSetup(Table):
     name: UrdfName
     link: UrdfName
     rays: Annotated[int, Interval(ge=1, le=3600)] = 360
-    """Of a layer."""
+    """Rays of each layer."""
     layers: Annotated[int, Interval(ge=1, le=128)] = 1
     vertical: tuple[_Inclination, _Inclination] = (math.radians(-15.0), math.radians(15.0))
     """Inclinations of the lowest and highest of several layers, in radians (degrees in the file), positive upwards."""
@@ -86,7 +86,7 @@ class LidarSetup(Table):
         return self.range[1]
 
     def inclinations(self) -> tuple[float, ...]:
-        """Those of the layers, ascending: radians, positive upwards."""
+        """Inclinations of the layers, ascending: radians, positive upwards."""
         if self.layers == 1:
             return (0.0,)
         low, high = self.vertical
@@ -117,13 +117,13 @@ class RangeScan:
     Of several layers, those of the one that is nearest to the x-y plane.
     """
     inclinations: tuple[float, ...] = (0.0,)
-    """Of the layers, ascending: radians, positive upwards."""
+    """Inclinations of the layers, ascending: radians, positive upwards."""
     layers: bytes = b""
     """The ranges of all layers, if there are several: float32 in native order, layer by layer, lowest first."""
 
     @property
     def inclination(self) -> float:
-        """That of `ranges`."""
+        """Inclination of the layer in `ranges`, radians."""
         return self.inclinations[nearest_layer(self.inclinations)]
 
     def image(self) -> NDArray[np.float32]:
@@ -271,4 +271,6 @@ class Scanner:
 
 def _limited(distances: Sequence[float], min_range: float, max_range: float) -> tuple[float, ...]:
     far, near = math.inf, -math.inf
-    return tuple([far if each > max_range else each if each >= min_range else near for each in distances])
+    return tuple(
+        [far if distance > max_range else distance if distance >= min_range else near for distance in distances]
+    )

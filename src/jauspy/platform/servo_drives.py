@@ -28,7 +28,7 @@ _TemperatureObject: TypeAlias = Annotated[int, Interval(ge=0x2000, le=0x6FFF)]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Homing(Table):
-    """How a joint without an absolute encoder finds its position after power-on (CiA 402, 6098h)."""
+    """Search of a joint without an absolute encoder for its position after power-on (CiA 402, 6098h)."""
 
     method: Annotated[int, Interval(ge=-128, le=127)]
     """A method of CiA 402, as in the drive's manual."""
@@ -43,7 +43,7 @@ class DriveTable(Table):
     """One servo drive, as in the file: the table `[can.drives.NAME]`."""
 
     node: _NodeId
-    """Its CANopen node id."""
+    """CANopen node id of the drive."""
     joint: UrdfName | None = None
     """The joint of the URDF that it moves; or a track:"""
     track: Literal["left", "right"] | None = None
@@ -71,7 +71,7 @@ class DriveTable(Table):
     homing: Homing | None = None
     """None for a drive with an absolute encoder."""
     eds: Annotated[str, MinLen(1)] | None = None
-    """Its EDS file; vendor and product of the drive must be those of the file. A relative path starts at this file."""
+    """EDS file, whose vendor and product the drive must have. A relative path starts at this file."""
     vendor: _Code | None = None
     product: _Code | None = None
     serial: _Code | None = None

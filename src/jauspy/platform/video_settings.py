@@ -80,7 +80,7 @@ class Level(NamedTuple):
     macroblocks_per_second: int
     macroblocks: int
     bits_per_second: int
-    """Of the coded pictures in Baseline and Main; High may have a quarter more."""
+    """Bit rate of the coded pictures in Baseline and Main; High may have a quarter more."""
 
 
 LEVELS: Final = (
@@ -178,12 +178,12 @@ def macroblocks(pixels: int) -> int:
 
 def level_suffices(level: Level, size: tuple[int, int], rate: int, bit_rate: int, profile: H264Profile) -> bool:
     """Return True if decoders of the level accept the stream; size in pixels, rates per second."""
-    across, down = (macroblocks(pixels) for pixels in size)
+    columns, rows = (macroblocks(pixels) for pixels in size)
     bits = level.bits_per_second * (5 if profile is H264Profile.HIGH else 4) // 4
     return (
-        across * down <= level.macroblocks
-        and max(across, down) ** 2 <= 8 * level.macroblocks
-        and across * down * rate <= level.macroblocks_per_second
+        columns * rows <= level.macroblocks
+        and max(columns, rows) ** 2 <= 8 * level.macroblocks
+        and columns * rows * rate <= level.macroblocks_per_second
         and bit_rate <= bits
     )
 

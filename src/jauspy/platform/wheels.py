@@ -31,7 +31,7 @@ MIN_TRACK: Final = 0.01
 
 
 class WheelKind(Enum):
-    """How a wheeled chassis turns; the values are those of `type` in TOML."""
+    """Kinds of wheeled chassis by how they turn; the values are those of `type` in TOML."""
 
     SKID_STEER = "skid_steer"
     ACKERMANN = "ackermann"
@@ -45,19 +45,19 @@ class Wheel:
     joint: Joint
     x: float
     y: float
-    """Where it stands."""
+    """Position of the wheel's centre in the root link, metres."""
     radius: float
     sign: float
     """1.0 if it rolls forward as its joint's position grows, -1.0 if backward."""
 
     @property
     def speed(self) -> float:
-        """Of its rim without resistance, m/s."""
+        """Speed of the rim without resistance, m/s."""
         return self.joint.velocity * self.radius
 
     @property
     def rollers(self) -> float:
-        """Of a mecanum wheel, 1.0 if its rollers let it move to the front left, -1.0 if to the front right."""
+        """Direction of a mecanum wheel's rollers: 1.0 if they let it move front left, -1.0 front right."""
         return math.copysign(1.0, self.x * self.y)
 
 
@@ -77,16 +77,16 @@ class WheelSetup:
 
     kind: WheelKind
     wheels: tuple[Wheel, ...]
-    """Those that are driven."""
+    """Driven wheels."""
     inertia: float
-    """Of rotor and gear of each at the wheel, kg m^2."""
+    """Inertia of each wheel's rotor and gear, at the wheel, kg m^2."""
     steering: tuple[SteeringJoint, ...] = ()
     axle: float = 0.0
     """x of the wheels that do not steer, of an Ackermann chassis."""
 
     @property
     def free_speed(self) -> float:
-        """Of the chassis without resistance, m/s."""
+        """Speed of the chassis without resistance, m/s."""
         return min(wheel.speed for wheel in self.wheels)
 
     @property
@@ -102,17 +102,17 @@ class WheelSetup:
     @property
     def wheel_base(self) -> float:
         """Metres from the first to the last axle."""
-        along = [wheel.x for wheel in self.wheels] + [each.x for each in self.steering]
-        along += [self.axle] if self.steering else []
-        return max(along) - min(along)
+        axle_positions = [wheel.x for wheel in self.wheels] + [joint.x for joint in self.steering]
+        axle_positions += [self.axle] if self.steering else []
+        return max(axle_positions) - min(axle_positions)
 
     @property
     def steering_angle(self) -> float:
         """The greatest angle of a wheel in the middle of the steered axle; 0 for other chassis."""
         if not self.steering:
             return 0.0
-        inner = min(min(each.joint.upper, -each.joint.lower, MAX_STEERING) for each in self.steering)
-        side = max(abs(each.y) for each in self.steering)
+        inner = min(min(joint.joint.upper, -joint.joint.lower, MAX_STEERING) for joint in self.steering)
+        side = max(abs(joint.y) for joint in self.steering)
         return math.atan(self.wheel_base / (self.wheel_base / math.tan(inner) + side))
 
     @property
@@ -155,8 +155,8 @@ class WheelSetup:
             return (0.0,) * len(self.steering)
         centre = self.wheel_base / math.tan(angle)  # y of the point about which the chassis turns
         return tuple(
-            each.sign * math.copysign(1.0, each.x - self.axle) * math.atan(self.wheel_base / (centre - each.y))
-            for each in self.steering
+            joint.sign * math.copysign(1.0, joint.x - self.axle) * math.atan(self.wheel_base / (centre - joint.y))
+            for joint in self.steering
         )
 
 
@@ -225,8 +225,8 @@ def wheel_setup(description: RobotDescription, joints: WheelJoints) -> WheelSetu
     def wheel(key: str, name: str) -> Wheel:
         joint = _moving(description, f"wheels.{key}", name, (JointKind.CONTINUOUS,))
         frame = frames[joint.child]
-        across = frame.rotate(joint.axis)[1]
-        if abs(across) < LEVEL:
+        cosine = frame.rotate(joint.axis)[1]
+        if abs(cosine) < LEVEL:
             raise ConfigError(f"wheels.{key}: the axle of {name!r} does not point to the side (y) of the robot")
         found = joints.radius or radii.get(joint.child)
         if found is None:
@@ -234,7 +234,7 @@ def wheel_setup(description: RobotDescription, joints: WheelJoints) -> WheelSetu
                 f"wheels.{key}: the wheel {joint.child!r} has no cylinder or sphere as collision shape; "
                 "give its radius as wheels.radius, in metres"
             )
-        return Wheel(joint, frame.position[0], frame.position[1], found, math.copysign(1.0, across))
+        return Wheel(joint, frame.position[0], frame.position[1], found, math.copysign(1.0, cosine))
 
     def steering(name: str) -> SteeringJoint:
         joint = _moving(description, "wheels.steered", name, (JointKind.REVOLUTE,))
@@ -249,9 +249,9 @@ def wheel_setup(description: RobotDescription, joints: WheelJoints) -> WheelSetu
         "right": [wheel("right", name) for name in joints.right],
     }
     for key, sign in (("left", 1.0), ("right", -1.0)):
-        for each in sides[key]:
-            if sign * each.y < MIN_TRACK / 2.0:
-                raise ConfigError(f"wheels.{key}: {each.joint.name!r} is not on the {key} of the robot")
+        for side in sides[key]:
+            if sign * side.y < MIN_TRACK / 2.0:
+                raise ConfigError(f"wheels.{key}: {side.joint.name!r} is not on the {key} of the robot")
     wheels = (*sides["left"], *sides["right"])
     steered = tuple(map(steering, joints.steered))
     axle = _fixed_axle(description, wheels, steered) if joints.type is WheelKind.ACKERMANN else 0.0
@@ -264,7 +264,7 @@ def _moving(description: RobotDescription, key: str, name: str, kinds: tuple[Joi
     joint = description.joints.get(name)
     if joint is None or joint.kind not in kinds or joint.mimics is not None:
         words = " or ".join(kind.value for kind in kinds)
-        known = [each.name for each in description.joints.values() if each.kind in kinds and each.mimics is None]
+        known = [joint.name for joint in description.joints.values() if joint.kind in kinds and joint.mimics is None]
         raise ConfigError(
             f"{key}: {name!r} is not a {words} joint of the URDF; those are: {', '.join(known) or 'none'}"
         )
@@ -274,17 +274,17 @@ def _moving(description: RobotDescription, key: str, name: str, kinds: tuple[Joi
 
 
 def _radii(description: RobotDescription) -> dict[str, float]:
-    """By link: half of the smaller extent across of its first collision shape that is round."""
+    """Radii of wheels by link: half of the diameter of its first collision shape that is round."""
     return {box.link: box.size[0] / 2.0 for box in reversed(collision_boxes(description.urdf)) if box.is_round}
 
 
 def _fixed_axle(description: RobotDescription, wheels: tuple[Wheel, ...], steering: tuple[SteeringJoint, ...]) -> float:
     """X of the wheels that no steering joint turns; driven ones if there are, or else the others that roll."""
     frames = FrameTree(description)
-    turned = {each.joint.name for each in steering}
+    turned = {steered.joint.name for steered in steering}
     poses = frames.poses()
     rolling = [joint for joint in description.joints.values() if joint.kind is JointKind.CONTINUOUS]
-    fixed = [j for j in rolling if not turned & {each.name for each in description.chain(frames.root, j.child)}]
+    fixed = [j for j in rolling if not turned & {joint.name for joint in description.chain(frames.root, j.child)}]
     driven = [wheel.x for wheel in wheels if wheel.joint in fixed]
     places = driven or [poses[joint.child].position[0] for joint in fixed]
     if not places:

@@ -146,7 +146,7 @@ def _intersects(one: int, other: int) -> bool:
 
 MAX_COMPONENTS: Final = 1024
 MAX_UDP_COMPONENTS: Final = 256
-"""Of these, by UDP: any user of this machine can send UDP, and must not use up the room of those with a socket."""
+"""Components by UDP among these: any user of this machine can send UDP, and must leave room for those with a socket."""
 
 ComponentPort: TypeAlias = LocalPort | UdpPort
 """A component's Unix socket, or its UDP port on this machine, as ROS/IOP components have it."""

@@ -40,8 +40,8 @@ def reaches(destination: int, id: int) -> bool:
     )
 
 
-def _part_matches(wanted: int, own: int, wildcard: int) -> bool:
-    return wanted in (own, wildcard) or own in (0, wildcard)
+def _part_matches(wanted: int, part: int, wildcard: int) -> bool:
+    return wanted in (part, wildcard) or part in (0, wildcard)
 
 
 class LocalPort(NamedTuple):
@@ -102,7 +102,7 @@ class Location(NamedTuple):
         address = _ip_address(host)
         if address is None:
             return False
-        return self.is_here if address.is_loopback else any(_ip_address(each) == address for each in self.hosts)
+        return self.is_here if address.is_loopback else any(_ip_address(host) == address for host in self.hosts)
 
 
 def _ip_address(host: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:

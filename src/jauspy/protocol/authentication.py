@@ -27,7 +27,7 @@ from jauspy.protocol.header import Priority
 from jauspy.protocol.sources import TokenBuckets
 
 MAGIC: Final = 0xA5
-"""In place of the version byte; node managers without authentication drop it as an unknown version."""
+"""First byte, in place of the version byte; node managers without authentication drop it as an unknown version."""
 CHALLENGE: Final = 0xA6
 ANSWER: Final = 0xA7
 MAX_AGE: Final = 30.0
@@ -83,11 +83,11 @@ class Authenticator:
         self._challenges = TokenBuckets(CHALLENGE_RATE, 1.0, limit=MAX_SENDERS)
         self._output: list[tuple[Address, bytes]] = []
 
-    def sign(self, datagram: bytes, utc: float, to: Address | None) -> bytes:
+    def sign(self, datagram: bytes, utc: float, destination: Address | None) -> bytes:
         """The signed datagram for one address, or with None for the multicast group."""
-        recipient = 0 if to is None else self._sessions.get(to, 0)
+        recipient = 0 if destination is None else self._sessions.get(destination, 0)
         signed = self._sign(MAGIC, datagram, utc, recipient)
-        self._recent.append(_Sent(self._sent, utc, to, datagram))
+        self._recent.append(_Sent(self._sent, utc, destination, datagram))
         return signed
 
     def verify(self, data: bytes, utc: float, source: Address) -> bytes | None:
@@ -148,9 +148,9 @@ class Authenticator:
         _put(self._confirmed, peer, None)
         self._output.append((source, self._sign(ANSWER, content, utc, sender)))
         _, first = _CONTENT.unpack_from(content)
-        for each in self._recent:
-            if is_first and each.counter >= first and utc - each.utc < RESEND_TIME and each.to in (None, source):
-                self._output.append((source, self._sign(MAGIC, each.datagram, utc, sender)))
+        for sent in self._recent:
+            if is_first and sent.counter >= first and utc - sent.utc < RESEND_TIME and sent.to in (None, source):
+                self._output.append((source, self._sign(MAGIC, sent.datagram, utc, sender)))
         if peer not in self._proven:
             self._challenge(source, sender, counter + 1, utc)
 

@@ -166,17 +166,17 @@ class Compression:
     def expand(self, data: bytes, port: UdpPort, now: float) -> bytes:
         """The same packets without compression; empty if they only negotiate it. Raises `ProtocolError`."""
         plain = bytearray(data[:1])
-        at = 1
-        while at < len(data):
-            if data[at] < 0x40:
-                end = header.parse_header(data, at).end
-                plain += data[at:end]
+        offset = 1
+        while offset < len(data):
+            if data[offset] < 0x40:
+                end = header.parse_header(data, offset).end
+                plain += data[offset:end]
             else:
-                sent, end = _parse(data, at)
+                sent, end = _parse(data, offset)
                 body = self._body(sent, port, now)
                 if body:
                     plain += struct.pack("<BH", sent.type, len(body) + 3) + body
-            at = end
+            offset = end
         return bytes(plain) if len(plain) > 1 else b""
 
     def _body(self, sent: _FlaggedPacket, port: UdpPort, now: float) -> bytes:
@@ -261,8 +261,8 @@ class Compression:
 
     def _probe(self, datagram: bytes, port: UdpPort, now: float) -> None:
         """Propose in an empty packet, because peers without compression would misread a message."""
-        count, at = self._probed.get(port, (0, now - PROBE_INTERVAL))
-        if count >= MAX_PROBES or now - at < PROBE_INTERVAL:
+        count, probed_at = self._probed.get(port, (0, now - PROBE_INTERVAL))
+        if count >= MAX_PROBES or now - probed_at < PROBE_INTERVAL:
             return
         self._probed[port] = (count + 1, now)
         if len(self._probed) > MAX_PARTNERS:
@@ -277,15 +277,17 @@ def is_compressed(data: bytes) -> bool:
     return len(data) > 1 and data[1] > 0x3F and data[0] == header.VERSION
 
 
-def _parse(data: bytes, at: int) -> tuple[_FlaggedPacket, int]:
-    """The packet with flags at `at`, and where it ends."""
-    left = len(data) - at
+def _parse(data: bytes, offset: int) -> tuple[_FlaggedPacket, int]:
+    """Parse the packet with flags at `offset`; returns it and where it ends."""
+    left = len(data) - offset
     if left < _START.size:
         raise ProtocolError("truncated", f"{left} bytes are too few for a header")
-    flags, size, number, length = _START.unpack_from(data, at)
+    flags, size, number, length = _START.unpack_from(data, offset)
     if not _START.size <= size <= left:
         raise ProtocolError("truncated", f"a data size of {size} in {left} bytes")
-    return _FlaggedPacket(flags >> 6, flags & 0x3F, number, length, data[at + _START.size : at + size]), at + size
+    return _FlaggedPacket(
+        flags >> 6, flags & 0x3F, number, length, data[offset + _START.size : offset + size]
+    ), offset + size
 
 
 def _packed(kind: int, number: int, length: int, body: bytes) -> bytes:

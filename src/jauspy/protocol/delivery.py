@@ -43,7 +43,7 @@ class Delivery:
     source_memory: int = 0
     total_memory: int = 0
     fragment_timeout: float = 3.0
-    """How long an incomplete message waits for its next fragment."""
+    """Seconds that an incomplete message waits for its next fragment."""
 
     def __post_init__(self) -> None:
         if not (self.ack_timeout > 0 and self.fragment_timeout > 0 and self.resends >= 0 and 1 <= self.window <= 256):
@@ -197,8 +197,8 @@ class Transfers:
 
     def abandon(self) -> None:
         """Give up all messages."""
-        transfers = {each.transfer.ticket: each.transfer for each in self._pending.values()}
-        transfers |= {each.ticket: each for large in self._large.values() for each in large.queue}
+        transfers = {pending.transfer.ticket: pending.transfer for pending in self._pending.values()}
+        transfers |= {fragment.ticket: fragment for large in self._large.values() for fragment in large.queue}
         for transfer in transfers.values():
             self._forget(transfer)
             if transfer.reliable:
@@ -212,7 +212,7 @@ class Transfers:
         return self._outcomes.popleft() if self._outcomes else None
 
     def next_timeout(self) -> float | None:
-        """When `handle_timeout` is to be called, or None."""
+        """Time at which `handle_timeout` is to be called, or None."""
         times = [large.next_burst for large in self._large.values() if large.timed]
         if self._pending:
             times.append(next(iter(self._pending.values())).deadline)
@@ -281,8 +281,8 @@ class Transfers:
 
     def _resend(self, pending: _PendingAck, now: float) -> None:
         if pending.resends >= self._settings.resends:
-            for each in [each for each, other in self._pending.items() if other.transfer is pending.transfer]:
-                del self._pending[each]
+            for key in [item for item, other in self._pending.items() if other.transfer is pending.transfer]:
+                del self._pending[key]
             self._finish(pending.transfer, now, delivered=False)
             return
         self._counters["resent"] += 1

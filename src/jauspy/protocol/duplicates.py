@@ -36,9 +36,9 @@ class Duplicates:
         known = numbers.get(sequence) if numbers is not None else None
         if known is None:
             return False
-        old, at = known
+        old, seen_at = known
         if old == content:
-            return now - at <= (self._resend_period if resent else ECHO_WINDOW)
+            return now - seen_at <= (self._resend_period if resent else ECHO_WINDOW)
         del self._sources[source]
         return False
 

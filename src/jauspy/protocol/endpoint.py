@@ -104,7 +104,7 @@ class Endpoint:
         return self._transfers.next_outcome()
 
     def next_timeout(self) -> float | None:
-        """When `handle_timeout` is to be called, or None."""
+        """Time at which `handle_timeout` is to be called, or None."""
         times = (self._transfers.next_timeout(), self._reassembly.next_timeout())
         return min((time for time in times if time is not None), default=None)
 

@@ -75,7 +75,7 @@ class GatewayRules:
         """Time of the last fragment of each allowed large message."""
 
     def refusal(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
-        """Why a packet from `network` is refused, as a counter's name; None when it is allowed."""
+        """Reason to refuse a packet from `network`, as a counter's name; None when it is allowed."""
         if not self._rules:
             return None
         flag = raw.control >> 6
@@ -121,8 +121,8 @@ class GatewayRules:
 
 def _message_id(raw: RawPacket, data: bytes) -> int | None:
     """The id of the message in a packet; None for an acknowledgement."""
-    at = raw.payload_start
-    return message_id(data, at) if raw.end - 2 >= at + 2 else None
+    offset = raw.payload_start
+    return message_id(data, offset) if raw.end - 2 >= offset + 2 else None
 
 
 ANY_SUBSYSTEM = 0xFFFF
@@ -137,10 +137,10 @@ class Gateway:
         self._outside = tuple(name for name in networks if name not in self._inside)
         self._rules = rules
         self.refused: OrderedDict[Refused, int] = OrderedDict()
-        """How many packets of each kind were refused; of the kinds refused last, at most `MAX_REFUSED`."""
+        """Numbers of refused packets of each kind; of the kinds refused last, at most `MAX_REFUSED`."""
 
     def refusal(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
-        """Why a packet from `network` is refused, as a counter's name; None when it is accepted."""
+        """Reason to refuse a packet from `network`, as a counter's name; None when it is accepted."""
         why = self._refusal(raw, data, network, now)
         if why is not None:
             continues = raw.control >> 6 in (DataFlag.MIDDLE, DataFlag.LAST)
@@ -168,7 +168,7 @@ class Gateway:
 
     def reach(self, source: int, destination: int) -> tuple[str, ...]:
         """The networks for a packet from inside: own ids are inside, all others outside, wildcards both."""
-        to = destination >> 16
-        inside = self._inside if to in (self._subsystem, ANY_SUBSYSTEM) else ()
-        leaves = to != self._subsystem and source >> 16 == self._subsystem
+        subsystem = destination >> 16
+        inside = self._inside if subsystem in (self._subsystem, ANY_SUBSYSTEM) else ()
+        leaves = subsystem != self._subsystem and source >> 16 == self._subsystem
         return inside + (self._outside if leaves else ())

@@ -24,7 +24,7 @@ MAX_PAYLOAD: Final = 4079
 
 _HEADER: Final = struct.Struct("<BHBII")
 _ALONE: Final = struct.Struct("<BBHBII")
-"""With the version byte."""
+"""Header of a datagram with one packet, with the version byte."""
 _COMPRESSED: Final = struct.Struct("<BHBBBII")
 _SEQUENCE: Final = struct.Struct("<H")
 

@@ -79,22 +79,22 @@ class FrameDecoder:
     def _unstuff(self, data: bytes) -> list[tuple[bytes, bool]]:
         """Runs of plain bytes, and the marks between them (true)."""
         chunks: list[tuple[bytes, bool]] = []
-        at = 0
-        while at < len(data):
+        offset = 0
+        while offset < len(data):
             if self._escaped:
                 self._escaped = False
-                mark = data[at : at + 1]
+                mark = data[offset : offset + 1]
                 chunks.append((mark, mark != _DLE))
-                at += 1
+                offset += 1
                 continue
-            end = data.find(_DLE, at)
+            end = data.find(_DLE, offset)
             if end < 0:
-                chunks.append((data[at:], False))
+                chunks.append((data[offset:], False))
                 break
-            if end > at:
-                chunks.append((data[at:end], False))
+            if end > offset:
+                chunks.append((data[offset:end], False))
             self._escaped = True
-            at = end + 1
+            offset = end + 1
         return chunks
 
     def _take(self, data: bytes) -> bytes | None:

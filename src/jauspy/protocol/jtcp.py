@@ -65,7 +65,7 @@ class StreamDecoder:
             self.version = self._buffer.pop(0)
 
     def _locate(self, start: int) -> tuple[bytes, int, int]:
-        """What precedes the packet in a datagram, and the offsets where the packet begins and ends."""
+        """Split a datagram: the bytes before the packet, and the offsets where the packet begins and ends."""
         flags, size = _START.unpack_from(self._buffer, start)
         if flags not in (0, 0x40) or size < header.OVERHEAD:
             raise ProtocolError("stream_lost", f"flags {flags:02x} and size {size} are no header")
@@ -73,12 +73,12 @@ class StreamDecoder:
 
     def _locate_v1(self, start: int) -> tuple[bytes, int, int]:
         (length,) = _V1_LENGTH.unpack_from(self._buffer, start)
-        at = start
+        offset = start
         if not length:
             self._has_compression = True
-            at += _COMPRESSION
-            (length,) = _V1_LENGTH.unpack_from(self._buffer, at)
-        body = at + _V1_LENGTH.size
+            offset += _COMPRESSION
+            (length,) = _V1_LENGTH.unpack_from(self._buffer, offset)
+        body = offset + _V1_LENGTH.size
         if length < legacy.RA_SIZE or self._buffer[body + 1 : body + 2] not in (b"", bytes([legacy.RA_VERSION])):
             raise ProtocolError("stream_lost", f"a length of {length} without a header of version 1")
         return _PREFIX_V1 + _V1_LENGTH.pack(length), body, body + length

@@ -25,7 +25,7 @@ _ACK_REQUIRED: Final = Ack.REQUIRED << 4
 _ACK_MASK: Final = 3 << 4
 _COMPRESSION_BYTES: Final = 2
 _QUERIES_AND_REPORTS: Final = range(0x2000, 0x6000)
-"""Their message ids (AS5710); below are commands, above are those of experiments."""
+"""Message ids of queries and reports (AS5710); commands are below, experimental messages above."""
 _LEGACY_FIRST_BYTES: Final = (bytes([legacy.V1]), legacy.OPC_GREETING[:1])
 
 
@@ -142,10 +142,10 @@ def with_ack_required(datagram: bytes) -> bytes:
     """The same packet with an ACK requested; the ACK reveals the address of its destination."""
     if legacy.is_legacy(datagram):
         return legacy.parse(datagram)[0].with_ack_required().as_datagram(LegacyVersion.V1)
-    at = header.control_offset(datagram)
-    if datagram[at] & _ACK_MASK:
+    offset = header.control_offset(datagram)
+    if datagram[offset] & _ACK_MASK:
         return datagram
-    return datagram[:at] + bytes([datagram[at] | _ACK_REQUIRED]) + datagram[at + 1 :]
+    return datagram[:offset] + bytes([datagram[offset] | _ACK_REQUIRED]) + datagram[offset + 1 :]
 
 
 def may_be_late(data: bytes, skip: int = 0) -> bool:
@@ -184,5 +184,5 @@ def peek_priority(data: bytes, skip: int = 0) -> int:
         return Priority.LOW
     if data[skip + 1] >= 0xC0:
         return Priority.STANDARD
-    at = skip + header.control_offset(data[skip : skip + 2])
-    return data[at] & 3 if len(data) > skip + header.OVERHEAD else Priority.LOW
+    offset = skip + header.control_offset(data[skip : skip + 2])
+    return data[offset] & 3 if len(data) > skip + header.OVERHEAD else Priority.LOW

@@ -40,17 +40,17 @@ class ControlMessage:
 
 
 def connect(id: JausID) -> bytes:
-    """From component to node manager: register this id."""
+    """Message from component to node manager: register this id."""
     return _CONTROL.pack(*_HEAD, ControlKind.CONNECT, 0, int(id), 0, 0)
 
 
 def accept(id: JausID) -> bytes:
-    """From node manager to component: the answer to every Connect."""
+    """Message from node manager to component: the answer to every Connect."""
     return _CONTROL.pack(*_HEAD, ControlKind.ACCEPT, int(id), 0, 0, 0)
 
 
 def cancel(id: JausID) -> bytes:
-    """From component to node manager: remove this id; it is not answered."""
+    """Message from component to node manager: remove this id; it is not answered."""
     return _CONTROL.pack(*_HEAD, ControlKind.CANCEL, 0, int(id), 0, 0)
 
 

@@ -30,7 +30,7 @@ RA_VERSION: Final = 2
 RA_SIZE: Final = _RA.size
 _MAX_DATA: Final = 0xFFF
 _FLAGS: Final = {0: DataFlag.SINGLE, 1: DataFlag.FIRST, 2: DataFlag.MIDDLE, 4: DataFlag.MIDDLE, 8: DataFlag.LAST}
-"""From data control; 4 is a middle fragment that is resent."""
+"""Data flags by the field data control; 4 is a middle fragment that is resent."""
 MAX_PEER_VERSIONS: Final = 1024
 
 
@@ -88,19 +88,23 @@ def parse(data: bytes) -> list[LegacyPacket]:
     if data.startswith(OPC_GREETING):
         return [_parse_ra(data[len(OPC_GREETING) :], LegacyVersion.OPC)]
     packets = []
-    at = 1
-    while at < len(data):
-        head = data[at - 1 : at - 1 + _V1_HEAD.size] if at == 1 else b"\x01" + data[at : at + _V1_HEAD.size - 1]
+    offset = 1
+    while offset < len(data):
+        head = (
+            data[offset - 1 : offset - 1 + _V1_HEAD.size]
+            if offset == 1
+            else b"\x01" + data[offset : offset + _V1_HEAD.size - 1]
+        )
         if len(head) < _V1_HEAD.size:
             raise ProtocolError("truncated", "too few bytes for a version 1 header")
         _, compression, length = _V1_HEAD.unpack(head)
         if compression[1] & 3 > 1:
             raise ProtocolError("compressed", "header compression was not agreed on")
-        body = data[at + _V1_HEAD.size - 1 :][:length]
+        body = data[offset + _V1_HEAD.size - 1 :][:length]
         if len(body) < length:
             raise ProtocolError("truncated", f"a length of {length} in {len(body)} bytes")
         packets.append(_parse_ra(body, LegacyVersion.V1))
-        at += _V1_HEAD.size - 1 + length
+        offset += _V1_HEAD.size - 1 + length
     if not packets:
         raise ProtocolError("empty", "a datagram without a packet")
     return packets
@@ -108,8 +112,8 @@ def parse(data: bytes) -> list[LegacyPacket]:
 
 def priority(data: bytes) -> int:
     """The AS5669A priority of a legacy datagram; LOW when it is truncated."""
-    at = len(OPC_GREETING) if data.startswith(OPC_GREETING) else _V1_HEAD.size
-    return _priority(data[at]) if at < len(data) else Priority.LOW
+    offset = len(OPC_GREETING) if data.startswith(OPC_GREETING) else _V1_HEAD.size
+    return _priority(data[offset]) if offset < len(data) else Priority.LOW
 
 
 class PeerVersions:
@@ -153,5 +157,5 @@ def _flag(control: int) -> DataFlag:
 
 
 def _priority(properties: int) -> int:
-    """From 0..15 to 0..3, as in known node managers, without their error at 0."""
+    """Convert a priority from 0..15 to 0..3, as known node managers, without their error at 0."""
     return min(max((properties & 0x0F) - 3, 0) // 3, Priority.SAFETY_CRITICAL)

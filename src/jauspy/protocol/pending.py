@@ -20,7 +20,7 @@ PENDING_TIMEOUT: Final = 3.0
 """Seconds that a message may wait for its destination."""
 MAX_PENDING_DESTINATIONS: Final = 256
 MAX_RELAYED_DESTINATIONS: Final = 128
-"""Of these, for messages of networks that a gateway relays, so that no host uses up the room of the components."""
+"""Destinations among these for messages that a gateway relays, so that no host uses up the room of the components."""
 MAX_PENDING_PER_DESTINATION: Final = 32
 """Messages that wait for one destination; the oldest is dropped first."""
 MAX_PENDING_BYTES: Final = 1 << 20
@@ -78,7 +78,7 @@ class PendingDestinations:
     def _is_full(self, *, relayed: bool) -> bool:
         if len(self._pending) >= MAX_PENDING_DESTINATIONS:
             return True
-        return relayed and sum(each.relayed for each in self._pending.values()) >= MAX_RELAYED_DESTINATIONS
+        return relayed and sum(queue.relayed for queue in self._pending.values()) >= MAX_RELAYED_DESTINATIONS
 
     def pop(self, destination: int, now: float) -> list[bytes]:
         """Remove and return all messages for a destination whose address is now known."""
@@ -89,7 +89,7 @@ class PendingDestinations:
         return [self._take(pending) for _ in range(len(pending.messages))]
 
     def next_timeout(self) -> float | None:
-        """When `handle_timeout` is to be called, or None."""
+        """Time at which `handle_timeout` is to be called, or None."""
         return min((pending.next_probe for pending in self._pending.values()), default=None)
 
     def handle_timeout(self, now: float) -> list[bytes]:

@@ -20,7 +20,7 @@ FRAGMENT_OVERHEAD: Final = 256
 """Bytes of memory charged for a fragment in addition to its payload."""
 MAX_SOURCES: Final = 256
 CHECKS_PER_TIMEOUT: Final = 4
-"""How often incomplete messages are checked within `fragment_timeout`."""
+"""Number of checks of incomplete messages within `fragment_timeout`."""
 
 
 @dataclass(slots=True)
@@ -111,7 +111,12 @@ class _Source:
 
 
 class Reassembly:
-    """Sans-I/O. Keys are source and destination as 32-bit numbers."""
+    """Sans-I/O. Keys are source and destination as 32-bit numbers.
+
+    The fragments of a message have consecutive sequence numbers, from a FIRST to a LAST one (AS5669A). A new fragment
+    is joined with the runs that end before and begin after it, which two dictionaries find; a run with both ends is a
+    message. So each fragment costs the same, whatever the order of arrival.
+    """
 
     def __init__(self, settings: Delivery, counters: Counters) -> None:
         self._settings = settings
@@ -129,6 +134,7 @@ class Reassembly:
         """Add one fragment; `content` is its hash. Returns whether it was kept, and the message that it completes."""
         key = (int(packet.source), int(packet.destination))
         known = self._sources.get(key)
+        # a number that is present: the fragment was resent, or its sender has begun again
         if known is not None and packet.sequence in known.present:
             if not _is_restart(known, packet, content, now):
                 return True, None
@@ -136,6 +142,7 @@ class Reassembly:
         if not self._make_room(key, FRAGMENT_OVERHEAD + len(packet.payload)):
             self._counters.drop("large_message.no_memory", packet.source)
             return False, None
+        # join it with its neighbours, unless the message would become too large
         source = self._sources.setdefault(key, _Source())
         run = self._extend(source, FragmentRun.of(packet, now))
         if run is None:
@@ -149,7 +156,7 @@ class Reassembly:
         return True, self._complete(key, run) if run.complete else None
 
     def next_timeout(self) -> float | None:
-        """When `handle_timeout` is to be called, or None."""
+        """Time at which `handle_timeout` is to be called, or None."""
         return self._check_at
 
     def handle_timeout(self, now: float) -> None:
@@ -165,7 +172,7 @@ class Reassembly:
     def _extend(self, source: _Source, run: FragmentRun) -> FragmentRun | None:
         """The run that contains the new fragment; None if the message would be too large."""
         before, after = source.neighbours(run)
-        if sum(each.size for each in (before, run, after) if each) > self._settings.max_message:
+        if sum(part.size for part in (before, run, after) if part) > self._settings.max_message:
             return None
         self._cost -= source.cost
         if before is not None:
@@ -185,11 +192,13 @@ class Reassembly:
     def _make_room(self, key: tuple[int, int], needed: int) -> bool:
         """Drop the oldest runs that nobody resends, of this source, then of the largest; false if not enough."""
         limits = self._settings
+        # within the share of the source first, so that it displaces itself only
         while key in self._sources and self._sources[key].cost + needed > limits.source_memory:
             if not self._drop_oldest(key):
                 return False
+        # then within the total, at the expense of whoever has most
         while self._sources and (self._cost + needed > limits.total_memory or self._has_too_many_sources(key)):
-            if not self._drop_oldest(max(self._sources, key=lambda each: self._sources[each].cost)):
+            if not self._drop_oldest(max(self._sources, key=lambda source: self._sources[source].cost)):
                 return False
         return needed <= limits.total_memory
 

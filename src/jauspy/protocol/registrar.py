@@ -106,28 +106,28 @@ class Registrar:
     def handle_control(self, control: junior.ControlMessage, port: ComponentPort, now: float) -> None:
         """Handle a Connect or a Cancel."""
         id = int(control.id)
-        own = self.reply_port(port, id)
+        component = self.reply_port(port, id)
         if control.kind is junior.ControlKind.CONNECT:
-            self._connect(control.id, id, own, now)
-        elif control.kind is junior.ControlKind.CANCEL and self._components.port(id) == own:
+            self._connect(control.id, id, component, now)
+        elif control.kind is junior.ControlKind.CANCEL and self._components.port(id) == component:
             self._components.remove(id)
             self._counters["cancels"] += 1
 
-    def _connect(self, name: JausID, id: int, own: ComponentPort, now: float) -> None:
+    def _connect(self, name: JausID, id: int, component: ComponentPort, now: float) -> None:
         known = self._components.port(id)
-        if isinstance(own, UdpPort) and not self._may_connect(own):
-            self._counters.drop("not_permitted", f"{name} from {format_port(own)}")
-            self._duplicate_ids.warn_not_permitted(id, own)
+        if isinstance(component, UdpPort) and not self._may_connect(component):
+            self._counters.drop("not_permitted", f"{name} from {format_port(component)}")
+            self._duplicate_ids.warn_not_permitted(id, component)
             return
         if (
-            isinstance(own, UdpPort) and isinstance(known, LocalPort) and self.is_in_use(id)
+            isinstance(component, UdpPort) and isinstance(known, LocalPort) and self.is_in_use(id)
         ):  # any user may send UDP, not any use a socket
-            self._counters.drop("duplicate_id", f"{name} from {own}")
-            self._duplicate_ids.warn_duplicate(id, own)
+            self._counters.drop("duplicate_id", f"{name} from {component}")
+            self._duplicate_ids.warn_duplicate(id, component)
             return
-        if known not in (None, own):
-            self._duplicate_ids.log_move(id, own)
-        if self.register(id, own, now, junior.accept(name)):
+        if known not in (None, component):
+            self._duplicate_ids.log_move(id, component)
+        if self.register(id, component, now, junior.accept(name)):
             self._counters["connects"] += 1
 
 
@@ -218,8 +218,8 @@ class IdClashes:
         self._clashes[id] = _Clash(port, now, now if is_sent or known is None else known.notified)
         if len(self._clashes) > MAX_CLASHES:
             self._clashes.popitem(last=False)
-        own = JausID.from_int(id)
-        return judp.pack(Packet(own, own, b"", 0, ack=Ack.ACK)) if is_sent else None
+        jaus_id = JausID.from_int(id)
+        return judp.pack(Packet(jaus_id, jaus_id, b"", 0, ack=Ack.ACK)) if is_sent else None
 
     def recent(self, now: float) -> Iterator[tuple[int, NetworkPort, float]]:
         """Each id in use elsewhere, where, and the seconds since its last packet from there."""

@@ -136,7 +136,7 @@ class Router:
         return self._egress.drain()
 
     def next_timeout(self) -> float | None:
-        """When `handle_timeout` is to be called, or None."""
+        """Time at which `handle_timeout` is to be called, or None."""
         return self._pending.next_timeout()
 
     def handle_timeout(self, now: float) -> None:
@@ -162,7 +162,7 @@ class Router:
         self.sources.forget(port)
 
     def cacheable_route(self, source: int, destination: int, port: Port, now: float) -> LocalPort | UdpPort | None:
-        """Where every plain packet of these ids from `port` is sent; None if each must pass through `receive`.
+        """Route of every plain packet of these ids from `port`; None if each must pass through `receive`.
 
         The route holds until `changed` is called for one of the ids, and for a moment at most: rate limits, learned
         addresses and their checks need to see packets in `receive`.
@@ -197,15 +197,15 @@ class Router:
 
     def _from_component(self, data: bytes, port: ComponentPort, now: float) -> None:
         for raw, datagram, _ in judp.packets(data):
-            own = self._registrar.reply_port(port, raw.source)
-            if self._registrar.is_in_use(raw.source, elsewhere_than=own):
-                self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also sends from {own}")
-                self._duplicate_ids.warn_duplicate(raw.source, own)
+            sender = self._registrar.reply_port(port, raw.source)
+            if self._registrar.is_in_use(raw.source, elsewhere_than=sender):
+                self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also sends from {sender}")
+                self._duplicate_ids.warn_duplicate(raw.source, sender)
             elif self.sources.are_limited and not self.sources.within_rate(raw.source, raw.priority, now):
                 self.counters.drop("rate", JausID.from_int(raw.source))
             elif raw.ack == Ack.REQUIRED and addressing.is_wildcard(raw.source):
                 self.counters.drop("wildcard_source", f"{JausID.from_int(raw.source)}: an ACK would go to all")
-            elif self._registrar.register(raw.source, own, now):
+            elif self._registrar.register(raw.source, sender, now):
                 self._route_from_component(raw, datagram, now)
 
     def _route_from_component(self, raw: RawPacket, datagram: bytes, now: float) -> None:
@@ -215,8 +215,8 @@ class Router:
             if raw.broadcast != Broadcast.LOCAL:
                 self._egress.multicast(datagram, self._networks, now)
                 self._egress.broadcast_to_static(destination, datagram, self._networks)
-        elif (own := self.components.port(destination)) is not None:
-            self._egress.deliver(own, datagram)
+        elif (component := self.components.port(destination)) is not None:
+            self._egress.deliver(component, datagram)
         elif (address := self.address_book.find(destination, now)) is not None:
             self._egress.forward(address, destination, datagram, now)
             if raw.broadcast == Broadcast.GLOBAL:  # the sender does not trust the address: the id may have moved
@@ -255,7 +255,7 @@ class Router:
     def _refusal(
         self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float, sequence: int | None, *, verified: bool
     ) -> str | None:
-        """Why a packet from this address is not accepted, as a counter's name; None if it is."""
+        """Reason to refuse a packet from this address, as a counter's name; None if it is accepted."""
         source = raw.source
         if not verified and addressing.is_wildcard(source):
             return "wildcard_source"
@@ -282,8 +282,8 @@ class Router:
         if addressing.is_wildcard(destination):
             self._egress.deliver_broadcast(destination, datagram)
             self._relay_broadcast(raw, datagram, network, now)
-        elif (own := self.components.port(destination)) is not None:
-            self._egress.deliver(own, datagram)
+        elif (component := self.components.port(destination)) is not None:
+            self._egress.deliver(component, datagram)
         elif self._egress.deliver_broadcast(destination, datagram):
             pass
         elif self.gateway is None or not (onward := self.gateway.onward(raw, network)):
@@ -298,8 +298,8 @@ class Router:
 
     def _relay_broadcast(self, raw: RawPacket, datagram: bytes, network: str, now: float) -> None:
         if self.gateway is not None and (onward := self.gateway.onward(raw, network)):
-            for each in self._networks:  # networks in a ring bring it back from any of them
-                self._egress.echoes.add(datagram, each, now)
+            for interface in self._networks:  # networks in a ring bring it back from any of them
+                self._egress.echoes.add(datagram, interface, now)
             self._egress.multicast(datagram, onward, now)
             self._egress.broadcast_to_static(raw.destination, datagram, onward)
             self.counters["relayed"] += 1

@@ -293,7 +293,8 @@ def compare_behavior(one: Behavior | None, other: Behavior | None) -> Iterator[C
     for path in (path for path in old if path in new):
         yield from _compare_states(old[path], new[path], path)
     starts = [
-        {(short_name(start.machine), start.state) for start in (each.start if each else ())} for each in (one, other)
+        {(short_name(start.machine), start.state) for start in (service.start if service else ())}
+        for service in (one, other)
     ]
     for machine, state in sorted(starts[0] ^ starts[1]):
         done = "does not start" if (machine, state) in starts[0] else "starts"
@@ -420,15 +421,15 @@ def pairs(one: Schema, other: Schema) -> Iterator[tuple[ServiceDefinition | None
         return
     found = []
     for service in list(left):
-        same = next((each for each in right if each.key == service.key), None)
+        same = next((other for other in right if other.key == service.key), None)
         if same is not None:
             found.append((service, same))
             left.remove(service)
             right.remove(same)
-    for service in sorted(left, key=lambda each: version_key(each.version), reverse=True):
-        versions = [each for each in right if each.id == service.id]
+    for service in sorted(left, key=lambda candidate: version_key(candidate.version), reverse=True):
+        versions = [other for other in right if other.id == service.id]
         if versions:
-            newest = max(versions, key=lambda each: version_key(each.version))
+            newest = max(versions, key=lambda candidate: version_key(candidate.version))
             found.append((service, newest))
             left.remove(service)
             right.remove(newest)
@@ -442,8 +443,8 @@ def compare_services(one: ServiceDefinition, other: ServiceDefinition) -> Servic
     old, new = list(_once(one.messages)), list(_once(other.messages))
     matched = []
     for message in list(old):
-        found = next((each for each in new if each.code == message.code), None)
-        found = found or next((each for each in new if each.name == message.name), None)
+        found = next((candidate for candidate in new if candidate.code == message.code), None)
+        found = found or next((candidate for candidate in new if candidate.name == message.name), None)
         if found is not None:
             matched.append(MessageDiff(message, found, tuple(_changes(message, found, one, other))))
             old.remove(message)
@@ -479,11 +480,11 @@ def _changes(
 
 def _ways(message: MessageDefinition, service: ServiceDefinition) -> str:
     ways = (("input", service.inputs), ("output", service.outputs))
-    return " and ".join(way for way, messages in ways if any(each.code == message.code for each in messages))
+    return " and ".join(way for way, messages in ways if any(other.code == message.code for other in messages))
 
 
 def _inheritance(one: ServiceDefinition, other: ServiceDefinition) -> Iterator[Change]:
-    parents = [f"{each.inherits_from.id} {each.inherits_from.version}" if each.inherits_from else "nothing"
-               for each in (one, other)]  # fmt: skip
+    parents = [f"{service.inherits_from.id} {service.inherits_from.version}" if service.inherits_from else "nothing"
+               for service in (one, other)]  # fmt: skip
     if parents[0] != parents[1]:
         yield Change("behavior", "", f"inherits from {parents[0]} -> {parents[1]}")

@@ -152,14 +152,14 @@ def _counted(count: Count, item: Sizes) -> Sizes:
 
 def _container_sizes(presence: Scalar | None, members: tuple[Node, ...]) -> Sizes:
     vector = scalar_size(presence) if presence else 0
-    there = zip(members, can_be_there(presence, members), strict=True)
-    found = [(member.optional, *sizes(member)) for member, possible in there if possible]
+    presences = zip(members, can_be_there(presence, members), strict=True)
+    found = [(member.optional, *sizes(member)) for member, possible in presences if possible]
     low = sum(low for optional, low, _ in found if not optional)
     return vector + low, vector + sum(high for _, _, high in found)
 
 
 def can_be_there(presence: Scalar | None, members: Iterable[Node]) -> Iterator[bool]:
-    """For each member of a container, false if it is optional and the presence vector has no bit for it."""
+    """List for each member of a container whether it can be present: false if the presence vector has no bit for it."""
     bits = 8 * scalar_size(presence) if presence else 0
     for member in members:
         counts = member.optional and presence is not None

@@ -62,7 +62,7 @@ def suggestion(name: str, known: Iterable[str]) -> str:
 
 
 def give_its_file(urn: str) -> str:
-    """What to do when a definition of another file is missing."""
+    """Advice for when a definition of another file is missing."""
     return f"give its file, too, or the folder of its set, {service_set(urn)}"
 
 

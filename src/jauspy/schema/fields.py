@@ -119,7 +119,7 @@ def read_value_set(element: Element, scope: NameScope) -> ValueSet:
         tuple(_range(interval, scope) for interval in element.iterchildren("value_range")),
         offset_to_lower_limit=flag(element, "offset_to_lower_limit"),
     )
-    lowest = min([*(enum.value for enum in values.enums), *(each.lower for each in values.ranges)])
+    lowest = min([*(enum.value for enum in values.enums), *(range_.lower for range_ in values.ranges)])
     if values.offset_to_lower_limit and lowest:
         reason = f"offset_to_lower_limit: values that are sent as their distance from {lowest} are not supported"
         raise wrong(element, f"{reason}; set it to false if they are sent as they are")

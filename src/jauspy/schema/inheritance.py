@@ -42,19 +42,19 @@ def lineage(service: T, parent_of: ParentOf[T]) -> tuple[T, ...]:
 
 def is_a(service: ServiceDefinition, urn: str, parent_of: ParentOf[ServiceDefinition]) -> bool:
     """True when the service has this URN, or inherits from one that has it, whatever its version."""
-    return any(each.id == urn for each in lineage(service, parent_of))
+    return any(ancestor.id == urn for ancestor in lineage(service, parent_of))
 
 
 def most_derived_first(
     services: Iterable[ServiceDefinition], parent_of: ParentOf[ServiceDefinition]
 ) -> tuple[ServiceDefinition, ...]:
-    """These services and all their ancestors, one per URN, the longest lineage first: the order of a component.
+    """Order services and all their ancestors as in a component: one per URN, the longest lineage first.
 
     Where lineages bring different versions of one service, the version that comes first is kept.
     """
     found: dict[str, tuple[ServiceDefinition, int]] = {}
     for service in services:
         line = lineage(service, parent_of)
-        for position, each in enumerate(line):
-            found.setdefault(each.id, (each, len(line) - position))
+        for position, ancestor in enumerate(line):
+            found.setdefault(ancestor.id, (ancestor, len(line) - position))
     return tuple(service for service, _ in sorted(found.values(), key=lambda pair: -pair[1]))

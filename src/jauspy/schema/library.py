@@ -203,9 +203,9 @@ MAX_PARTS: Final = 20_000
 def bounded_node(node: AnyNode, element: Element) -> AnyNode:
     """The node, if it is not too deep or too large to be handled: declared types that use each other multiply."""
     waiting: list[tuple[Node, int]] = [(node, 1)]
-    for each, depth in waiting:
+    for member, depth in waiting:
         inner: tuple[Node, ...] = ()
-        match each:
+        match member:
             case Record(fields=inner) | Sequence(items=inner) | Variant(arms=inner):
                 pass
             case List(element=only):

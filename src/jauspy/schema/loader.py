@@ -174,23 +174,23 @@ def load_own(sources: Iterable[str | Path], references: Iterable[str | Path] = (
     Their states are not checked, see `load_files`. Raises `SchemaError` with file and line, `ConfigError` when there
     is no such file.
     """
-    own = find_files(sources)
-    keys = {identity_of(path) for path in own}
+    given = find_files(sources)
+    keys = {identity_of(path) for path in given}
     more = find_files(references) if references else []
     others = [path for path in more if identity_of(path) not in keys]
-    schema = load_beside_builtin([*own, *others], states=False)
+    schema = load_beside_builtin([*given, *others], states=False)
     return Schema(services=tuple(s for s in schema.services if ("service_def", *s.key) in keys))
 
 
 def load_beside_builtin(paths: Iterable[Path], *, states: bool = True) -> Schema:
-    """These files and all built-in services; definitions in the files replace built-in ones."""
-    own = list(paths)
-    return load_files([*own, *_builtin_sets(own)], base=load_builtin(), states=states)
+    """Load these files and all built-in services; definitions in the files replace built-in ones."""
+    given = list(paths)
+    return load_files([*given, *_builtin_sets(given)], base=load_builtin(), states=states)
 
 
-def _builtin_sets(own: Iterable[Path]) -> list[Path]:
+def _builtin_sets(given: Iterable[Path]) -> list[Path]:
     """The shipped type sets that files refer to, directly or through each other."""
-    roots = [parse_file(path) for path in own]
+    roots = [parse_file(path) for path in given]
     known = {(str(root.tag), *identity(root)) for root in roots}
     found = []
     for root in roots:
@@ -219,12 +219,12 @@ def identity_of(path: Path) -> Identity:
 
 @cache
 def load_needed(wanted: frozenset[Wanted]) -> Schema:
-    """These shipped services with all ancestors, the same as in `load_builtin()`.
+    """Load these shipped services with all ancestors, the same as in `load_builtin()`.
 
     For a service without the wanted version all versions are loaded, for an unknown service none.
     """
     paths: set[Path] = set()
-    waiting = [path for each in wanted for path in _files(*each)]
+    waiting = [path for pattern in wanted for path in _files(*pattern)]
     while waiting:
         path = waiting.pop()
         if path not in paths:

@@ -15,7 +15,7 @@ Unsigned: TypeAlias = Literal["u8", "u16", "u32", "u64"]
 
 @dataclass(frozen=True, slots=True)
 class SourceLocation:
-    """Where something was defined, for error messages."""
+    """Place of a definition in a file, for error messages."""
 
     file: str
     line: int

@@ -134,7 +134,7 @@ _VERSION = re.compile(r"\d+\.\d+", re.ASCII)
 
 
 def version_key(version: str) -> tuple[int, ...]:
-    """For sorting: 1.10 comes after 1.9."""
+    """Key for sorting: 1.10 comes after 1.9."""
     return tuple(int(part) for part in version.split("."))
 
 

@@ -97,12 +97,14 @@ class MergedState:
     @property
     def transitions(self) -> tuple[Owned[Transition], ...]:
         """The state's own transitions."""
-        return tuple(Owned(part.owner, each) for part in self.parts for each in part.item.transitions)
+        return tuple(Owned(part.owner, transition) for part in self.parts for transition in part.item.transitions)
 
     @property
     def defaults(self) -> tuple[Owned[Transition], ...]:
         """Default transitions, which also apply to all states inside."""
-        return tuple(Owned(part.owner, each) for part in self.parts for each in part.item.default_transitions)
+        return tuple(
+            Owned(part.owner, transition) for part in self.parts for transition in part.item.default_transitions
+        )
 
     def upwards(self) -> Iterator[MergedState]:
         """The state itself, its parent, and so on; without the root."""
@@ -188,7 +190,7 @@ class MergedMachine:
             fresh = [state for state in waiting.pop().leaf().upwards() if state not in seen]
             seen.update(dict.fromkeys(fresh))
             for source in (*fresh, self.root):
-                ends = [each.item.end_state for each in (*source.transitions, *source.defaults)]
+                ends = [transition.item.end_state for transition in (*source.transitions, *source.defaults)]
                 waiting += [end for path in ends if path and fresh and (end := self.root.find(path)) is not None]
         return frozenset(map(str, seen))
 
@@ -252,7 +254,7 @@ def check_behavior(services: Sequence[ServiceDefinition], known: Sequence[Servic
         if service.behavior is not None:
             line = lineage(service, parent_of)
             _check_states(service.behavior, merge_machines(line))
-            messages = {message.name for each in line for message in each.messages}
+            messages = {message.name for ancestor in line for message in ancestor.messages}
             for transition in transitions_of(service.behavior):
                 _check_trigger(transition, messages)
                 _check_guard(transition)

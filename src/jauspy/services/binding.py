@@ -89,7 +89,7 @@ class RequiredMethod:
         """The signature that the method must have."""
         parameters = ["self"]
         if self.takes_message:
-            name = "query" if all(each.startswith("Query") for each in self.messages) else "msg"
+            name = "query" if all(message.startswith("Query") for message in self.messages) else "msg"
             parameters.append(f"{name}: {' | '.join(self.messages)}")
         if self.literals:
             parameters.append("code: str")
@@ -118,7 +118,7 @@ def required_method(definition: model.ServiceDefinition, name: str) -> RequiredM
 
 @cache
 def _required_by_name(definition: model.ServiceDefinition) -> dict[str, RequiredMethod]:
-    return {each.jsidl: each for each in required_methods(definition)}
+    return {method.jsidl: method for method in required_methods(definition)}
 
 
 def _add_transition(found: dict[str, RequiredMethod], transition: model.Transition, outputs: set[str]) -> None:
@@ -126,11 +126,11 @@ def _add_transition(found: dict[str, RequiredMethod], transition: model.Transiti
     if transition.guard.strip():
         called += [_required_by_guard(found, call) for call in behavior.calls(behavior.parse(transition.guard))]
     event = short_name(transition.trigger)
-    for each in called:
+    for method in called:
         if event == "Receive" and transition.parameters:
-            _append_new(each.messages, transition.parameters[0].type)
+            _append_new(method.messages, transition.parameters[0].type)
         else:
-            _append_new(each.events, event)
+            _append_new(method.events, event)
 
 
 def _required_by_action(
@@ -159,8 +159,8 @@ def _required(
 def _reported(name: str, outputs: set[str]) -> str:
     """The output that an action is named for: `Send('ReportX')`, `sendReportX`, `sendX`, `sendReportXInY`."""
     bare = name.removeprefix("send") if name.startswith("send") else name[:1].upper() + name[1:]
-    exact = next((each for each in (name, bare, f"Report{bare}") if each in outputs), "")
-    begun = [each for each in outputs if name.startswith("send") and bare.startswith(each)]
+    exact = next((candidate for candidate in (name, bare, f"Report{bare}") if candidate in outputs), "")
+    begun = [output for output in outputs if name.startswith("send") and bare.startswith(output)]
     return exact or max(begun, key=len, default="")
 
 
@@ -227,7 +227,10 @@ class Binder:
         wanted = transition.parameters[0].type
         line = self._line(owner)
         # Outputs come last: a service may be the client of another one of its own kind.
-        for message in (*(m for each in line for m in each.inputs), *(m for each in line for m in each.outputs)):
+        for message in (
+            *(m for definition in line for m in definition.inputs),
+            *(m for definition in line for m in definition.outputs),
+        ):
             if message.name == wanted:
                 return message.code
         self.problems.append(f"{where}: receives {wanted}, which is no message of {owner.name} or its parents")
@@ -400,19 +403,21 @@ def bind_services(
     all_services = {urn: given.get(urn) or _default(urn) for urn in definitions}
     binder = Binder(definitions, all_services, reply)
     merged = merge_machines(definitions.values())
-    for each in merged.values():
-        each.check_initials()
-    bound = {name: binder.states(each.root) for name, each in merged.items()}
+    for machine in merged.values():
+        machine.check_initials()
+    bound = {name: binder.states(item.root) for name, item in merged.items()}
     binder.raise_problems()
     machines = {name: MachineInstance(states, merged[name].start(), errors) for name, states in bound.items()}
-    transitions = [(each, name) for name, states in bound.items() for each in _transitions(states.values())]
+    transitions = [(transition, name) for name, states in bound.items() for transition in _transitions(states.values())]
     events: dict[TriggerKey, MachineInstance] = {
-        each.key: machines[name] for each, name in transitions if isinstance(each.key, str)
+        transition.key: machines[name] for transition, name in transitions if isinstance(transition.key, str)
     }
-    received = {each.key for each, _ in transitions if isinstance(each.key, int)}
-    queries = frozenset(each.key for each, _ in transitions if isinstance(each.key, int) and _is_answer(each))
+    received = {transition.key for transition, _ in transitions if isinstance(transition.key, int)}
+    queries = frozenset(
+        transition.key for transition, _ in transitions if isinstance(transition.key, int) and _is_answer(transition)
+    )
     inputs = _inputs(definitions.values(), received, registry)
-    names = {event.name for each in definitions.values() for event in each.internal_events}
+    names = {event.name for definition in definitions.values() for event in definition.internal_events}
     names |= {key for key in events if isinstance(key, str) and key not in (ANY_MESSAGE, ANY_TRIGGER)}
     return BoundServices(
         services=all_services,
@@ -427,7 +432,7 @@ def bind_services(
 
 
 def _transitions(states: Iterable[BoundState]) -> Iterable[BoundTransition]:
-    return (each for state in states for each in state.transitions + state.defaults)
+    return (transition for state in states for transition in state.transitions + state.defaults)
 
 
 def _is_answer(transition: BoundTransition) -> bool:

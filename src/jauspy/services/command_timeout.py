@@ -13,7 +13,7 @@ DEFAULT_TIMEOUT: Final = 2.0
 
 
 class Zero(Enum):
-    """Which fields of a command are zero in the one that stops its motion."""
+    """Fields of a command that are zero in the one that stops its motion."""
 
     ALL = "all"
     SPEED = "speed"

@@ -92,8 +92,8 @@ class TimerHost(Protocol):
     counters: Counters
     on_timer_change: Callable[[], None]
 
-    def set_timer(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
-        """Call `call` at time `at` (seconds)."""
+    def set_timer(self, key: Hashable, due: float, call: Callable[[], None]) -> None:
+        """Call `call` at time `due` (seconds)."""
         ...
 
 

@@ -25,27 +25,29 @@ def schema_for(services: Iterable[Service]) -> Schema:
     """
     services = list(services)
     schema = _schema(services, every_version=False)
-    ids = [each.id for each in schema.services]
+    ids = [definition.id for definition in schema.services]
     if len(set(ids)) < len(ids):
         # Two versions of one parent: an older version of some service may fit.
         schema = _schema(services, every_version=True)
     provided = {service.urn for service in services if service.definitions is not None}
-    check_behavior([each for each in schema.services if each.id in provided], schema.services)
+    check_behavior([definition for definition in schema.services if definition.id in provided], schema.services)
     return schema
 
 
 def _schema(services: Iterable[Service], *, every_version: bool) -> Schema:
     provided = [registry.schema for registry in _registries(services) if registry.schema is not None]
-    own = {each.key: each for schema in provided for each in schema.services}
-    parents = [each.inherits_from for each in own.values() if each.inherits_from is not None]
-    wanted: set[Wanted] = {parent.key for parent in parents if parent.key not in own}
-    defined = {urn for urn, _ in own}
+    definitions = {definition.key: definition for schema in provided for definition in schema.services}
+    parents = [definition.inherits_from for definition in definitions.values() if definition.inherits_from is not None]
+    wanted: set[Wanted] = {parent.key for parent in parents if parent.key not in definitions}
+    defined = {urn for urn, _ in definitions}
     for service in services:
         if service.urn not in defined:
             every = every_version and service.version is None
             wanted |= {(service.urn, version) for version in (versions_of(service.urn) if every else [service.version])}
     needed = load_needed(frozenset(wanted))
-    return Schema(services=(*own.values(), *(each for each in needed.services if each.key not in own)))
+    return Schema(
+        services=(*definitions.values(), *(service for service in needed.services if service.key not in definitions))
+    )
 
 
 def registry_for(services: Iterable[Service]) -> Registry:
@@ -55,12 +57,12 @@ def registry_for(services: Iterable[Service]) -> Registry:
         return provided[0]
     if not provided:
         return messages.registry
-    return Registry(dict.fromkeys(entry for each in provided for entry in each.entries))
+    return Registry(dict.fromkeys(entry for schema in provided for entry in schema.entries))
 
 
 def _registries(services: Iterable[Service]) -> list[Registry]:
     found = {id(service.definitions): service.definitions for service in services}
-    return [each for each in found.values() if each is not None]
+    return [schema for schema in found.values() if schema is not None]
 
 
 def definitions_of(services: Iterable[Service], schema: Schema) -> dict[str, Definition]:
@@ -79,7 +81,7 @@ def definitions_of(services: Iterable[Service], schema: Schema) -> dict[str, Def
     for service in services:
         if service.urn not in found:
             _add(found, _choose(found, service, schema, parent_of), parent_of)
-    return {each.id: each for each in most_derived_first(found.values(), parent_of)}
+    return {ancestor.id: ancestor for ancestor in most_derived_first(found.values(), parent_of)}
 
 
 def _parents(schema: Schema) -> ParentOf[Definition]:
@@ -92,7 +94,11 @@ def _parents(schema: Schema) -> ParentOf[Definition]:
 
 def _versions(service: Service, schema: Schema) -> list[Definition]:
     """The definitions that a service may run, oldest first."""
-    return [each for each in schema.services if each.id == service.urn and service.version in (None, each.version)]
+    return [
+        definition
+        for definition in schema.services
+        if definition.id == service.urn and service.version in (None, definition.version)
+    ]
 
 
 def _choose(
@@ -100,11 +106,15 @@ def _choose(
 ) -> Definition:
     """The newest version that shares its ancestors with those found; the newest of all when none does."""
     newest = _lookup(schema, service.urn, service.version, type(service).__name__)
-    return next((each for each in reversed(_versions(service, schema)) if _fits(found, each, parent_of)), newest)
+    return next(
+        (version for version in reversed(_versions(service, schema)) if _fits(found, version, parent_of)), newest
+    )
 
 
 def _fits(found: Mapping[str, Definition], definition: Definition, parent_of: ParentOf[Definition]) -> bool:
-    return all(found.get(each.id, each).version == each.version for each in lineage(definition, parent_of))
+    return all(
+        found.get(ancestor.id, ancestor).version == ancestor.version for ancestor in lineage(definition, parent_of)
+    )
 
 
 def _inherited(services: Iterable[Service], schema: Schema, parent_of: ParentOf[Definition]) -> set[str]:
@@ -112,17 +122,17 @@ def _inherited(services: Iterable[Service], schema: Schema, parent_of: ParentOf[
     found: set[str] = set()
     for service in services:
         definition = _lookup(schema, service.urn, service.version, type(service).__name__)
-        found |= {each.id for each in lineage(definition, parent_of) if each.id != service.urn}
+        found |= {ancestor.id for ancestor in lineage(definition, parent_of) if ancestor.id != service.urn}
     return found
 
 
 def _add(found: dict[str, Definition], definition: Definition, parent_of: ParentOf[Definition]) -> None:
-    for each in lineage(definition, parent_of):
-        there = found.setdefault(each.id, each)
-        if there.version != each.version:
+    for ancestor in lineage(definition, parent_of):
+        existing = found.setdefault(ancestor.id, ancestor)
+        if existing.version != ancestor.version:
             raise ConfigError(
-                f"{definition.name} needs {each.id} {each.version}, but another service of this component needs "
-                f"{there.version}; give each version a component of its own"
+                f"{definition.name} needs {ancestor.id} {ancestor.version}, but another service of this component "
+                f"needs {existing.version}; give each version a component of its own"
             )
 
 
@@ -136,11 +146,11 @@ def _lookup(schema: Schema, urn: str, version: str | None, who: str) -> Definiti
 
 
 def _suggestion(schema: Schema, urn: str) -> str:
-    known = {each.id for each in schema.services} | {each.service for each in registry.entries}
-    by_end = sorted(each for each in known if each.endswith(f":{urn}"))
+    known = {definition.id for definition in schema.services} | {entry.service for entry in registry.entries}
+    by_end = sorted(name for name in known if name.endswith(f":{urn}"))
     meant = (by_end or get_close_matches(urn, known, 1, 0.9))[:1]
-    own = "one of your own is given by `definitions=jauspy.load(...)`"
-    return f"did you mean {meant[0]}? {own}" if meant else own
+    hint = "one of your own is given by `definitions=jauspy.load(...)`"
+    return f"did you mean {meant[0]}? {hint}" if meant else hint
 
 
 _CORE: Final = "urn:jaus:jss:core:"
@@ -183,7 +193,7 @@ RENAMED_SERVICES: Final = {
     f"{_MANIPULATOR}ManipulatorJointPositionsListDriver": (f"{_MANIPULATOR}ManipulatorJointPositionListDriver",),
     f"{_MANIPULATOR}PanTiltJointVelocitiesDriver": (f"{_MANIPULATOR}PanTiltJointVelocityDriver",),
 }
-"""Those that have another name now: one of these services does the same."""
+"""Services that have another name now: one of the named ones does the same."""
 
 
 def answered_in_older_version(services: Collection[str], inputs: Collection[int]) -> Iterator[str]:
@@ -202,4 +212,6 @@ def _older_inputs() -> dict[str, frozenset[int]]:
     schema = load_needed(frozenset((urn, OLDER_VERSION) for urn in OLDER_SERVICES))
     parent_of = parents_among(schema.services)
     lines = {urn: lineage(schema.service(urn, OLDER_VERSION), parent_of) for urn in OLDER_SERVICES}
-    return {urn: frozenset(message.code for each in line for message in each.inputs) for urn, line in lines.items()}
+    return {
+        urn: frozenset(message.code for ancestor in line for message in ancestor.inputs) for urn, line in lines.items()
+    }

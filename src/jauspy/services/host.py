@@ -104,12 +104,12 @@ class Host(ServiceHost):
         return self._output.drain()
 
     def next_timeout(self) -> float | None:
-        """When to call `handle_timeout`; None when no timer is set."""
-        at, background = self._timers.next(), self._background.next()
+        """Time at which to call `handle_timeout`; None when no timer is set."""
+        due, background = self._timers.next(), self._background.next()
         if background is None:
-            return at
+            return due
         background = max(background, self._background_from)
-        return background if at is None or background < at else at
+        return background if due is None or background < due else due
 
     def handle_timeout(self, now: float, *, room: bool = True) -> None:
         """Run every timer that is due by `now`, once.

@@ -81,7 +81,7 @@ class Outgoing(NamedTuple):
     priority: Priority = Priority.STANDARD
     broadcast: Broadcast = Broadcast.NONE
     on_acknowledged: Callable[[bool], None] | None = None
-    """With it, the message is resent until it is acknowledged (called with True) or given up (False)."""
+    """Callback with which the message is resent until it is acknowledged (called with True) or given up (False)."""
 
 
 class OutputQueue:
@@ -96,7 +96,7 @@ class OutputQueue:
         """Queue a message."""
         self._queue.append(outgoing)
         if len(self._queue) > self._limit:
-            self._queue.remove(min(self._queue, key=lambda each: each.priority))
+            self._queue.remove(min(self._queue, key=lambda queued: queued.priority))
             self._counters["output_dropped"] += 1
 
     def drain(self) -> list[Outgoing]:
@@ -142,11 +142,11 @@ class MessageSender:
                 outcome, reply = machine.ask(trigger), None
             else:
                 outcome, reply = self._report(action, action.report, trigger)
-            for each in self._captured:
-                if isinstance(each, Deferred):
-                    return outcome, self._pending(each, trigger)
-                if each.destination == trigger.source:
-                    return outcome, each.payload
+            for output in self._captured:
+                if isinstance(output, Deferred):
+                    return outcome, self._pending(output, trigger)
+                if output.destination == trigger.source:
+                    return outcome, output.payload
             return outcome, reply
         finally:
             self._captured = outer

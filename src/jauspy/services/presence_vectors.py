@@ -12,7 +12,7 @@ from jauspy.services.state_machine import Trigger
 
 _SUFFIX: Final = "presence_vector"
 _SENSOR_VECTOR: Final = "query_presence_vector"
-"""In the records of a query about several sensors (AS6060): for the record with the same SensorID; 0 is all."""
+"""Field of the records of a query about several sensors (AS6060): for the record with the same SensorID; 0 is all."""
 _VECTORS: Final[dict[type[Message], tuple[tuple[str, str], ...]]] = {}
 _OPTIONAL: Final[dict[type[Struct], tuple[str, ...]]] = {}
 _SENSOR_LISTS: Final[dict[type[Message], tuple[str, ...]]] = {}
@@ -80,13 +80,13 @@ def _sensors_requested(report: Message, records: Sequence[Any]) -> Message:
     report = copy(report)
     for slot in _slots(type(report)):
         if isinstance(slot.item, Repeat):
-            setattr(report, slot.name, [_sensor_requested(each, records) for each in getattr(report, slot.name)])
+            setattr(report, slot.name, [_sensor_requested(record, records) for record in getattr(report, slot.name)])
     return report
 
 
 def _sensor_requested(record: Any, requested: Sequence[Any]) -> Any:
     sensor = getattr(record, "sensor_id", None)
-    found = next((each for each in requested if each.sensor_id in (0, sensor)), None)
+    found = next((record for record in requested if record.sensor_id in (0, sensor)), None)
     return record if sensor is None or found is None else requested_fields(record, found.query_presence_vector)
 
 

@@ -52,11 +52,11 @@ class Timers:
     def __len__(self) -> int:
         return len(self._active)
 
-    def set(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
-        """Call `call` once, at time `at` (seconds)."""
+    def set(self, key: Hashable, due: float, call: Callable[[], None]) -> None:
+        """Call `call` once, at time `due` (seconds)."""
         serial = next(self._serial)
         self._active[key] = (serial, call)
-        heapq.heappush(self._heap, (at, serial, key))
+        heapq.heappush(self._heap, (due, serial, key))
         if len(self._heap) > 2 * len(self._active) + _MAX_STALE:
             self._compact()
 
@@ -102,11 +102,15 @@ def check_services(services: object) -> list[Service]:
     if isinstance(services, Service) or not isinstance(services, Iterable) or isinstance(services, str):
         raise TypeError(f"services are a list, as in [Battery()], not {described(services)}")
     found = list(services)
-    for each in found:
-        if isinstance(each, type) and issubclass(each, Service):
-            raise TypeError(f"services are made from their classes: write {each.__name__}(), not {each.__name__}")
-        if not isinstance(each, Service):
-            raise TypeError(f"a service is made from a class that inherits from jauspy.Service, not {described(each)}")
+    for candidate in found:
+        if isinstance(candidate, type) and issubclass(candidate, Service):
+            raise TypeError(
+                f"services are made from their classes: write {candidate.__name__}(), not {candidate.__name__}"
+            )
+        if not isinstance(candidate, Service):
+            raise TypeError(
+                f"a service is made from a class that inherits from jauspy.Service, not {described(candidate)}"
+            )
     return found
 
 
@@ -260,7 +264,7 @@ class ServiceHost:
         self._output = OutputQueue(max_output, self.counters)
         self._timers = Timers()
         self._background = Timers()
-        """Those that may wait."""
+        """Timers that may wait."""
         self._triggers = TriggerQueue(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
         self._errors = ActionErrors(self.counters, self._on_action_error)
         self._deferred = DeferredReplies(self, self._errors)
@@ -305,7 +309,7 @@ class ServiceHost:
     def service(self, kind: type[S]) -> S | None:
         """The service of this class, None when the component has none."""
         if kind not in self._by_class:
-            self._by_class[kind] = next((each for each in self.services if isinstance(each, kind)), None)
+            self._by_class[kind] = next((service for service in self.services if isinstance(service, kind)), None)
         return self._by_class[kind]  # type: ignore[return-value]  # kept by its class
 
     # --- messages -------------------------------------------------------------------------------------------------
@@ -337,7 +341,7 @@ class ServiceHost:
         return self._sender.ask(self._bound.machines["ReceiveFSM"], Trigger(query.CODE, query, source))
 
     def defer(self, fallback: Callable[[], Message | None]) -> Deferred:
-        """For an action that cannot report yet: it returns this and sets its result later.
+        """Make a deferred reply for an action that cannot report yet: the action returns it and sets its result later.
 
         Without a result after `REPLY_TIMEOUT` seconds, `fallback` makes the report.
         """
@@ -377,17 +381,17 @@ class ServiceHost:
         self._triggers.put(Trigger(command.CODE, command, source), CommandCompletion(on_ended))
 
     def begin_command(self) -> CommandCompletion:
-        """For the action of a command that takes time: returns what to call when the command has ended."""
+        """Begin a command that takes time; returns the function to call when it has ended."""
         return self._triggers.begin_command()
 
-    def set_timer(self, key: Hashable, at: float, call: Callable[[], None], *, may_wait: bool = False) -> None:
-        """Call `call` at time `at`; a timer with the same key is replaced.
+    def set_timer(self, key: Hashable, due: float, call: Callable[[], None], *, may_wait: bool = False) -> None:
+        """Call `call` at time `due`; a timer with the same key is replaced.
 
         One that `may_wait` is called later when many of them are due, so that everything else is done in time.
         """
         timers, other = (self._background, self._timers) if may_wait else (self._timers, self._background)
         other.cancel(key)
-        timers.set(key, at, call)
+        timers.set(key, due, call)
 
     def cancel_timer(self, key: Hashable) -> None:
         """Cancel the timer, if it is set."""

@@ -97,7 +97,7 @@ class BoundAction:
     sends: bool = False
     """True for `Send`: a message goes out."""
     report: Callable[[Trigger], object] | None = None
-    """For a `Send` to the source of the trigger: makes the `Message`, a `Deferred` one, or None."""
+    """Function that makes the `Message` of a `Send` to the source of the trigger, a `Deferred` one, or None."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,7 +201,9 @@ class MachineInstance:
     def _find_transitions(self, key: TriggerKey) -> tuple[BoundTransition, ...]:
         """The transitions of the active state for a key, cached for each state."""
         keys = (key, ANY_MESSAGE, ANY_TRIGGER) if isinstance(key, int) else (key, ANY_TRIGGER)
-        found = self._candidates[self._active][key] = tuple(each for each in self._in_order() if each.key in keys)
+        found = self._candidates[self._active][key] = tuple(
+            transition for transition in self._in_order() if transition.key in keys
+        )
         return found
 
     def _in_order(self) -> Iterable[BoundTransition]:
@@ -209,12 +211,13 @@ class MachineInstance:
         state: MergedState | None = self._active
         while state is not None:
             bound = self._states[state]
-            own = state is self._active
-            yield from _catch_all_last(bound.transitions if own else bound.defaults)
-            yield from _catch_all_last(bound.defaults if own else bound.transitions)
+            is_active = state is self._active
+            yield from _catch_all_last(bound.transitions if is_active else bound.defaults)
+            yield from _catch_all_last(bound.defaults if is_active else bound.transitions)
             state = state.parent
 
     def _apply(self, transition: BoundTransition, trigger: Trigger) -> TriggerOutcome:
+        # actions run in the state that is left; one that fails, or returns STAY, keeps it
         stay = False
         for action in transition.actions:
             try:
@@ -228,8 +231,9 @@ class MachineInstance:
         return TriggerOutcome.TAKEN if does_something else TriggerOutcome.IGNORED
 
     def _change_state(self, transition: BoundTransition, trigger: Trigger) -> None:
+        """Change to the end of a simple or push transition, or back to the state that a pop returns to (AS5684)."""
         if transition.kind == "pop":
-            if self._pushed:
+            if self._pushed:  # a pop without a push stays where it is
                 target = self._pushed.pop()
                 self._move(target, target, trigger)
         elif (end := transition.end) is not None:
@@ -240,12 +244,17 @@ class MachineInstance:
             self._move(end, end.leaf(), trigger)
 
     def _move(self, target: MergedState, leaf: MergedState, trigger: Trigger) -> None:
-        """Leave up to the state around both, then enter down to `leaf`; a target that is active is left and entered."""
+        """Leave up to the state around both, then enter down to `leaf`; a target that is active is left and entered.
+
+        That state is the least common compound ancestor of W3C SCXML (2015), appendix D.
+        """
         left = list(self._active.upwards())
+        # the innermost state that contains both; None if the whole machine does
         around = target.parent
         while around is not None and not around.contains(self._active):
             around = around.parent
         depth = len(around.path) if around is not None else 0
+        # exit actions from the innermost state outward, entry actions from the outermost inward
         for state in left:
             if len(state.path) > depth:
                 self._run_each(self._states[state].exit, trigger)
@@ -266,8 +275,8 @@ class MachineInstance:
 
 
 def _catch_all_last(transitions: tuple[BoundTransition, ...]) -> list[BoundTransition]:
-    """In order, except that those for any trigger come last."""
-    return sorted(transitions, key=lambda each: each.key == ANY_TRIGGER)
+    """Sort transitions: those for any trigger come last, the others keep their order."""
+    return sorted(transitions, key=lambda transition: transition.key == ANY_TRIGGER)
 
 
 class CommandCompletion:
@@ -324,7 +333,7 @@ class TriggerQueue:
             self._drop(trigger, completion)
 
     def begin_command(self) -> CommandCompletion:
-        """For the action of a command that takes time: what to call when it has ended."""
+        """Begin a command that takes time; returns the function to call when it has ended."""
         command = self._command or CommandCompletion()
         command.takes_time = True
         return command

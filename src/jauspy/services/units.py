@@ -16,22 +16,26 @@ def effort_or_zero(value: float | None) -> float:
     return 0.0 if value is None or abs(value) < PERCENT_STEP else value
 
 
-def time_stamp(at: datetime) -> TimeStamp:
+def time_stamp(moment: datetime) -> TimeStamp:
     """Day of the month and time of day, to the millisecond."""
     return TimeStamp(
-        milliseconds=at.microsecond // 1000, seconds=at.second, minutes=at.minute, hour=at.hour, day=at.day
+        milliseconds=moment.microsecond // 1000,
+        seconds=moment.second,
+        minutes=moment.minute,
+        hour=moment.hour,
+        day=moment.day,
     )
 
 
-def date_stamp(at: datetime) -> DateStamp:
+def date_stamp(moment: datetime) -> DateStamp:
     """The date; JAUS counts years from 2000."""
-    return DateStamp(day=at.day, month=at.month, year=at.year - 2000)
+    return DateStamp(day=moment.day, month=moment.month, year=moment.year - 2000)
 
 
-def epoch_seconds(at: datetime) -> tuple[int, int] | tuple[None, None]:
+def epoch_seconds(moment: datetime) -> tuple[int, int] | tuple[None, None]:
     """Whole seconds since 1970, and the nanoseconds after them; a client may set a year that 32 bits do not reach."""
-    seconds = int(at.timestamp())
-    return (seconds, at.microsecond * 1000) if 0 <= seconds <= 0xFFFFFFFF else (None, None)
+    seconds = int(moment.timestamp())
+    return (seconds, moment.microsecond * 1000) if 0 <= seconds <= 0xFFFFFFFF else (None, None)
 
 
 MAX_TEXT: Final = 255

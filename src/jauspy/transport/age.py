@@ -18,7 +18,7 @@ UNCHECKED_TIME: Final = 0.05
 """Seconds after a socket was empty in which ages are not checked, since its datagrams are no older than that."""
 MAX_DATAGRAM: Final = 65536
 _SO_TIMESTAMPNS: Final = 35
-"""From asm-generic/socket.h."""
+"""Socket option of asm-generic/socket.h, which Python does not name."""
 _TIMESTAMP: Final = struct.Struct("@qq")
 _CONTROL_SPACE: Final = 64
 
@@ -57,7 +57,7 @@ class DatagramReader:
         return self._receive_new if _age(control) > self._max_age else self.receive
 
     def was_empty(self, now: float) -> None:
-        """To be called when `recvfrom` has found nothing, with the time before that."""
+        """Note that `recvfrom` has found nothing, with the time before that call."""
         self._empty_at = now
 
     def _receive_new(self, size: int) -> tuple[bytes, Any]:

@@ -148,7 +148,7 @@ class LocalTransport:
             status = await node_status.read(self._root)
         except TransportError:  # a node manager of others, or none
             return None
-        return next((str(each["address"]) for each in status.get("clashes", ()) if each["id"] == str(self.id)), None)
+        return next((str(clash["address"]) for clash in status.get("clashes", ()) if clash["id"] == str(self.id)), None)
 
     def _path(self, id: JausID) -> Path:
         return self._root / str(int(id))
@@ -171,7 +171,7 @@ class LocalTransport:
         clean_up(self.path)
 
     def _no_answer(self) -> str:
-        """Why the node manager may not have answered, and what to do."""
+        """Explain why the node manager may not have answered, and what to do."""
         if (why := refusal(Path(self._node))) is not None:
             return why
         if is_alive(Path(self._node)):
@@ -341,7 +341,7 @@ def is_dead(path: Path) -> bool:
 
 
 def refusal(path: Path) -> str | None:
-    """Why this user cannot send to `path`, as one sentence; None when nothing prevents it."""
+    """Sentence that says why this user cannot send to `path`; None when nothing prevents it."""
     return _refusal(path, _probe(path))
 
 
@@ -399,10 +399,10 @@ def check_directory(root: Path) -> None:
         link, found = root.lstat(), root.stat()
     except OSError:
         return
-    for each in (link, found):
-        if each.st_uid not in (os.geteuid(), 0):
+    for status in (link, found):
+        if status.st_uid not in (os.geteuid(), 0):
             raise TransportError(
-                f"{root} belongs to another user ({user_name(each.st_uid)}), who could replace the local sockets; "
+                f"{root} belongs to another user ({user_name(status.st_uid)}), who could replace the local sockets; "
                 f"{OTHER_DIRECTORY}, or run as this user"
             )
     if found.st_mode & stat.S_IWOTH and not found.st_mode & stat.S_ISVTX:

@@ -99,7 +99,7 @@ class LoopbackTransport:
             raise TransportError(f"another component {id} is already on this loopback hub; choose another id")
 
     def stall(self, seconds: float) -> None:
-        """From now on read nothing for this time, as when the process does not run; what arrives is read afterwards."""
+        """Read nothing for this time from now on, as when the process does not run; what arrives is read afterwards."""
         self._stalled_until = asyncio.get_running_loop().time() + seconds
 
     def deliver(self, datagram: bytes) -> None:

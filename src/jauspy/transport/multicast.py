@@ -22,7 +22,7 @@ RECEIVE_BUFFER: Final = 4 * 1024 * 1024
 """Bytes requested of the kernel, so that a burst is not lost before it is read; the kernel may grant less."""
 _IP_MULTICAST_ALL: Final = 49
 _IPV6_MULTICAST_ALL: Final = 29
-"""From linux/in.h and in6.h; with 0 a socket receives only groups that it has joined itself."""
+"""Socket option of linux/in.h and in6.h; with 0 a socket receives only groups that it has joined itself."""
 ALL_INTERFACES: Final = "all"
 """Every interface that has an IPv4 address, except the loopback interface."""
 WATCH_INTERVAL: Final = 5.0
@@ -87,7 +87,7 @@ def receiver(group: tuple[str, int]) -> socket.socket:
 
 @dataclass(frozen=True, slots=True)
 class AddressFamily:
-    """How sockets of one address family join groups; `present` resolves configured interfaces to present ones."""
+    """Means to join groups with sockets of one address family; `present` resolves configured interfaces."""
 
     level: int
     join: int
@@ -100,23 +100,27 @@ def addresses(chosen: Sequence[str]) -> tuple[str, ...]:
     """The present IPv4 addresses of interfaces given by address, by name, or as `ALL_INTERFACES`."""
     present = _present(socket.AF_INET)
     found: dict[str, None] = {}
-    for each in chosen:
-        if each == ALL_INTERFACES:
-            own = [address for name in present for address in present[name] if not address.startswith("127.")]
-        elif each in present:
-            own = present[each]
-        elif each == ANY or each.startswith("127.") or any(each in addresses for addresses in present.values()):
-            own = [each]
+    for interface in chosen:
+        if interface == ALL_INTERFACES:
+            selected = [address for name in present for address in present[name] if not address.startswith("127.")]
+        elif interface in present:
+            selected = present[interface]
+        elif (
+            interface == ANY
+            or interface.startswith("127.")
+            or any(interface in addresses for addresses in present.values())
+        ):
+            selected = [interface]
         else:
-            own = []
-        found.update(dict.fromkeys(own))
+            selected = []
+        found.update(dict.fromkeys(selected))
     return tuple(found)
 
 
 def own_addresses() -> frozenset[str]:
     """All addresses of this machine, IPv4 and IPv6."""
     families = (socket.AF_INET, socket.AF_INET6)
-    return frozenset(address for family in families for own in _present(family).values() for address in own)
+    return frozenset(address for family in families for addresses in _present(family).values() for address in addresses)
 
 
 def names(chosen: Sequence[str]) -> tuple[str, ...]:
@@ -124,14 +128,14 @@ def names(chosen: Sequence[str]) -> tuple[str, ...]:
     present = _present(socket.AF_INET6)
     addressed = _present(socket.AF_INET)
     found: dict[str, None] = {}
-    for each in chosen:
-        if each == ALL_INTERFACES:
-            own = [name for name in present if "::1" not in present[name]]
-        elif each == ANY:
-            own = [each]
+    for interface in chosen:
+        if interface == ALL_INTERFACES:
+            selected = [name for name in present if "::1" not in present[name]]
+        elif interface == ANY:
+            selected = [interface]
         else:
-            own = [name for name in present if each in (name, *present[name], *addressed.get(name, ()))]
-        found.update(dict.fromkeys(own))
+            selected = [name for name in present if interface in (name, *present[name], *addressed.get(name, ()))]
+        found.update(dict.fromkeys(selected))
     return tuple(found)
 
 
@@ -145,10 +149,10 @@ def _present(family: socket.AddressFamily) -> dict[str, list[str]]:
     import psutil  # noqa: PLC0415 - a component without multicasts does not need it
 
     found = {
-        name: [each.address.partition("%")[0] for each in entries if each.family == family]
+        name: [entry.address.partition("%")[0] for entry in entries if entry.family == family]
         for name, entries in psutil.net_if_addrs().items()
     }
-    return {name: own for name, own in found.items() if own}
+    return {name: addresses for name, addresses in found.items() if addresses}
 
 
 IPV4: Final = AddressFamily(
@@ -190,13 +194,13 @@ class Memberships:
 
     def refresh(self) -> None:
         """Join on all interfaces again: to the kernel, an interface that was removed and added is a new one."""
-        found = {each: self._family.present([each]) for each in self._chosen}
-        self.current = tuple(dict.fromkeys(interface for own in found.values() for interface in own))
+        found = {interface: self._family.present([interface]) for interface in self._chosen}
+        self.current = tuple(dict.fromkeys(interface for addresses in found.values() for interface in addresses))
         for gone in self._joined.difference(self.current):
             self._leave(gone)
-        for each, own in found.items():
-            if not own:
-                self._failed(each, os.strerror(errno.ENODEV))
+        for item, addresses in found.items():
+            if not addresses:
+                self._failed(item, os.strerror(errno.ENODEV))
         for interface in self.current:
             error = self._join(interface)
             if error is None:

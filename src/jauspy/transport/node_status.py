@@ -15,7 +15,7 @@ from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
 from jauspy.transport import multicast
 
 SOCKET_NAME: Final = "JuniorRTE.status"
-"""In the directory of the node manager's own socket."""
+"""Name of the status socket, in the directory of the node manager's own one."""
 READ_TIMEOUT: Final = 2.0
 """Seconds for one reader."""
 SHORT_READ_TIMEOUT: Final = 0.25
@@ -124,11 +124,11 @@ class Locator:
                 status = await read(self._root)
             except TransportError:  # a node manager of others, or none
                 status = {}
-            here = this_machine()._replace(ports=_ports(status.get("networks", ())))
-            components = {str(each["id"]) for each in status.get("components", ())}
-            peers = {str(each["id"]): str(each["address"]) for each in status.get("peers", ())}
+            local = this_machine()._replace(ports=_ports(status.get("networks", ())))
+            components = {str(component["id"]) for component in status.get("components", ())}
+            peers = {str(peer["id"]): str(peer["address"]) for peer in status.get("peers", ())}
             for id, found, is_here in requests:
-                found(here if is_here or str(id) in components else _location(peers.get(str(id)), here))
+                found(local if is_here or str(id) in components else _location(peers.get(str(id)), local))
             await asyncio.sleep(READ_INTERVAL)
         self._task = None
 
@@ -143,15 +143,15 @@ def host_of(address: str) -> str:
     return address.rpartition(":")[0].strip("[]")
 
 
-def _location(address: str | None, here: Location) -> Location:
+def _location(address: str | None, local: Location) -> Location:
     if address is None:
-        return Location(ports=here.ports)
-    host, ports = host_of(address), here.ports | _ports([{"address": address}])
-    return here._replace(ports=ports) if here.has(host) else Location(hosts=frozenset({host}), ports=ports)
+        return Location(ports=local.ports)
+    host, ports = host_of(address), local.ports | _ports([{"address": address}])
+    return local._replace(ports=ports) if local.has(host) else Location(hosts=frozenset({host}), ports=ports)
 
 
 def _ports(rows: object) -> frozenset[int]:
     """The ports of the addresses in a part of a status."""
     listed = rows if isinstance(rows, list) else []
-    parts = (str(each.get("address")).rpartition(":") for each in listed if isinstance(each, dict))
+    parts = (str(entry.get("address")).rpartition(":") for entry in listed if isinstance(entry, dict))
     return frozenset(int(port) for host, _, port in parts if host and port.isdecimal() and len(port) < 6)

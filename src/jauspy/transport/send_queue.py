@@ -19,7 +19,7 @@ DATAGRAM_OVERHEAD: Final = 128
 """Bytes that Python needs for a queued datagram besides its own."""
 PRIORITIES: Final = 4
 PRIORITY_SHARE: Final = 1 / 8
-"""Of a queue, for each priority: a flood of urgent packets does not displace all others."""
+"""Part of a queue that each priority has for itself: a flood of urgent packets does not displace all others."""
 LOW_PRIORITY_TURN: Final = 16
 """Every 16th datagram is one of the lowest priority, so that these are late, but not starved."""
 MAX_CANDIDATES: Final = 8
@@ -58,7 +58,7 @@ class QueueMemory:
         """Drop the excess, after this queue has grown."""
         while self.bytes > self._limit:
             average = self.bytes / len(self._queues)
-            largest = queue if queue.bytes >= average else max(self._queues, key=lambda each: each.bytes)
+            largest = queue if queue.bytes >= average else max(self._queues, key=lambda queued: queued.bytes)
             largest.drop_one()
             self._counters.drop("queue_memory", "the queues of all destinations are too long")
 
@@ -93,24 +93,26 @@ class _Flow:
             counts = self._counts = {}
             for datagram, _ in self.entries:
                 self._count(counts, datagram)
-        to = max(_candidates(counts, self._most), key=counts.__getitem__)
-        at, datagram = next((n, each) for n, (each, _) in enumerate(self.entries) if each[_DESTINATION] == to)
-        del self.entries[at]
+        destination = max(_candidates(counts, self._most), key=counts.__getitem__)
+        index, datagram = next(
+            (n, entry) for n, (entry, _) in enumerate(self.entries) if entry[_DESTINATION] == destination
+        )
+        del self.entries[index]
         self._forget(counts, datagram)
         return datagram
 
     def _count(self, counts: dict[bytes, int], datagram: bytes) -> None:
-        to = datagram[_DESTINATION]
-        counts[to] = counts.get(to, 0) + 1
-        if counts[to] > counts.get(self._most, 0):
-            self._most = to
+        destination = datagram[_DESTINATION]
+        counts[destination] = counts.get(destination, 0) + 1
+        if counts[destination] > counts.get(self._most, 0):
+            self._most = destination
 
     def _forget(self, counts: dict[bytes, int], datagram: bytes) -> None:
-        to = datagram[_DESTINATION]
-        if counts[to] == 1:
-            del counts[to]
+        destination = datagram[_DESTINATION]
+        if counts[destination] == 1:
+            del counts[destination]
         else:
-            counts[to] -= 1
+            counts[destination] -= 1
 
 
 class _Flows:
@@ -222,8 +224,8 @@ class SendQueue:
         floods the queue therefore loses its own datagrams, and a client that requests too many answers loses its own
         answers.
         """
-        filled = (each for each in self._priorities if each.length > PRIORITY_SHARE * self._limit)
-        flows = next(filled, None) or next(each for each in self._priorities if each.length)
+        filled = (priority for priority in self._priorities if priority.length > PRIORITY_SHARE * self._limit)
+        flows = next(filled, None) or next(priority for priority in self._priorities if priority.length)
         self._resize(-1, -len(flows.pop_excess()))
 
     def clear(self) -> int:
@@ -262,9 +264,9 @@ class SendQueue:
 
     def _next(self) -> _Flows:
         order = self._priorities if self._turn == LOW_PRIORITY_TURN - 1 else reversed(self._priorities)
-        for each in order:
-            if each.length:
-                return each
+        for queue in order:
+            if queue.length:
+                return queue
         raise IndexError("the queue is empty")
 
     def _resize(self, count: int, size: int) -> None:

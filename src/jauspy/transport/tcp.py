@@ -185,7 +185,7 @@ class Dialer:
         self.link: StreamLink | None = None
         self.connected = asyncio.Event()
         self.problem = "it does not answer"
-        """Why the last attempt failed."""
+        """Reason why the last attempt failed."""
         self._counters = counters
         self._received = received
         self._lost = asyncio.Event()

@@ -187,8 +187,8 @@ class UdpTransport:
 
         On a host that has no address but 127.0.0.1, echoes come from 0.0.0.0, which no other host sends from.
         """
-        own = self._socket.getsockname()[1] if self._socket is not None else 0
-        if port.port == own and (port.host == multicast.ANY or port.host in multicast.own_addresses()):
+        bound_port = self._socket.getsockname()[1] if self._socket is not None else 0
+        if port.port == bound_port and (port.host == multicast.ANY or port.host in multicast.own_addresses()):
             self._counters["echoes"] += 1
             return
         self._counters.drop("duplicate_id", f"{self.id} from {port.host}:{port.port}")

@@ -1,4 +1,4 @@
-"""What environments in memory and on a real node manager have in common; and the stepping of robots on virtual time."""
+"""Base of environments in memory and on a real node manager, and the stepping of robots on virtual time."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Environment(ABC):
     """Makes components and OCUs that reach each other; each is to be used with `async with`."""
 
     __test__ = False
-    """Not collected by pytest, whatever name it is imported by."""
+    """Mark for pytest not to collect it, whatever name it is imported by."""
 
     @abstractmethod
     def transport(self, id: str | JausID) -> Transport:
@@ -47,8 +47,8 @@ class Environment(ABC):
 
     def component(self, id: str | JausID, services: Iterable[Service], **options: Any) -> Component:
         """A component of these services; `options` are those of `Component`."""
-        own = replace(options.pop("options", ComponentOptions()), clock=self.now, utc_now=self.utc_now)
-        return Component(id, services, transport=self.transport(id), options=own, **options)
+        settings = replace(options.pop("options", ComponentOptions()), clock=self.now, utc_now=self.utc_now)
+        return Component(id, services, transport=self.transport(id), options=settings, **options)
 
     def ocu(self, id: str | JausID = "42.1.1", **options: Any) -> OCU:
         """An OCU; `options` are those of `OCU`."""

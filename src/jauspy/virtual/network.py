@@ -56,7 +56,7 @@ class VirtualNetwork(Environment):
         self.keeps: Callable[[Packet], bool] = lambda _: True
         """Packets for which it returns false are lost, in addition to random loss."""
         self.allow_errors = False
-        """With the fixture `virtual_network`, a test does not fail when a service raised an exception."""
+        """True to let a test with the fixture `virtual_network` pass although a service raised an exception."""
         self._components: list[Component] = []
         self._disconnected: set[JausID] = set()
         self._random = random.Random(seed)  # noqa: S311 - repeatable, not secret
@@ -74,10 +74,10 @@ class VirtualNetwork(Environment):
 
     def check_services(self) -> None:
         """Raise `AssertionError`, from the exception, if a service of a component raised one; see `allow_errors`."""
-        for each in () if self.allow_errors else self._components:
-            if each.host.first_error is not None:
-                name, error = each.host.first_error
-                raise AssertionError(f"{name} of {each.id} raised {type(error).__name__}: {error}") from error
+        for component in () if self.allow_errors else self._components:
+            if component.host.first_error is not None:
+                name, error = component.host.first_error
+                raise AssertionError(f"{name} of {component.id} raised {type(error).__name__}: {error}") from error
 
     def robot(self, name: str = "inc1") -> RobotRunner:
         """A whole robot of this name on the `kinematic` backend, to be used with `async with`; on virtual time, too."""
@@ -106,15 +106,15 @@ class VirtualNetwork(Environment):
     # --- disturbances ---------------------------------------------------------------------------------------------
 
     def lose(self, kind: type[Message], times: int | None = None, *, after: int = 0) -> None:
-        """From now on lose packets with this message: all but the first `after`, and no more than `times`."""
+        """Lose packets with this message from now on: all but the first `after`, and no more than `times`."""
         code, number = _code(kind), count()
         end = None if times is None else after + times
 
         def keeps(packet: Packet) -> bool:
             if packet.payload[:2] != code:
                 return True
-            at = next(number)
-            return at < after or (end is not None and at >= end)
+            position = next(number)
+            return position < after or (end is not None and position >= end)
 
         self.keeps = keeps
 
@@ -127,7 +127,7 @@ class VirtualNetwork(Environment):
         self._disconnected.discard(JausID.of(id))
 
     def stall(self, id: str | JausID, seconds: float) -> None:
-        """For this time, the component reads nothing, as if its process were stopped; it reads what arrived afterwards.
+        """Keep the component from reading for this time, as if its process were stopped; it reads afterwards what came.
 
         Its timers run on. Raises `ConfigError` if no component here has this id.
         """
@@ -141,13 +141,13 @@ class VirtualNetwork(Environment):
     def sent(self, kind: type[Message], source: str | JausID | None = None) -> list[Packet]:
         """The packets with this message, from `source` or any component, that were sent so far."""
         code, wanted = _code(kind), None if source is None else JausID.of(source)
-        return [each for each in self.log if each.payload[:2] == code and wanted in (None, each.source)]
+        return [packet for packet in self.log if packet.payload[:2] == code and wanted in (None, packet.source)]
 
     def delays(self, datagram: bytes) -> list[float]:
         """The delays after which this datagram arrives, one for each copy; logs it."""
         packets, _ = unpack_all(datagram)
         self.log += packets
-        if any(each.source in self._disconnected or each.destination in self._disconnected for each in packets):
+        if any(packet.source in self._disconnected or packet.destination in self._disconnected for packet in packets):
             return []
         if not all(map(self.keeps, packets)) or self._happens(self.loss):
             return []

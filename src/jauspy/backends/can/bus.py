@@ -64,10 +64,10 @@ HINTS: Final = {
     errno.EACCES: "your user may not use it: `sudo usermod -aG dialout $USER`, and log in again",
     errno.EPERM: "your user may not use it",
 }
-"""What to do about errors of the kernel."""
+"""Advice for errors of the kernel."""
 
 SO_RCVBUFFORCE: Final = 33
-"""Of Linux, which the module socket lacks; for root."""
+"""Socket option of Linux that the module socket lacks; for root."""
 
 RECEIVE_BUFFER: Final = 2**22
 """Size of the kernel's receive buffer: frames of half a second, for a program that is blocked."""
@@ -117,8 +117,8 @@ def reachable_at(group: str) -> str:
 
 
 def hint(error: BaseException) -> str:
-    """What to do about an error of the kernel; empty if that is not known."""
-    numbers = (getattr(each, key, None) for each in (error, error.__cause__) for key in ("errno", "error_code"))
+    """Advice for an error of the kernel; empty if none is known."""
+    numbers = (getattr(cause, key, None) for cause in (error, error.__cause__) for key in ("errno", "error_code"))
     return next((HINTS[number] for number in numbers if number in HINTS), "")
 
 
@@ -151,8 +151,8 @@ def _check_options(bus: str, interface: str, options: dict[str, Any]) -> None:
         return
     module, name = BACKENDS[interface]
     known: set[str] = set()
-    for each in getattr(import_module(module), name).__mro__:
-        known |= set(inspect.signature(each.__init__).parameters)
+    for base in getattr(import_module(module), name).__mro__:
+        known |= set(inspect.signature(base.__init__).parameters)
     known -= {"self", "args", "kwargs", "channel"}
     if unknown := [key for key in options if key not in known]:
         raise ConfigError(

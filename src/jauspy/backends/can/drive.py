@@ -91,7 +91,7 @@ class Drive:
         self.counts: int | None = None
         """The encoder, beyond 32 bits; None before the first PDO."""
         self.position = self.velocity = self.effort = 0.0
-        """Of the joint: radians or metres, rad/s or m/s, newton metres or newtons."""
+        """State of the joint: radians or metres, rad/s or m/s, newton metres or newtons."""
         self.mode_display = 0
         self.error_code = 0
         self.error_register = 0
@@ -106,7 +106,7 @@ class Drive:
         """PDOs with its status, compared with SYNCs."""
         self._failed_in = DriveState.NOT_READY
         self._received_before = 0
-        """Its state, and the PDOs with its status, when the drives were stopped."""
+        """State of the drive, and the number of PDOs with its status, when the drives were stopped."""
         self._restarted = False
         self._enabled_at: float | None = None
         self._powered_at: float | None = None
@@ -126,7 +126,7 @@ class Drive:
 
     @property
     def name(self) -> str:
-        """As in `drive 'arm_2' (node 4)`."""
+        """Name in error texts, as in `drive 'arm_2' (node 4)`."""
         return f"drive {self.setup.name!r} (node {self.setup.node})"
 
     # --- received ---------------------------------------------------------------------------------------------------
@@ -268,7 +268,7 @@ class Drive:
     # --- supervised -------------------------------------------------------------------------------------------------
 
     def silence(self, now: float, heartbeat_timeout: float) -> str:
-        """Why it cannot be reached; empty if it can."""
+        """Reason why it cannot be reached; empty if it can."""
         if self._restarted:
             return "has restarted: it lost its settings; check its supply"
         if self.nmt_state in NMT_STATES:
@@ -282,7 +282,7 @@ class Drive:
         return ""
 
     def fault(self, now: float) -> str:
-        """Why it does not work although it can be reached; empty if it works. To be called after `run`."""
+        """Reason why it does not work although it can be reached; empty if it works. Call it after `run`."""
         if self.state in FAULTY:
             return f"is in {self.state.value}: {self.error()}"
         if self._enabled_at is None:
@@ -292,7 +292,7 @@ class Drive:
         return self._deviation(now)
 
     def imitation(self) -> str:
-        """Why its frames cannot all be its own; empty if they can."""
+        """Reason why its frames cannot all be its own; empty if they can."""
         return "is not the only one that sends with its node id" if self.answers.excess() > self._max_unanswered else ""
 
     def note_failure(self) -> None:
@@ -300,7 +300,7 @@ class Drive:
         self._failed_in, self._received_before = self.state, self.received
 
     def contradiction(self) -> str:
-        """What its frames since a failure contradict, as `but it answers SYNC`; empty if they agree."""
+        """Contradiction of its frames since a failure, as `but it answers SYNC`; empty if they agree."""
         if (self._restarted or self.nmt_state in NMT_STATES) and self.received > self._received_before:
             return "but it answers SYNC"
         if self._failed_in in FAULTY and self.state not in FAULTY:

@@ -9,7 +9,7 @@ from typing import Final
 import can
 
 REASONS: Final = ("error_frame", "remote", "extended", "fd", "unknown", "length", "value")
-"""Why frames are ignored, as in the counters `ignored.length`."""
+"""Reasons to ignore frames, as in the counters `ignored.length`."""
 
 
 def deviation(message: can.Message) -> str:
@@ -27,7 +27,9 @@ class FrameInbox:
     """Takes each received frame. Nothing that a frame contains raises, or is kept."""
 
     def __init__(self) -> None:
-        self.counters: Counter[str] = Counter({"taken": 0, "ignored": 0, **{f"ignored.{each}": 0 for each in REASONS}})
+        self.counters: Counter[str] = Counter(
+            {"taken": 0, "ignored": 0, **{f"ignored.{reason}": 0 for reason in REASONS}}
+        )
         self._expected: dict[int, tuple[int, Callable[[bytes], bool]]] = {}
 
     def expect(self, cob_id: int, length: int, take: Callable[[bytes], bool]) -> None:

@@ -53,7 +53,7 @@ FLOOD: Final = 2000.0
 
 
 class Phase(Enum):
-    """What the cycle sends to the drives."""
+    """Phases of the cycle, by what it sends to the drives."""
 
     LISTENING = "nothing at all"
     IDLE = "SYNC, and nothing that moves"
@@ -233,12 +233,12 @@ class Master:
             return
         self._phase = Phase.STOPPED
         self._failure, self._culprit, self._failed_at = why, drive, now
-        for each in self.drives.values():
-            each.motion.start(each)
-            each.note_failure()
+        for stopped in self.drives.values():
+            stopped.motion.start(stopped)
+            stopped.note_failure()
         try:  # at once, not with the next SYNC only
-            for each in self.drives.values():
-                self._send(*each.stop())
+            for stopped in self.drives.values():
+                self._send(*stopped.stop())
                 self._others.sent_command()
             self._send_sync()
         except (can.CanError, OSError):
@@ -261,7 +261,7 @@ class Master:
             raise DriveFault(self.reason())
 
     def reason(self) -> str:
-        """Why the drives were stopped; empty if they were not."""
+        """Reason why the drives were stopped; empty if they were not."""
         if not self._failure:
             return ""
         drive = self._culprit

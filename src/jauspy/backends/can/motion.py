@@ -26,7 +26,7 @@ class JointMotion:
         self._joint = joint
         self._setpoint = SetpointGenerator(joint, 0.0)
         self._efforts = JointController(joint, gains, 0.0)
-        """As in the simulation; only of commands by effort."""
+        """Controller as in the simulation; only for commands by effort."""
         self._weight = weight
         """The effort that the joint needs against gravity."""
         self._holding = True

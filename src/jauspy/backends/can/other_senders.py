@@ -49,7 +49,7 @@ class Balance:
 
 
 class OtherMasters:
-    """What only a master sends. `echoes`: whether the bus returns what is sent on it."""
+    """Finds other masters by frames that only a master sends. `echoes`: the bus returns what is sent on it."""
 
     def __init__(self, setup: CanSetup, *, echoes: bool) -> None:
         self._setup = setup

@@ -190,7 +190,7 @@ class CanRobot:
         }
         plant = self._ticker.plant_robot
         self._cameras = None if plant else KinematicCameras(model, self._drive_base, self._groups)
-        self._lidars = {each.name: Scanner(each) for each in model.lidars}
+        self._lidars = {lidar.name: Scanner(lidar) for lidar in model.lidars}
         try:
             self._ticker.start(self.master, self._tick)
             begin(self.master)
@@ -215,7 +215,7 @@ class CanRobot:
         """The effort of a joint against gravity, at the joint positions of the last cycle."""
         if self._weights is None:
             drives = self._drives.values()
-            self._weights = self._holding.at({each.joint.name: each.position for each in drives})
+            self._weights = self._holding.at({drive.joint.name: drive.position for drive in drives})
         return self._weights.get(joint.name, 0.0)
 
     def _tracks(self) -> CanTracks | None:
@@ -223,15 +223,15 @@ class CanRobot:
         if tracks is None:
             return None
         sides = {}
-        for name, each in self._setup.drives.items():
+        for name, item in self._setup.drives.items():
             motion = self._motions[name]
-            if each.track is not None and isinstance(motion, TrackMotion):
-                sides[each.track] = self._drives[name], motion
+            if item.track is not None and isinstance(motion, TrackMotion):
+                sides[item.track] = self._drives[name], motion
         left, right = (self._model.description.joint(names[0]) for names in (tracks.left, tracks.right))
         return CanTracks(sides["left"], sides["right"], abs(left.origin.y - right.origin.y))
 
     def _pairs(self, group: GroupSetup) -> list[tuple[Drive, JointMotion]]:
-        by_joint = {each.moves: name for name, each in self._setup.drives.items()}
+        by_joint = {item.moves: name for name, item in self._setup.drives.items()}
         pairs = []
         for joint in group.joints:
             motion = self._motions[by_joint[joint]]
@@ -267,24 +267,24 @@ class CanRobot:
 
     @property
     def groups(self) -> Mapping[str, CanJoints]:
-        """Its other joints, by the names that its description gives them."""
+        """Joints besides the chassis, by the names of their groups in the description."""
         return self._groups
 
     @property
     def lidars(self) -> Mapping[str, RangeFinder]:
-        """Its lidars: those of the simulation; on a bus they never scan, for they are not on it."""
+        """Lidars of the simulation; on a bus they never scan, for they are not on it."""
         robot = self._ticker.plant_robot
         return self._lidars if robot is None else robot.lidars
 
     @property
     def force_torque(self) -> Mapping[str, ForceTorqueSensor]:
-        """Its sensors of force and torque: those of the simulation."""
+        """Sensors of force and torque of the simulation."""
         robot = self._ticker.plant_robot
         return {} if robot is None else robot.force_torque
 
     @property
     def cameras(self) -> Mapping[str, CameraSource]:
-        """Its cameras: those of the simulation, or pictures of sky and floor from where the joints put them."""
+        """Cameras of the simulation, or pictures of sky and floor from where the joints put them."""
         robot = self._ticker.plant_robot
         if robot is not None:
             return robot.cameras
@@ -359,7 +359,7 @@ class CanRobot:
         return late
 
     def _tick(self) -> None:
-        """After each cycle."""
+        """Take over what the drives have measured, after each cycle."""
         self._weights = None
         if self._tracked is not None:
             self._tracked.update()

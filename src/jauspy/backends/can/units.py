@@ -50,7 +50,7 @@ class DriveUnits:
         return _limited(self._zero + position * self._scale, MAX_INT32)
 
     def position_counts(self, position: float) -> int:
-        """What an endless encoder counts at a position; of simulated drives, which wrap it."""
+        """Count of an endless encoder at a position; for simulated drives, which wrap it."""
         return round(self._zero + position * self._scale)
 
     def position(self, counts: float) -> float:

@@ -175,7 +175,8 @@ def follow(tester: Tester) -> None:
 
 CONSOLE: Final = has(subsystem_id=42, node_id=1, component_id=1, authority_code=AUTHORITY)
 LISTED: Final = that(
-    "lists elements 1 to 4", lambda report: sorted(each.element_uid for each in report.element_list) == [1, 2, 3, 4]
+    "lists elements 1 to 4",
+    lambda report: sorted(element.element_uid for element in report.element_list) == [1, 2, 3, 4],
 )
 OFFERS: Final = that(
     "lists a component with services",

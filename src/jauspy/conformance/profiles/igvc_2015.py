@@ -103,7 +103,7 @@ def release(client: str) -> Action:
 
 def status(*right: ReportStatus.Status) -> Action:
     """Query the status, which must be one of these."""
-    names = " or ".join(each.name for each in right)
+    names = " or ".join(service.name for service in right)
     return ask(C1, QueryStatus(), ReportStatus, that(f"says {names}", lambda answer: answer.status in right))
 
 
@@ -122,7 +122,9 @@ def reset(tester: Tester) -> None:
 
 def _of(*uris: str) -> Check:
     def listed(report: ReportServices) -> bool:
-        found = {each.uri for node in report.node_list for part in node.component_list for each in part.service_list}
+        found = {
+            service.uri for node in report.node_list for part in node.component_list for service in part.service_list
+        }
         return found >= set(uris)
 
     return that("lists the core services", listed)
@@ -234,7 +236,7 @@ def events_are(*, listed: bool) -> Action:
         event = the_event(tester)
         right = that(
             "lists the event and no other" if listed else "lists no event",
-            lambda report: [each.event_id for each in report.event_list] == [event] * listed,
+            lambda report: [event.event_id for event in report.event_list] == [event] * listed,
         )
         tester.client(COP).ask(QueryEvents(QueryEvents.EventIDRec(event)), ReportEvents, right)
 
@@ -344,7 +346,9 @@ _TABLE: Final[tuple[tuple[str, Action], ...]] = (
             COP,
             QueryElementList(),
             ReportElementList,
-            that("lists element 1 alone", lambda report: [each.element_uid for each in report.element_list] == [1]),
+            that(
+                "lists element 1 alone", lambda report: [element.element_uid for element in report.element_list] == [1]
+            ),
         ),
     ),
     ("active element", ask(COP, QueryActiveElement(), ReportActiveElement)),

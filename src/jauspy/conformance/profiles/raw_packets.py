@@ -48,7 +48,7 @@ class RawSender:
 
     def send(self, *packets: Packet) -> None:
         """Send all packets in one datagram, after one version byte."""
-        self.raw(b"\x02" + b"".join(header.pack(each) for each in packets))
+        self.raw(b"\x02" + b"".join(header.pack(packet) for packet in packets))
 
     def raw(self, datagram: bytes) -> None:
         """Send any bytes as a datagram."""
@@ -70,7 +70,7 @@ class RawSender:
     def answers(self) -> list[Packet]:
         """The answers to the ping."""
         code = (message_id(self.ping) + REPORT_OFFSET).to_bytes(2, "little")
-        return [each for each in self.received() if each.payload[:2] == code]
+        return [packet for packet in self.received() if packet.payload[:2] == code]
 
     def expect(self, count: int, what: str) -> None:
         """Expect exactly `count` answers to the ping. Raises `Late` if they arrive within twice the timeout."""
@@ -99,7 +99,7 @@ class RawSender:
         wanted = list(numbers)
         self.tester.expected.append(what)
         self.tester.pump(self.tester.now + self.tester.timeout, lambda: len(self.received(Ack.ACK)) >= len(wanted))
-        got = [each.sequence for each in self.received(Ack.ACK)]
+        got = [packet.sequence for packet in self.received(Ack.ACK)]
         if wanted and not got:
             self.tester.record_check(what, "no ACK")
             raise Silent(f"no ACK came: {what}")
@@ -137,11 +137,11 @@ def find_ping(tester: Tester) -> None:
             tester.record_check("a query is answered")
             return
     tester.record_check("a query is answered", "none is")
-    raise Silent(f"none of {', '.join(each.NAME for each in HARMLESS_QUERIES)} was answered")
+    raise Silent(f"none of {', '.join(query.NAME for query in HARMLESS_QUERIES)} was answered")
 
 
 def _has(client: Client, code: int) -> bool:
-    return any(each.code == code for each in client.pending)
+    return any(packet.code == code for packet in client.pending)
 
 
 def fragments(sender: RawSender, payload: bytes, *cuts: int, ack: Ack = Ack.NONE) -> list[Packet]:

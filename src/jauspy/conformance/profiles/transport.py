@@ -162,7 +162,10 @@ def flagged(flag: Broadcast) -> Action:
 ADDRESSING: Final = (
     step("query", "a query is answered", find_ping),
     step("unicast", "a query to the component alone", answered()),
-    *(step(f"priority-{each.value}", f"a query of priority {each.name}", answered(priority=each)) for each in Priority),
+    *(
+        step(f"priority-{priority.value}", f"a query of priority {priority.name}", answered(priority=priority))
+        for priority in Priority
+    ),
     step(
         "wildcard-component",
         "all components of the node",
@@ -308,7 +311,7 @@ def sequence_numbers(sender: RawSender) -> None:
     for _ in range(3):
         sender.send(sender.packet())
     sender.expect(3, "three answers")
-    numbers = [each.sequence for each in sender.answers()]
+    numbers = [answer.sequence for answer in sender.answers()]
     problem = "" if len(set(numbers)) == len(numbers) else f"they are {numbers}"
     sender.tester.check("the sequence numbers of answers differ", problem)
 
@@ -329,10 +332,10 @@ def fragmented(count: int, order: Callable[[list[Packet]], list[Packet]] = list,
             raise Skipped("the only query that was answered is too short to be cut")
         cuts = [1] if count == 2 else [1, 2]
         parts = fragments(sender, sender.ping, *cuts, ack=ack)
-        for each in order(parts):
-            sender.send(each)
+        for packet in order(parts):
+            sender.send(packet)
         if ack is Ack.REQUIRED:
-            sender.expect_acks([each.sequence for each in order(parts)], "an ACK for each fragment")
+            sender.expect_acks([packet.sequence for packet in order(parts)], "an ACK for each fragment")
         sender.expect(1, f"one answer to a query in {count} fragments")
 
     return test

@@ -99,13 +99,13 @@ class BehaviourModel:
     def __init__(self, definitions: Sequence[model.ServiceDefinition]) -> None:
         merged = merge_machines(definitions)[RECEIVE_MACHINE]
         self.root = merged.root
-        self._outputs = {message.name for each in definitions for message in each.outputs}
+        self._outputs = {message.name for definition in definitions for message in definition.outputs}
         self._names = _named(self.root)
         self.start = self._initialized(Situation(merged.start().path))
         """The situation after initialization, in which a component of version 1.0 starts."""
         self.rules = tuple(self._rules())
         """Names of all transitions; those of several services that cannot be distinguished share a name."""
-        self.ignoring = next((each.name for each in self.rules if each.trigger == RECEIVE_TRIGGER), "")
+        self.ignoring = next((rule.name for rule in self.rules if rule.trigger == RECEIVE_TRIGGER), "")
         """Name of the default transition of Transport, which ignores inputs."""
 
     def _initialized(self, situation: Situation) -> Situation:
@@ -128,7 +128,9 @@ class BehaviourModel:
         ways = [way for way in self._in_order(situation) if trigger_of(way[1].item) == trigger]
         evaluators = _evaluators([owned.item.guard for _, owned in ways], situation, judge)
         outcomes = (self._outcome(ways, holds, situation, role) for holds in evaluators)
-        return tuple(dict.fromkeys(reading for each in outcomes for reading in _readings(each, situation.controller)))
+        return tuple(
+            dict.fromkeys(reading for outcome in outcomes for reading in _readings(outcome, situation.controller))
+        )
 
     def _outcome(
         self, ways: Iterable[Candidate], holds: Callable[[str], bool], before: Situation, role: str
@@ -165,15 +167,15 @@ class BehaviourModel:
     def _sent(self, action: model.ActionCall, role: str, controller: str | None) -> Output | None:
         """The output of `Send('Message', 'CODE', transportData)`, or of an action called `sendMessage`."""
         arguments = [argument.strip("'\" ") for argument in action.arguments]
-        to = role if "transportData" in arguments else controller or role
+        recipient = role if "transportData" in arguments else controller or role
         name = action.name.rpartition(".")[2]
         if name == "Send":
             literals = [text.strip("'\" ") for text in action.arguments if text.strip()[:1] in ("'", '"')]
             message, *codes = [text for text in literals if text != "transportData"]
-            return Output(message, codes[0] if codes else "", to)
+            return Output(message, codes[0] if codes else "", recipient)
         if name.startswith("send"):
-            known = [each for each in self._outputs if name[4:].startswith(each)]
-            return Output(max(known, key=len), "", to) if known else None
+            known = [output for output in self._outputs if name[4:].startswith(output)]
+            return Output(max(known, key=len), "", recipient) if known else None
         return None
 
     def _moved(self, transition: model.Transition, situation: Situation) -> Situation:
@@ -209,7 +211,7 @@ def _readings(outcome: Prediction, before: str | None) -> Iterator[Prediction]:
     yield outcome
     if before is not None and outcome.after.controller not in (None, before):
         outputs = tuple(
-            replace(each, to=before) if each.message == "RejectControl" else each for each in outcome.outputs
+            replace(output, to=before) if output.message == "RejectControl" else output for output in outcome.outputs
         )
         if outputs != outcome.outputs:
             yield replace(outcome, outputs=outputs)
@@ -273,9 +275,9 @@ def _evaluate(guard: behavior.Guard, decide: Callable[[behavior.Call], bool]) ->
         case behavior.Not(operand):
             return not _evaluate(operand, decide)
         case behavior.And(operands):
-            return all(_evaluate(each, decide) for each in operands)
+            return all(_evaluate(operand, decide) for operand in operands)
         case behavior.Or(operands):
-            return any(_evaluate(each, decide) for each in operands)
+            return any(_evaluate(operand, decide) for operand in operands)
 
 
 def _effect(action: str, situation: Situation, role: str) -> Situation:
@@ -294,7 +296,7 @@ def _effect(action: str, situation: Situation, role: str) -> Situation:
 
 
 TRANSPORT: Final = "urn:jaus:jss:core:Transport"
-"""This service has no messages, so it is not in the registry."""
+"""URN of the service Transport, which has no messages, so the registry lacks it."""
 
 
 @dataclass(frozen=True)
@@ -309,7 +311,7 @@ class ComponentUnderTest:
     @property
     def keys(self) -> frozenset[ServiceKey]:
         """The services, with versions."""
-        return frozenset(each.key for each in self.definitions)
+        return frozenset(definition.key for definition in self.definitions)
 
     def transition(self, rule: str) -> str:
         """The name of a transition of this component in reports."""
@@ -333,11 +335,11 @@ def component_under_test(
 
     `messages` may be those of the user's own definitions, which are preferred to built-in ones.
     """
-    built_in = {(each.service, each.version) for each in registry.entries} | {(TRANSPORT, "1.0"), (TRANSPORT, "1.1")}
-    own = {each.key: each for each in messages.schema.services} if messages.schema else {}
-    parents = {each.inherits_from.key for each in own.values() if each.inherits_from}
+    built_in = {(entry.service, entry.version) for entry in registry.entries} | {(TRANSPORT, "1.0"), (TRANSPORT, "1.1")}
+    definitions = {service.key: service for service in messages.schema.services} if messages.schema else {}
+    parents = {service.inherits_from.key for service in definitions.values() if service.inherits_from}
     schema = load_needed(frozenset((offered | parents) & built_in))
-    known = {each.key: each for each in schema.services} | own
+    known = {service.key: service for service in schema.services} | definitions
     services = [known[key] for key in sorted(offered & known.keys())]
     ordered = most_derived_first(services, parents_among(known.values()))
     return ComponentUnderTest(id, ordered, BehaviourModel(ordered), messages)

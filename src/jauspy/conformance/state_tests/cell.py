@@ -56,7 +56,7 @@ def _unless_attached(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a
 
 def _remember_joints(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
     report = explorer.client(OBSERVER).ask(QueryModularArmState(), ReportModularArmState, to=explorer.component)
-    explorer.tester.memory[NAMES] = [each.name for each in report.joint_list]
+    explorer.tester.memory[NAMES] = [joint.name for joint in report.joint_list]
 
 
 def _stay(explorer: Explorer) -> Message:
@@ -72,7 +72,7 @@ def _same_order(explorer: Explorer) -> Message:
 
 def _remember_power(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
     report = explorer.client(OBSERVER).ask(QueryModulePower(), ReportModulePower, to=explorer.component)
-    explorer.tester.memory[NAMES] = [(each.name, each.power) for each in report.module_list]
+    explorer.tester.memory[NAMES] = [(module.name, module.power) for module in report.module_list]
 
 
 def _same_power(explorer: Explorer) -> Message:

@@ -102,7 +102,7 @@ def element(explorer: Explorer) -> Message:
 
 def _taken(explorer: Explorer, kinds: Mapping[str, Message]) -> Iterator[Message]:
     for name, made in kinds.items():
-        if any(each.startswith(f"{MOBILITY}{name}") for each in explorer.services):
+        if any(service.startswith(f"{MOBILITY}{name}") for service in explorer.services):
             yield made
 
 
@@ -113,8 +113,8 @@ def set_goal(explorer: Explorer, waypoint: Message) -> None:
 
 def set_all_goals(explorer: Explorer) -> None:
     """Set one waypoint and loiter of each kind that the component accepts without a list."""
-    for each in _taken(explorer, {**_WAYPOINTS, **_LOITERS}):
-        set_goal(explorer, each)
+    for kind in _taken(explorer, {**_WAYPOINTS, **_LOITERS}):
+        set_goal(explorer, kind)
 
 
 def stop(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
@@ -140,10 +140,10 @@ def _set_before_release(waypoint: Message) -> Prepare:
 
 
 def _waypoint(waypoint: Message, kind: type[Message], report: type[Message], *right: Check) -> tuple[Stimulus, ...]:
-    def with_waypoint(each: Stimulus) -> Stimulus:
+    def with_waypoint(stimulus: Stimulus) -> Stimulus:
         return replace(
-            each,
-            variant=f"{each.variant} of one that was set",
+            stimulus,
+            variant=f"{stimulus.variant} of one that was set",
             truths={"waypointExists": True},
             before=lambda explorer, _: set_goal(explorer, waypoint),
             after=stop,

@@ -252,8 +252,8 @@ def _first_joint(message: Any) -> Any:
 
 
 LIMITS: Final = tuple(
-    each.stimulus()
-    for each in (
+    limit.stimulus()
+    for limit in (
         Limit(
             SetJointMotionProfile, QueryJointMotionProfile(), ReportJointMotionProfile, "joint_max_speed", _first_joint
         ),

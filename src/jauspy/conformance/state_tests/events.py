@@ -66,7 +66,7 @@ FAST: Final = 10.0
 
 def event_query(explorer: Explorer) -> tuple[Message, type[Message]]:
     """A query that the component takes, and its report."""
-    return next((each for each in EVENT_QUERIES if each[0].CODE in explorer.inputs), EVENT_QUERIES[-1])
+    return next((candidate for candidate in EVENT_QUERIES if candidate[0].CODE in explorer.inputs), EVENT_QUERIES[-1])
 
 
 def prepare_event(explorer: Explorer, role: str) -> None:
@@ -102,7 +102,7 @@ def drop_events(explorer: Explorer, role: str) -> None:
 
 def confirmed(explorer: Explorer, role: str) -> list[int]:
     """The ids of the events that were confirmed to this client in this step, in order."""
-    return [each.event_id for each in _confirmations(explorer, role)]
+    return [confirmation.event_id for confirmation in _confirmations(explorer, role)]
 
 
 def _confirmations(explorer: Explorer, role: str) -> list[ConfirmEventRequest]:
@@ -118,7 +118,7 @@ def _known(then: StimulusResult, id: int, kind: int | None) -> None:
     wanted = [] if kind is None else [(id, kind)]
     right = that(
         "lists the event" if wanted else "does not list the event any more",
-        lambda report: [(each.event_id, each.event_type) for each in report.event_list] == wanted,
+        lambda report: [(event.event_id, event.event_type) for event in report.event_list] == wanted,
     )
     client = then.explorer.client(then.role)
     client.ask(QueryEvents(QueryEvents.EventIDRec(id)), ReportEvents, right, to=then.explorer.component)
@@ -335,7 +335,7 @@ def start_endless_command(explorer: Explorer, role: str) -> None:
         raise Skipped(f"the component makes no command event for a waypoint: {outcome}") from outcome
     explorer.tester.memory["prepared_event"] = event.event_id
     explorer.tester.wait(IMMEDIATE_TIME * explorer.tester.timeout)
-    if any(each.code == CommandEvent.CODE for each in client.pending):
+    if any(packet.code == CommandEvent.CODE for packet in client.pending):
         raise Skipped("the component reports at once that it has reached the waypoint, so no endless command is known")
 
 

@@ -43,10 +43,10 @@ class Explorer(Steering):
     """One component of the target, whose situations are those of its merged state machine."""
 
     def __init__(self, tester: Tester, subject: ComponentUnderTest) -> None:
-        super().__init__(tester, subject.component, [each.id for each in subject.definitions])
+        super().__init__(tester, subject.component, [definition.id for definition in subject.definitions])
         self._subject = subject
         self.start = subject.machine.start
-        self.inputs = frozenset(message.code for each in subject.definitions for message in each.inputs)
+        self.inputs = frozenset(message.code for definition in subject.definitions for message in definition.inputs)
         """The ids of all messages that the component takes."""
         self._start_failed = False
         self._unreachable_situations: set[Situation] = set()
@@ -118,7 +118,7 @@ class Explorer(Steering):
         return self.settle_on(self._goal(*situations))
 
     def _goal(self, *situations: Situation) -> StateGoal:
-        return StateGoal(situations, lambda seen: any(self.agrees(seen, each) for each in situations))
+        return StateGoal(situations, lambda seen: any(self.agrees(seen, situation) for situation in situations))
 
     def discard_received(self) -> None:
         """Discard pending messages and checks, which belong to earlier inputs."""
@@ -173,7 +173,7 @@ class StimulusResult:
     before: Situation
     outcome: Prediction
     took: Callable[[str], None]
-    """To be called with the name of an internal event that the input has also caused."""
+    """Callback for the name of an internal event that the input has also caused."""
 
 
 @dataclass(frozen=True, slots=True)

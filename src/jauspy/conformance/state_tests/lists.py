@@ -84,10 +84,10 @@ def find(explorer: Explorer, role: str) -> None:
     """Delete the list, and find a command that it accepts if the sender is in control."""
     clear(explorer, role)
     if role == CONTROLLER and _content_of(explorer) not in explorer.tester.memory:
-        accepted = (each for each in map(_harmless, CANDIDATES) if _is_accepted(explorer, each))
+        accepted = (message for message in map(_harmless, CANDIDATES) if _is_accepted(explorer, message))
         found = next(accepted, None)
         if found is None:
-            must = any(each.endswith(WAYPOINT_LIST) for each in explorer.services)
+            must = any(service.endswith(WAYPOINT_LIST) for service in explorer.services)
             raise (Failed if must else Skipped)(f"the list takes none of {', '.join(CANDIDATES)}")
         explorer.tester.memory[_content_of(explorer)] = found
         clear(explorer, role)
@@ -103,8 +103,8 @@ def _is_accepted(explorer: Explorer, candidate: Message) -> bool:
     client.pending.clear()
     client.send(upload(candidate), to=explorer.component)
     end = explorer.tester.now + explorer.tester.timeout
-    explorer.tester.pump(end, lambda: any(each.code in answers for each in client.pending))
-    return any(each.code == ConfirmElementRequest.CODE for each in client.pending)
+    explorer.tester.pump(end, lambda: any(packet.code in answers for packet in client.pending))
+    return any(packet.code == ConfirmElementRequest.CODE for packet in client.pending)
 
 
 def hold(explorer: Explorer, role: str) -> None:

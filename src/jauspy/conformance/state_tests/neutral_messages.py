@@ -127,7 +127,7 @@ def _nearest_zero(values: Values, low: int, high: int) -> int:
     options = [int(member) for member in values.enum or ()]
     for lower, upper in values.intervals:
         options.append(max(math.ceil(lower), min(0, math.floor(upper))))
-    fitting = [each for each in options if low <= each <= high]
+    fitting = [option for option in options if low <= option <= high]
     return min(fitting, key=abs) if fitting else max(low, 0)
 
 

@@ -85,10 +85,10 @@ def _id(rule: MergedTransition) -> str:
 
 
 def _reason(machine: BehaviourModel, rule: MergedTransition, situations: Collection[Situation]) -> str:
-    inside = [each for each in situations if each.state[: len(rule.node.path)] == rule.node.path]
+    inside = [situation for situation in situations if situation.state[: len(rule.node.path)] == rule.node.path]
     if not inside:
         return f"no input leads to {rule.node}"
-    if not any(rule.name == each.rule for here in inside for each in _outcomes(machine, here, rule.trigger)):
+    if not any(rule.name == outcome.rule for place in inside for outcome in _outcomes(machine, place, rule.trigger)):
         return f"{rule.trigger} never reaches this transition: an inner state handles it first"
     if rule.is_input:
         return f"no {rule.trigger} is known of which this holds: {rule.transition.guard}"
@@ -109,7 +109,7 @@ def skip(reason: str) -> Callable[[Tester], None]:
 
 
 _STEERED: Final = {
-    each.message: each for each in ACCESS if (each.message, each.variant) == ("RequestControl", "the same authority")
+    row.message: row for row in ACCESS if (row.message, row.variant) == ("RequestControl", "the same authority")
 }
 
 
@@ -154,10 +154,10 @@ class Routes:
         """True if inputs lead from the situation to the start."""
         seen, waiting = {situation}, [situation]
         while waiting:
-            here = waiting.pop()
-            if here == self.machine.start:
+            place = waiting.pop()
+            if place == self.machine.start:
                 return True
-            for after, _ in self.moves(here):
+            for after, _ in self.moves(place):
                 if after not in seen:
                     seen.add(after)
                     waiting.append(after)
@@ -194,7 +194,7 @@ STIMULI: Final[tuple[Stimulus, ...]] = (
 INTERNAL_EVENTS: Final[tuple[Stimulus, ...]] = (SILENT_CLIENT, NOT_RENEWED, DUE, EXPIRED)
 """Internal events that can be caused from outside."""
 INTERNAL_EVENTS_1_0: Final = (replace(SILENT_CLIENT, message="Timeout"), DUE)
-"""Those of version 1.0, where Timeout ends control, not an event."""
+"""Internal events of version 1.0, where Timeout ends control, not an event."""
 ACCESS_CONTROL_1_0: Final = ("urn:jaus:jss:core:AccessControl", "1.0")
 
 
@@ -235,10 +235,10 @@ def service_profile(urn: str, messages: Registry) -> Profile:
 
     Raises `ConfigError` if the service is not defined.
     """
-    keys = frozenset((each.service, each.version) for each in messages.entries if each.service == urn)
+    keys = frozenset((entry.service, entry.version) for entry in messages.entries if entry.service == urn)
     if not keys:
-        own = sorted({each.service for each in messages.own}) if messages.schema else []
-        known = f"; the files define {', '.join(own)}" if own else "; `--schemas FILE` reads your own definitions"
+        urns = sorted({message.service for message in messages.own}) if messages.schema else []
+        known = f"; the files define {', '.join(urns)}" if urns else "; `--schemas FILE` reads your own definitions"
         raise ConfigError(f"no definition of {urn} is known{known}")
 
     def steps(offers: Offers) -> Sequence[Step]:
@@ -306,7 +306,7 @@ def _inheriting_from(root: ServiceKey, messages: Registry) -> frozenset[ServiceK
     """The known services that inherit from a service, and the service itself."""
     services = (*load_builtin().services, *(messages.schema.services if messages.schema else ()))
     parent_of = parents_among(services)
-    return frozenset(each.key for each in services if lineage(each, parent_of)[-1].key == root)
+    return frozenset(service.key for service in services if lineage(service, parent_of)[-1].key == root)
 
 
 def _services(set_name: str, newest: str) -> frozenset[ServiceKey]:
@@ -321,7 +321,7 @@ def _is_built_in(service: ServiceKey) -> bool:
 
 @cache
 def _built_in_keys() -> frozenset[ServiceKey]:
-    return frozenset((each.service, each.version) for each in registry.entries)
+    return frozenset((entry.service, entry.version) for entry in registry.entries)
 
 
 def _number(version: str) -> tuple[int, ...]:
@@ -342,9 +342,9 @@ class Planner:
         routes = Routes(self.subject.machine, self._own_commands())
         paths = routes.paths()
         ends = {situation for situation in paths if not routes.returns(situation)}
-        lasting = [each for each in paths if each not in ends]
+        lasting = [path for path in paths if path not in ends]
         tests = [test for situation in lasting for test in self._state_tests(situation, paths[situation])]
-        fatal = [test for test in tests if any(each.after in ends for each in test.predictions)]
+        fatal = [test for test in tests if any(prediction.after in ends for prediction in test.predictions)]
         steps = [_step(test) for test in tests if test not in fatal]
         if not self.may_end:
             steps += [replace(_step(test), run=skip(ENDS_LATER)) for test in fatal]
@@ -357,8 +357,12 @@ class Planner:
 
     def _own_commands(self) -> tuple[str, ...]:
         """Commands of services that are not built in: only they lead to the states of these services."""
-        own = [each for each in self.subject.definitions if each.key in self.services and not _is_built_in(each.key)]
-        names = [message.name for definition in own for message in definition.inputs]
+        definitions = [
+            definition
+            for definition in self.subject.definitions
+            if definition.key in self.services and not _is_built_in(definition.key)
+        ]
+        names = [message.name for definition in definitions for message in definition.inputs]
         return tuple(name for name in names if self.subject.kind(name).IS_COMMAND)
 
     def _state_tests(self, situation: Situation, path: Path) -> Iterator[StateTest]:
@@ -369,7 +373,7 @@ class Planner:
 
     def _stimuli(self) -> Iterator[Stimulus]:
         """Each input of the services, in all its variants."""
-        definitions = [each for each in self.subject.definitions if each.key in self.services]
+        definitions = [definition for definition in self.subject.definitions if definition.key in self.services]
         names = [message.name for definition in definitions for message in definition.inputs]
         names += [rule.trigger for rule in self.subject.machine.rules if rule.is_input and rule.owner in definitions]
         for name in dict.fromkeys(names):
@@ -377,7 +381,7 @@ class Planner:
 
     def _variants(self, name: str) -> Iterable[Stimulus]:
         kind = self.subject.kind(name)
-        known = [each for each in STIMULI if each.message == name and kind.SERVICE.startswith(each.of)]
+        known = [stimulus for stimulus in STIMULI if stimulus.message == name and kind.SERVICE.startswith(stimulus.of)]
         if known and _is_built_in((kind.SERVICE, kind.VERSION)):
             return known
         if not presence_fields(kind):
@@ -388,7 +392,7 @@ class Planner:
         """Internal events of these services that can be caused from outside."""
         awaited = {rule.trigger for rule in self.subject.machine.rules if rule.owner.key in self.services}
         events = INTERNAL_EVENTS_1_0 if ACCESS_CONTROL_1_0 in self.subject.keys else INTERNAL_EVENTS
-        yield from (each for each in events if each.message in awaited)
+        yield from (event for event in events if event.message in awaited)
 
     def _roles(self, stimulus: Stimulus, situation: Situation) -> tuple[str, ...]:
         """The roles of senders that the guards distinguish."""
@@ -419,7 +423,7 @@ def _step(test: StateTest) -> Step:
 
 def _moves(test: StateTest) -> bool:
     """True if the step may cause motion: in Ready, by any command that is not of a core service, also on the way."""
-    if any(each not in STEERING_INPUTS for each in test.path):
+    if any(message not in STEERING_INPUTS for message in test.path):
         return True
     if not set(test.situation.state[len(PREFIX) :]) >= {"Controlled", "Ready"}:
         return False

@@ -78,25 +78,25 @@ def _fields(report: Message, vectors: Iterable[str]) -> Iterator[tuple[Bit, str,
         name = vector.removesuffix(PRESENCE).rstrip("_")
         part = report if not name and _optional(report) else _part(report, name)
         if part is not None:
-            yield from (((vector, place), each, getattr(part, each)) for place, each in enumerate(_optional(part)))
+            yield from (((vector, place), name, getattr(part, name)) for place, name in enumerate(_optional(part)))
 
 
 def _inside(report: Message, vectors: Iterable[str]) -> list[str]:
     """All optional fields in parts of several records. Not each has a bit; without any bit, none is requested."""
-    names = [each for vector in vectors if (each := vector.removesuffix(PRESENCE).rstrip("_"))]
+    names = [name for vector in vectors if (name := vector.removesuffix(PRESENCE).rstrip("_"))]
     parts = (getattr(report, slot.name) for slot in _slots(report) if any(name in slot.name for name in names))
     several = (part for part in parts if isinstance(part, Struct) and not _optional(part))
     records = (getattr(part, slot.name) for part in several for slot in _slots(part))
-    structs = (each for each in records if isinstance(each, Struct))
-    return [each for record in structs for each in _optional(record) if getattr(record, each) is not None]
+    structs = (record for record in records if isinstance(record, Struct))
+    return [name for record in structs for name in _optional(record) if getattr(record, name) is not None]
 
 
 def _part(whole: Struct, name: str) -> Struct | None:
     """The first record with optional fields inside the part of `whole` with this name."""
     members = (getattr(whole, slot.name) for slot in _slots(whole) if name in slot.name)
-    records = (each for each in members if isinstance(each, Struct))
-    found = (each if _optional(each) else _part(each, name) for each in records)
-    return next((each for each in found if each is not None), None)
+    records = (member for member in members if isinstance(member, Struct))
+    found = (record if _optional(record) else _part(record, name) for record in records)
+    return next((value for value in found if value is not None), None)
 
 
 def _optional(record: Struct) -> list[str]:

@@ -73,7 +73,7 @@ class SensorSetting:
         )
 
     def _values(self, report: Message) -> dict[int, Any]:
-        return {each.sensor_id: getattr(each, self.field) for each in self.records(report)}
+        return {record.sensor_id: getattr(record, self.field) for record in self.records(report)}
 
     def _read(self, explorer: Explorer, role: str) -> None:  # noqa: ARG002 - a Prepare
         explorer.tester.memory.pop(CURRENT_SETTING, None)
@@ -115,7 +115,7 @@ def _is_confirmed(then: StimulusResult) -> bool:
     """True if the sensor confirms the setting. Checks that the answer is about that sensor alone."""
     explorer = then.explorer
     answer = ConfirmSensorConfiguration.decode(explorer.client(then.role).confirmed[-1].payload)
-    about = [getattr(each, "sensor_id", None) for each in answer.confirm_sensor_list]
+    about = [getattr(confirm_sensor, "sensor_id", None) for confirm_sensor in answer.confirm_sensor_list]
     wrong = "" if about == [_sensor(explorer)] else f"it is about {about}, and sensor {_sensor(explorer)} was to be set"
     explorer.tester.check("the answer is about the sensor that was to be set", wrong)
     return isinstance(answer.confirm_sensor_list[0], SensorIdRec)
@@ -180,18 +180,20 @@ SETTINGS: Final = (
         ),
         QueryEncoding([QueryEncoding.QueryH264VideoEncodingRec(ALL)]),
         ReportEncoding,
-        lambda report: [each.h264_configuration_rec for each in report.h264_configuration_list],
+        lambda report: [
+            h264_configuration.h264_configuration_rec for h264_configuration in report.h264_configuration_list
+        ],
         other=lambda pictures: max(1, pictures // 2) if pictures != 1 else 2,
     ),
 )
-SENSORS: Final = tuple(each.stimulus() for each in SETTINGS)
+SENSORS: Final = tuple(setting.stimulus() for setting in SETTINGS)
 
 
 IMAGE_TIMEOUT: Final = 10.0
 """Seconds until the first image of a camera that has to be started."""
 
 _ANY: Final = {"isCoordinateTransformSupported": False}
-"""Its value makes no difference to the outputs."""
+"""Predicates whose values make no difference to the outputs."""
 
 _ALL: Final = QueryStillImageDataExt.QueryStillImageDataRec(
     QueryStillImageDataExt.SensorID.ALL_SENSORS, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, 0xFF
@@ -200,7 +202,7 @@ _ALL: Final = QueryStillImageDataExt.QueryStillImageDataRec(
 
 def _has_pictures(report: ReportStillImageDataExt) -> bool:
     pictures = report.still_image_data_list
-    return bool(pictures) and all(each.image_frame is not None or each.still_image_uri for each in pictures)
+    return bool(pictures) and all(picture.image_frame is not None or picture.still_image_uri for picture in pictures)
 
 
 STILL_IMAGES: Final = (

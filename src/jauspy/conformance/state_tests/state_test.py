@@ -46,9 +46,13 @@ class StateTest:
     @property
     def transitions(self) -> tuple[str, ...]:
         """Names of the transitions that may be taken, with the id of the component."""
-        found = [name for each in self.predictions if (name := self._transition(each))]
+        found = [name for prediction in self.predictions if (name := self._transition(prediction))]
         found += [self._internal(event, self.situation) for event in self.stimulus.also]
-        found += [self._internal(INITIALIZED, each.after) for each in self.predictions if each.after.state[-1] == INIT]
+        found += [
+            self._internal(INITIALIZED, prediction.after)
+            for prediction in self.predictions
+            if prediction.after.state[-1] == INIT
+        ]
         return tuple(dict.fromkeys(found))
 
     def _internal(self, event: str, where: Situation) -> str:
@@ -81,7 +85,7 @@ class StateTest:
             made = self.stimulus.make(explorer) if self.stimulus.make else None
             explorer.discard_received()
             nothing = f"{self.situation}: nothing takes {self.stimulus.message}"
-            tester.why += [each.rule or nothing for each in self.predictions]
+            tester.why += [prediction.rule or nothing for prediction in self.predictions]
             explorer.where = self.attempt(explorer, made, seconds)
         finally:
             self.stimulus.after(explorer, self.role)
@@ -105,7 +109,7 @@ class StateTest:
 
     def _taken(self, explorer: Explorer, fitting: list[Prediction]) -> None:
         """Record which transition was taken, if only one fits."""
-        names = {self._transition(each) for each in fitting} - {""}
+        names = {self._transition(row) for row in fitting} - {""}
         explorer.tester.taken += names if len(names) == 1 else ()
 
     def _expect(self, explorer: Explorer, prediction: Prediction, seconds: float) -> None:
@@ -138,14 +142,16 @@ class StateTest:
         """Return the outcomes that fit the received messages, if several outcomes are right."""
         tester = explorer.tester
         alternatives = " or ".join(
-            dict.fromkeys(", ".join(out.message for out in each.outputs) or "no answer" for each in self.predictions)
+            dict.fromkeys(
+                ", ".join(out.message for out in prediction.outputs) or "no answer" for prediction in self.predictions
+            )
         )
         tester.expected.append(alternatives)
-        if all(each.outputs for each in self.predictions):
+        if all(prediction.outputs for prediction in self.predictions):
             self._await(explorer, alternatives, seconds)
         explorer.observe()
         came = Counter((role, received.code) for role in CLIENTS for received in self._answers(explorer, role))
-        fitting = [each for each in self.predictions if self._expected_counts(each) == came]
+        fitting = [prediction for prediction in self.predictions if self._expected_counts(prediction) == came]
         names = [
             explorer.client(role).name_of(received) for role in CLIENTS for received in self._answers(explorer, role)
         ]
@@ -178,8 +184,8 @@ class StateTest:
     def _check_answer(self, explorer: Explorer, received: ReceivedMessage) -> None:
         kind = next(
             self.subject.kind(output.message)
-            for each in self.predictions
-            for output in each.outputs
+            for prediction in self.predictions
+            for output in prediction.outputs
             if received.code == self.subject.kind(output.message).CODE
         )
         try:
@@ -192,9 +198,9 @@ class StateTest:
 
     def _answers(self, explorer: Explorer, role: str) -> list[ReceivedMessage]:
         return [
-            each
-            for each in explorer.client(role).pending
-            if each.source == self.subject.component and each.code not in EVENTS
+            packet
+            for packet in explorer.client(role).pending
+            if packet.source == self.subject.component and packet.code not in EVENTS
         ]
 
     def _note_initialized(self, explorer: Explorer, after: Situation, seen: ObservedState) -> None:
@@ -204,12 +210,12 @@ class StateTest:
 
     def _check_state(self, explorer: Explorer, fitting: list[Prediction]) -> None:
         """Check the state afterwards, and the effect if it is visible."""
-        after = [each.after for each in fitting]
+        after = [row.after for row in fitting]
         seen = explorer.settle(*after)
         self._note_initialized(explorer, after[0], seen)
         name = "the state is " + " or ".join(dict.fromkeys(map(str, after)))
         explorer.tester.expected.append(name)
-        right = any(explorer.agrees(seen, each) for each in after)
+        right = any(explorer.agrees(seen, state) for state in after)
         explorer.tester.check(name, "" if right else f"afterwards the component reports {seen}; {name} was expected")
         if self.stimulus.verify is not None:
 

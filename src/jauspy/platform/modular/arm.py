@@ -13,7 +13,7 @@ from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, Robot
 
 
 class ArmController(Enum):
-    """How the joints follow their trajectories."""
+    """Controllers by which the joints follow their trajectories."""
 
     PID = "pid"
     """An independent PID controller for each module (stage 1)."""
@@ -45,9 +45,9 @@ class ModularArmState:
     payload: float = 0.0
     """Estimated mass at the tip, in kilograms."""
     tip_pose: Pose = ORIGIN
-    """Of the tip's frame in the world, by the model."""
+    """Pose of the tip's frame in the world, by the model."""
     error: str = ""
-    """Why the last motion ended early or was not begun; empty after a success."""
+    """Reason why the last motion ended early or was not begun; empty after a success."""
 
 
 class ModularArm(OptionalPart):
@@ -62,7 +62,7 @@ class ModularArm(OptionalPart):
 
     @abstractmethod
     def state(self) -> ModularArmState:
-        """Its joints and motion."""
+        """State of the joints, and of the motion."""
 
     @abstractmethod
     def move(self, positions: Sequence[float], duration: float) -> None:

@@ -42,7 +42,7 @@ class ArmSetpoints:
         self.setpoint = _at_readings(readings)
         """The last setpoint, averaged by the shaper."""
         self.error = ""
-        """Why the last motion ended early or was not begun; empty after a success."""
+        """Reason why the last motion ended early or was not begun; empty after a success."""
         self._assembly = assembly
         self._planned = self.setpoint
         self._motion: PlannedMotion | None = None
@@ -52,7 +52,7 @@ class ArmSetpoints:
 
     @property
     def moving(self) -> bool:
-        """Whether a motion is in progress, or joints have not come to rest after it."""
+        """True while a motion is in progress, or joints have not come to rest after it."""
         return self._motion is not None
 
     @property

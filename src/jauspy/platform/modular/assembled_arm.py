@@ -61,7 +61,7 @@ class AssembledArm(ModularArm):
         return self._assembly.chain
 
     def state(self) -> ModularArmState:
-        """Its joints and motion."""
+        """State of the joints, and of the motion."""
         chain, index = self.chain, self._index
         readings, targets = self._readings, self._setpoints.targets
         return ModularArmState(
@@ -192,7 +192,7 @@ class AssembledArm(ModularArm):
         self._torques.restart(np.where(powered, self._torques.last_torques, self._measured.spring))
 
     def _refusal(self, positions: Sequence[float], duration: float) -> str:
-        """Why a motion is refused; empty if it is not."""
+        """Reason to refuse a motion; empty if it can begin."""
         names = [self.chain.joints[joint] for joint in self._index]
         if not names:
             return "motion refused: no servo module is attached to a base"

@@ -29,7 +29,7 @@ class Conveyor(OptionalPart):
 
     @abstractmethod
     def state(self) -> ConveyorState:
-        """Its speed and travel."""
+        """Speed and travel of the belt."""
 
     @abstractmethod
     def set_speed(self, speed: float) -> None:
@@ -196,7 +196,7 @@ class Car(OptionalPart):
 
     @abstractmethod
     def state(self) -> CarState:
-        """Whether it is assembled, and its motion."""
+        """State of the assembly, and motion of the car."""
 
     @abstractmethod
     def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:

@@ -11,7 +11,7 @@ from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, Robot
 
 
 class ConnectorError(Enum):
-    """Why the last attachment of a connector ended or failed."""
+    """Reasons why the last attachment of a connector ended or failed."""
 
     NONE = "none"
     NO_CONTACT = "no contact"
@@ -23,7 +23,7 @@ class ConnectorError(Enum):
     FAILED = "failed"
     """The attempt failed at random (simulated)."""
     OVERLOADED = "overloaded"
-    """It has broken off."""
+    """The connector has broken off."""
     NO_POWER = "no power"
     OTHER = "other"
 
@@ -44,9 +44,9 @@ class ConnectorState:
     moment: float = 0.0
     """Magnitude about the middle of the plate, in newton metres."""
     broken_off: int = 0
-    """How often an overload has released a part."""
+    """Number of parts that an overload has released."""
     error: ConnectorError = ConnectorError.NONE
-    """Why the last attachment ended or failed."""
+    """Reason why the last attachment ended or failed."""
     last_error: str = ""
     """The same as text; empty after a success."""
 
@@ -66,7 +66,7 @@ class VacuumConnector(OptionalPart):
 
     @abstractmethod
     def state(self) -> ConnectorState:
-        """What it measures."""
+        """State of the connector, as it measures it: vacuum, attached part, force and moment."""
 
     @abstractmethod
     def set(self, enabled: bool) -> None:

@@ -1,4 +1,4 @@
-"""How the joints of a modular arm follow their setpoints: a PID each (stage 1), or the arm's model (stage 2).
+"""Control laws by which the joints of a modular arm follow setpoints: a PID each (stage 1), or a model (stage 2).
 
 Both return the torques of the motors. Vectors are in the order of the chain; rad, rad/s, N m.
 """
@@ -23,13 +23,13 @@ TORQUE_BANDWIDTH: Final = 100.0
 """rad/s: natural frequency of errors of the springs' torques, at most."""
 
 LARGEST_STEP: Final = 0.45
-"""This natural frequency times the control period, at most."""
+"""Greatest product of the natural frequency of `TORQUE_BANDWIDTH` and the control period."""
 
 STIFFENING: Final = 4.0
-"""This natural frequency over that of the rotor on its spring, at most; the gain of the torque error is its square."""
+"""Greatest ratio of that frequency to that of the rotor on its spring; its square is the gain of the torque error."""
 
 SEPARATION: Final = 8.0
-"""This natural frequency over that of position errors."""
+"""Ratio of that frequency to the natural frequency of position errors."""
 
 POSITION_DAMPING: Final = 0.9
 """Damping ratio of position errors."""
@@ -54,7 +54,7 @@ SLIDING_PART: Final = 0.7
 
 
 class JointMeasurements(NamedTuple):
-    """What the modules measure, and how fast the springs' torques change (N m/s)."""
+    """Measurements of all modules, and the rates of the springs' torques (N m/s)."""
 
     q: Array
     v: Array
@@ -82,8 +82,8 @@ class PidLaw:
     """
 
     def __init__(self, servos: Sequence[ServoData], gains: Sequence[Gains]) -> None:
-        self._pids = [Pid(each, servo.max_torque) for each, servo in zip(gains, servos, strict=True)]
-        self._compliance = np.array([1.0 / each.stiffness for each in servos])
+        self._pids = [Pid(gain, servo.max_torque) for gain, servo in zip(gains, servos, strict=True)]
+        self._compliance = np.array([1.0 / servo.stiffness for servo in servos])
 
     def torques(self, setpoint: Setpoint, measured: JointMeasurements, dt: float) -> Array:
         """The torques of the motors."""
@@ -112,11 +112,11 @@ class ModelLaw:
         self.bias = np.zeros(len(servos))
         """Torques (N m) that are to be added: of a closed loop, in which the model alone does not determine them."""
         self._model = model
-        self._stiffness = np.array([each.stiffness for each in servos])
-        self._friction = np.array([each.friction for each in servos])
-        self._damping = np.array([each.damping for each in servos])
-        self._rotor = np.array([each.rotor_inertia for each in servos])
-        self._limit = np.array([each.max_torque for each in servos])
+        self._stiffness = np.array([servo.stiffness for servo in servos])
+        self._friction = np.array([servo.friction for servo in servos])
+        self._damping = np.array([servo.damping for servo in servos])
+        self._rotor = np.array([servo.rotor_inertia for servo in servos])
+        self._limit = np.array([servo.max_torque for servo in servos])
         self._compliance = self._rotor / self._stiffness
         natural = np.minimum(STIFFENING / np.sqrt(self._compliance), min(TORQUE_BANDWIDTH, LARGEST_STEP / dt))
         omega = natural / SEPARATION
@@ -174,6 +174,6 @@ class ModelLaw:
 
 
 def smooth_step(part: float) -> float:
-    """From 0 to 1 while `part` goes from 0 to 1, with slope 0 at both ends."""
+    """Go from 0 to 1 while `part` does, with slope 0 at both ends: 3 p^2 - 2 p^3."""
     part = min(1.0, max(0.0, part))
     return part * part * (3.0 - 2.0 * part)

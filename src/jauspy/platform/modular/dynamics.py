@@ -54,7 +54,7 @@ class ArmModel:
 
     @property
     def has_load(self) -> bool:
-        """Whether there is a box at the tip that joints carry."""
+        """True if there is a box at the tip that joints carry."""
         return self._load_joint > 0
 
     @property
@@ -124,10 +124,10 @@ class PayloadEstimator:
         self._acceleration = self._acceleration + part * ((v - self._last) / dt - self._acceleration)
         self._torque = self._torque + part * (spring - self._torque)
         self._last = v
-        without, each = self._model.load_torques(q, v, self._acceleration)
+        without, per_kilogram = self._model.load_torques(q, v, self._acceleration)
         keep = 1.0 - dt / MEMORY
-        self._product = keep * self._product + float(each @ (self._torque - without))
-        self._square = keep * self._square + float(each @ each)
+        self._product = keep * self._product + float(per_kilogram @ (self._torque - without))
+        self._square = keep * self._square + float(per_kilogram @ per_kilogram)
         return min(LARGEST, max(0.0, self._product / self._square)) if self._square > 1e-9 else 0.0
 
 
@@ -165,8 +165,8 @@ def _solids(cell: CellSetup, body: Body) -> Iterable[PartSolid]:
 
 def _unit_inertia(solids: Iterable[PartSolid]) -> Any:
     """The inertia of a box of one kilogram."""
-    own = sum((solid_inertia(solid) for solid in solids), pin.Inertia.Zero())
-    return pin.Inertia(1.0, own.lever, own.inertia / own.mass) if own.mass else pin.Inertia.Zero()
+    inertia = sum((solid_inertia(solid) for solid in solids), pin.Inertia.Zero())
+    return pin.Inertia(1.0, inertia.lever, inertia.inertia / inertia.mass) if inertia.mass else pin.Inertia.Zero()
 
 
 def joint_axis(cell: CellSetup, link: Link) -> Vector:

@@ -19,7 +19,7 @@ class Attachment(NamedTuple):
     """A connector that holds a part."""
 
     connector: str
-    """As in `servo_1/output`."""
+    """Name of the connector, as in `servo_1/output`."""
     part: str
     offset: Transform
     """Frame of the part in the frame of the connector."""
@@ -129,8 +129,8 @@ def find_chain(cell: CellSetup, attached: Iterable[Attachment], previous: str = 
         if any(types[part].kind is PartKind.WHEEL for part in parts):
             continue
         kept = [root for root in roots if root[1].name == previous]
-        own = [root for root in roots if root[1].name.startswith(f"{root[0]}/")]
-        ground, edge = (kept or own or roots)[0]
+        direct = [root for root in roots if root[1].name.startswith(f"{root[0]}/")]
+        ground, edge = (kept or direct or roots)[0]
         grips = [name for name, held in graph.grips.items() if parts.intersection(held)]
         held_by = (*(root[1].name for root in roots if root[1] is not edge), *grips)
         chain = _chain(graph, types, ground, edge, held_by)
@@ -165,7 +165,7 @@ def _graph(types: Mapping[str, PartType], attached: Iterable[Attachment]) -> _Gr
             graph.roots.append((part, _Edge(held, carrier, pose.inverse(), connector, is_joint=False)))
         else:
             _join(graph, carrier, held, pose, connector, is_joint=False)
-    order = {name: at for at, name in enumerate(types)}
+    order = {name: index for index, name in enumerate(types)}
     graph.roots.sort(key=lambda root: (order[root[0]], root[1].name))
     return graph
 
@@ -234,7 +234,7 @@ def _chain(
 
 
 def _holds_on(body: Body, types: Mapping[str, PartType], held_by: tuple[str, ...]) -> bool:
-    """Whether a connector of this body holds on to another base."""
+    """True if a connector of this body holds on to another base."""
     names = types[body.part].connectors
     return any(f"{body.part}/{name}" in held_by for name in names) and _has_connectors(body, types)
 

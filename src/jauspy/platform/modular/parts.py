@@ -66,7 +66,7 @@ class PartSolid(Table):
     mass: NotNegative = 0.0
     """Zero for what is fixed to the world."""
     pose: FrameOfTable = IDENTITY
-    """Its middle in the frame of the part, of the servo's output link, of the bin or of the fixture."""
+    """Frame of its middle in the frame of the part, of the servo's output link, of the bin or of the fixture."""
 
     def __post_init__(self) -> None:
         if self.shape is Shape.CYLINDER and self.size[0] != self.size[1]:
@@ -107,9 +107,9 @@ class ServoData(Table):
     damping: NotNegative
     """Newton metres per rad/s at the output."""
     stiffness: Positive
-    """Of the spring between gear and output, newton metres per radian."""
+    """Stiffness of the spring between gear and output, newton metres per radian."""
     rotor_inertia: Positive
-    """Of motor and gear, at the output, kg m^2."""
+    """Inertia of motor and gear, at the output, kg m^2."""
     torque_constant: Positive
     """Newton metres at the output per ampere."""
     axis: Annotated[Position, Converted(_unit)] = (0.0, 0.0, 1.0)
@@ -120,7 +120,7 @@ class ServoData(Table):
     output: tuple[PartSolid, ...] = ()
     """The link that turns."""
     position_gains: Gains = POSITION_GAINS
-    """Of its own position loop, which acts at 500 Hz: newton metres per radian."""
+    """Gains of its own position loop, which acts at 500 Hz: newton metres per radian."""
     velocity_gains: Gains = VELOCITY_GAINS
     """Newton metres per rad/s."""
 
@@ -137,7 +137,7 @@ class PartType(Table):
     with the part and a slash, as in `servo_1/output`."""
     servo: ServoData | None = None
     grasp: FrameOfTable = IDENTITY
-    """Where the gripper's frame is when it holds the part, in the frame of the part; its z points into the part."""
+    """Frame of the gripper when it holds the part, in the frame of the part; its z points into the part."""
 
     def __post_init__(self) -> None:
         if (self.kind is PartKind.SERVO) != (self.servo is not None):
@@ -155,12 +155,12 @@ class PartType(Table):
 
 @dataclass(frozen=True, slots=True)
 class ConnectorLimits(Table):
-    """When a vacuum connector attaches, and what it holds."""
+    """Limits within which a vacuum connector attaches and holds."""
 
     max_distance: Positive = 0.004
-    """Between the middles of the plates, in metres; on a box, which may be held anywhere, along its face's normal."""
+    """Metres between the middles of the plates; on a box, which may be held anywhere, along its face's normal."""
     max_angle: Annotated[float, Interval(gt=0.0, le=math.pi)] = math.radians(4.0)
-    """Between the plates' normals, in radians; the angle about the normal is free."""
+    """Angle between the plates' normals, in radians; the angle about the normal is free."""
     max_force: Positive = 180.0
     """Newtons, any direction."""
     max_moment: Positive = 18.0
@@ -174,7 +174,7 @@ class PlacedPart(Table):
     name: Identifier
     type: Identifier
     pose: PoseOfTable
-    """Of its frame in the world."""
+    """Pose of its frame in the world."""
     fixed: bool = False
     """True for a base that is bolted to the world."""
 
@@ -213,13 +213,13 @@ class BinSetup(Table):
         x, y, t = self.length, self.width, self.thickness
         height = self.wall + t
         middle = self.wall / 2.0 - t / 2.0
-        along, across = (x + 2.0 * t, t, height), (t, y, height)
+        sides, ends = (x + 2.0 * t, t, height), (t, y, height)
         return (
             _cuboid((x, y, t), (0.0, 0.0, -t / 2.0)),
-            _cuboid(along, (0.0, -(y + t) / 2.0, middle)),
-            _cuboid(along, (0.0, (y + t) / 2.0, middle)),
-            _cuboid(across, (-(x + t) / 2.0, 0.0, middle)),
-            _cuboid(across, ((x + t) / 2.0, 0.0, middle)),
+            _cuboid(sides, (0.0, -(y + t) / 2.0, middle)),
+            _cuboid(sides, (0.0, (y + t) / 2.0, middle)),
+            _cuboid(ends, (-(x + t) / 2.0, 0.0, middle)),
+            _cuboid(ends, ((x + t) / 2.0, 0.0, middle)),
         )
 
 
@@ -276,7 +276,7 @@ def _with_name(name: str, given: Any) -> Any:
 
 @dataclass(frozen=True, slots=True)
 class CellSetup(Table):
-    """What is in a factory cell beside the robot that the URDF describes: the table `[cell]`.
+    """Contents of a factory cell beside the robot that the URDF describes: the table `[cell]`.
 
     Units are metres, kilograms, seconds and radians.
     """
@@ -320,10 +320,10 @@ class CellSetup(Table):
 
     def type_of(self, part: str) -> PartType:
         """The type of a part. Raises `ConfigError` for an unknown name."""
-        for each in self.parts:
-            if each.name == part:
-                return self.types[each.type]
-        raise ConfigError(f"no part {part!r}; there are: {', '.join(sorted(each.name for each in self.parts))}")
+        for placed in self.parts:
+            if placed.name == part:
+                return self.types[placed.type]
+        raise ConfigError(f"no part {part!r}; there are: {', '.join(sorted(placed.name for placed in self.parts))}")
 
 
 Moments = tuple[Vector, Vector, Vector]
@@ -347,18 +347,18 @@ def combined(bodies: Iterable[tuple[Inertia, Transform]]) -> Inertia:
         center = add(center, scaled(middle, body.mass / mass))
     moments = _NONE
     for body, middle, pose in rows:
-        own = product(product(pose.rotation, body.moments), transposed(pose.rotation))
-        moments = _sum(_sum(moments, own), _of_point(body.mass, difference(middle, center)))
+        turned = product(product(pose.rotation, body.moments), transposed(pose.rotation))
+        moments = _sum(_sum(moments, turned), _of_point(body.mass, difference(middle, center)))
     return Inertia(mass, center, moments)
 
 
 def body_inertia(part: PartType) -> Inertia:
-    """Of a part; of a servo, its housing without the output link."""
+    """Mass and inertia of a part; of a servo, those of its housing without the output link."""
     return inertia(part.solids)
 
 
 def output_inertia(part: PartType) -> Inertia:
-    """Of the output link of a servo, in its frame, without the rotor; zero for other parts."""
+    """Mass and inertia of a servo's output link, in its frame, without the rotor; zero for other parts."""
     return inertia(part.servo.output if part.servo is not None else ())
 
 
@@ -367,16 +367,16 @@ def _of_solid(solid: PartSolid) -> Inertia:
     if solid.shape is Shape.CUBOID:
         squares = (y * y + z * z) / 12.0, (x * x + z * z) / 12.0, (x * x + y * y) / 12.0
     else:
-        across = (3.0 * x * x + z * z) / 12.0
-        squares = across, across, x * x / 2.0
+        transverse = (3.0 * x * x + z * z) / 12.0
+        squares = transverse, transverse, x * x / 2.0
     a, b, c = scaled(squares, solid.mass)
     return Inertia(solid.mass, IDENTITY.position, ((a, 0.0, 0.0), (0.0, b, 0.0), (0.0, 0.0, c)))
 
 
-def _of_point(mass: float, at: Vector) -> Moments:
-    """Of a point mass: m (r.r I - r r^T)."""
-    square = dot(at, at)
-    x, y, z = at
+def _of_point(mass: float, position: Vector) -> Moments:
+    """Moments of inertia of a point mass: m (r.r I - r r^T)."""
+    square = dot(position, position)
+    x, y, z = position
     return (
         (mass * (square - x * x), -mass * x * y, -mass * x * z),
         (-mass * x * y, mass * (square - y * y), -mass * y * z),

@@ -24,15 +24,15 @@ class ServoState:
     torque: float = 0.0
     """Newton metres, measured by the spring."""
     current: float = 0.0
-    """Of the motor, in amperes."""
+    """Current of the motor, in amperes."""
     temperature: float = 25.0
-    """Of the windings, in degrees Celsius."""
+    """Temperature of the windings, in degrees Celsius."""
     voltage: float = 0.0
-    """Of its supply, in volts."""
+    """Voltage of its supply, in volts."""
     orientation: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
-    """Of the housing in the world, as a unit quaternion w, x, y, z, by its IMU."""
+    """Orientation of the housing in the world, as a unit quaternion w, x, y, z, by its IMU."""
     angular_velocity: Vector = (0.0, 0.0, 0.0)
-    """Of the housing in its own frame, rad/s, by its IMU."""
+    """Angular velocity of the housing in its own frame, rad/s, by its IMU."""
     acceleration: Vector = (0.0, 0.0, 0.0)
     """Specific force in the housing's frame, m/s^2, by its IMU: at rest 9.81 upward."""
     claimed_by: str = ""
@@ -43,7 +43,7 @@ class ServoModule(OptionalPart):
     """A joint with motor, gear, spring, encoder and IMU in one housing; it holds its position when it is at rest."""
 
     name: str
-    """As in `servo_1`."""
+    """Name of the module, as in `servo_1`."""
 
     @property
     def id(self) -> PartId:
@@ -52,7 +52,7 @@ class ServoModule(OptionalPart):
 
     @abstractmethod
     def state(self) -> ServoState:
-        """What it measures."""
+        """Position, velocity, torque, supply and orientation, as the module measures them."""
 
     @abstractmethod
     def command(self, target: Target, feed_forward: float = 0.0) -> None:
@@ -155,7 +155,7 @@ class _ServoProxy(ServoModule):
 
 
 class ServoReading(NamedTuple):
-    """What a servo module measures at one moment; if `powered` is False, its last report."""
+    """Position, velocity and torque of a servo module at one moment; if `powered` is False, its last report."""
 
     powered: bool
     position: float
@@ -171,11 +171,11 @@ class ServoDrive(Protocol):
 
     @property
     def name(self) -> str:
-        """As in `servo_1`."""
+        """Name of the module, as in `servo_1`."""
         ...
 
     def read(self) -> ServoReading:
-        """What it measures now; cheap, it is called in each control cycle."""
+        """Read position, velocity and torque now; cheap, because it is called in each control cycle."""
         ...
 
     def set_torque(self, torque: float) -> None:

@@ -17,7 +17,7 @@ TORQUE_SAMPLES: Final = 40
 """Moments of a trajectory at which its torques are compared with their limits."""
 
 TORQUE_ROUNDS: Final = 8
-"""How often accelerations are lowered until the torques of a trajectory are within limits."""
+"""Number of times that accelerations are lowered until the torques of a trajectory are within limits."""
 
 
 LONGEST_BRAKING: Final = 0.13
@@ -47,7 +47,7 @@ class Shaper:
 
     @property
     def ended(self) -> bool:
-        """Whether the mean is the last setpoint, because nothing else came in for the whole length."""
+        """True if the mean is the last setpoint, because nothing else came in for the whole length."""
         return self._same >= len(self._rows)
 
     def advance(self, setpoint: Setpoint) -> Setpoint:
@@ -78,7 +78,7 @@ class Limits:
 
 
 class PlannedMotion:
-    """A motion from a setpoint to rest at a target; `at` returns where it is. Unlimited turns: no angle is wrapped."""
+    """Motion from a setpoint to rest at a target; `sample` returns where it is. No angle is wrapped."""
 
     def __init__(
         self,
@@ -212,8 +212,8 @@ def plan_within_torques(
         if ratio <= 1.0:
             return motion
         slower = min(0.9, max(0.3, 1.0 / ratio))
-        lowered = tuple(each * slower for each in limits.acceleration)
-        limits = Limits(limits.velocity, lowered, tuple(each * slower for each in limits.jerk))
+        lowered = tuple(limit * slower for limit in limits.acceleration)
+        limits = Limits(limits.velocity, lowered, tuple(limit * slower for limit in limits.jerk))
     raise MotionError(
         f"the motion to {_text(target)}{f' in {duration:.3g} s' if duration else ''} needs {ratio:.2f} times the "
         "torque that a servo module has"
@@ -223,4 +223,4 @@ def plan_within_torques(
 def _text(target: Sequence[float] | None) -> str:
     if target is None:
         return "rest"
-    return "(" + ", ".join(f"{each:.4g}" for each in target) + ") rad"
+    return "(" + ", ".join(f"{position:.4g}" for position in target) + ") rad"

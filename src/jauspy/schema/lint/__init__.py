@@ -122,8 +122,8 @@ def lint(paths: Iterable[Path], rules: Sequence[LintRule] = RULES) -> list[LintF
     found.update(_in_other_lines(_findings(REFUSED, context), found))
     if not any(finding.severity == "error" for finding in found):
         found.update(_findings(LAST, context))
-    own = {str(path) for path in context.paths}
-    return sorted(finding for finding in found if finding.file in own)
+    checked = {str(path) for path in context.paths}
+    return sorted(finding for finding in found if finding.file in checked)
 
 
 def _in_other_lines(more: Iterable[LintFinding], found: Iterable[LintFinding]) -> list[LintFinding]:

@@ -46,9 +46,14 @@ def _triggers(context: LintContext) -> Iterator[tuple[Transition, _Known]]:
         if behavior is None or _incomplete(line):
             continue
         known = _Known(
-            {element.get("name", "") for each in line for element in context.messages(each, "input_set")},
-            {element.get("name", "") for each in line for element in context.messages(each, "output_set")},
-            {event.get("name", "") for each in line for part in each.iterfind("internal_events_set") for event in part},
+            {element.get("name", "") for ancestor in line for element in context.messages(ancestor, "input_set")},
+            {element.get("name", "") for ancestor in line for element in context.messages(ancestor, "output_set")},
+            {
+                event.get("name", "")
+                for ancestor in line
+                for part in ancestor.iterfind("internal_events_set")
+                for event in part
+            },
         )
         yield from ((transition, known) for transition in transitions_of(behavior))
 
@@ -100,7 +105,7 @@ def unknown_send(context: LintContext) -> Iterator[Problem]:
         line = context.lineage(service)
         if behavior is None or _incomplete(line):
             continue
-        outputs = {element.get("name", "") for each in line for element in context.messages(each, "output_set")}
+        outputs = {element.get("name", "") for ancestor in line for element in context.messages(ancestor, "output_set")}
         for action, where in _actions(behavior):
             wanted = _sent(action)
             if wanted and wanted not in outputs:
@@ -128,11 +133,11 @@ def guard_parameter(context: LintContext) -> Iterator[Problem]:
     for service in context.services():
         behavior = context.behavior(service)
         for transition in transitions_of(behavior) if behavior is not None else ():
-            known = [each.name for each in transition.parameters]
+            known = [parameter.name for parameter in transition.parameters]
             for argument in _guard_arguments(transition.guard):
                 if argument not in known:
-                    there = f"the transition has {' and '.join(known) or 'none'}"
-                    reason = f"guard {transition.guard!r} names the parameter {argument}, and {there}"
+                    available = f"the transition has {' and '.join(known) or 'none'}"
+                    reason = f"guard {transition.guard!r} names the parameter {argument}, and {available}"
                     yield location_of(transition.where), f"{reason}{suggestion(argument, known)}"
 
 
@@ -143,7 +148,7 @@ def _guard_arguments(guard: str) -> Iterator[str]:
     except SchemaError:
         return
     for call in found:
-        yield from (each for each in map(str.strip, call.arguments) if each.isidentifier())
+        yield from (argument for argument in map(str.strip, call.arguments) if argument.isidentifier())
 
 
 IS_CONTROLLER: Final = "isControllingClient"
@@ -161,13 +166,15 @@ def uncontrolled_command(context: LintContext) -> Iterator[Problem]:
         line = context.lineage(service)
         if behavior is None or service.get("id", "").startswith(CORE):
             continue
-        if not any(each.get("id") == ACCESS_CONTROL for each in line):
+        if not any(ancestor.get("id") == ACCESS_CONTROL for ancestor in line):
             continue
         commands = {
-            each.get("name", "") for each in context.messages(service, "input_set") if _is_command(context, each)
+            message.get("name", "")
+            for message in context.messages(service, "input_set")
+            if _is_command(context, message)
         }
         for transition in transitions_of(behavior):
-            wanted = next((each.type for each in transition.parameters if each.type in commands), None)
+            wanted = next((parameter.type for parameter in transition.parameters if parameter.type in commands), None)
             if wanted is None or not transition.actions or IS_CONTROLLER in transition.guard:
                 continue
             reason = f"the command {wanted} is carried out for any client, also while another one is in control"
@@ -188,7 +195,7 @@ def _is_command(context: LintContext, message: Element) -> bool:
 
 
 def _machines(context: LintContext, line: Iterable[Element]) -> dict[str, MergedMachine]:
-    return merge_machines([context.definition(each) for each in line])
+    return merge_machines([context.definition(ancestor) for ancestor in line])
 
 
 def unknown_state(context: LintContext) -> Iterator[Problem]:
@@ -244,11 +251,11 @@ def _names_itself(machines: dict[str, MergedMachine], machine: str, path: str, s
 
 def unreachable_state(context: LintContext) -> Iterator[Problem]:
     """States without a transition to them, neither in the service that introduces them nor in derived ones."""
-    own = set(context.services())
+    checked = set(context.services())
     reached: dict[tuple[Element, str], set[str]] = {}
     for service in context.all_services():
         line = context.lineage(service)
-        if own.isdisjoint(line):
+        if checked.isdisjoint(line):
             continue
         for name, machine in _machines(context, line).items():
             reachable = machine.reachable()
@@ -262,12 +269,12 @@ def unreachable_state(context: LintContext) -> Iterator[Problem]:
         inherited = _machines(context, line[1:])
         for introduced in behavior.machines:
             name = short(introduced.name)
-            there = reached.get((service, name), set())
+            active = reached.get((service, name), set())
             before = inherited.get(name)
             for path, state in walk_states(introduced.states):
                 parent = path.rpartition(".")[0]
                 is_new = before is None or before.root.find(path) is None
-                if path not in there and is_new and (not parent or parent in there):
+                if path not in active and is_new and (not parent or parent in active):
                     reason = f"nothing leads to state {path}: no start, no initial state and no transition"
                     yield location_of(state.where), f"{reason}; add one or delete it"
 
@@ -295,7 +302,7 @@ def _lists(behavior: Behavior) -> Iterator[Sequence[Transition]]:
 
 def _shadowed(transitions: Sequence[Transition]) -> Iterator[Problem]:
     for number, transition in enumerate(transitions):
-        first = next((each for each in transitions[:number] if _covers(each, transition)), None)
+        first = next((earlier for earlier in transitions[:number] if _covers(earlier, transition)), None)
         if first is not None:
             line = location_of(first.where).line
             why = "has the same guard" if first.guard else "has no guard"

@@ -87,14 +87,14 @@ def _same_set(context: LintContext, service: Element, one: MessageDefinition, ot
 
 def conflicting_message(context: LintContext) -> Iterator[Problem]:
     """One id with different content in different services."""
-    own = list(context.services())
-    codes = {context.code(element) for service in own for element in context.messages(service)}
+    checked = list(context.services())
+    codes = {context.code(element) for service in checked for element in context.messages(service)}
     users = [_User(context, service, codes) for service in context.all_services()]
     by_code: dict[int, list[tuple[_User, MessageDefinition]]] = {}
     for user in users:
         for message, _ in user.messages:
             by_code.setdefault(message.code, []).append((user, message))
-    for user in users[: len(own)]:
+    for user in users[: len(checked)]:
         for message, element in user.messages:
             yield from _conflicts(user, message, location(element), by_code[message.code])
 
@@ -104,7 +104,7 @@ class _User:
 
     def __init__(self, context: LintContext, service: Element, codes: set[str]) -> None:
         self.urn, self.version = (service.get(name, "").strip() for name in ("id", "version"))
-        self.lineage = {each.get("id", "").strip() for each in context.lineage(service)}
+        self.lineage = {ancestor.get("id", "").strip() for ancestor in context.lineage(service)}
         wanted = (element for element in context.messages(service) if context.code(element) in codes)
         found = ((context.message(element), element) for element in wanted)
         self.messages = [(message, element) for message, element in found if message is not None]

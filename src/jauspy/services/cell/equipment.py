@@ -86,11 +86,11 @@ class ModulePowerService(Service, urn="urn:jauspy:cell:ModulePower"):
     def set_module_power(self, msg: SetModulePower) -> None:
         """Switch modules on or off; names that are unknown are left out, and counted."""
         known = self._power.state()
-        for each in msg.module_list:
-            if each.name not in known:
-                self.host.count("unknown_module", f"{each}")
+        for module in msg.module_list:
+            if module.name not in known:
+                self.host.count("unknown_module", f"{module}")
             else:
-                self._power.switch(each.name, each.power == ReportModulePower.Power.SWITCHED_ON)
+                self._power.switch(module.name, module.power == ReportModulePower.Power.SWITCHED_ON)
 
     def report_module_power(self) -> ReportModulePower:
         """The modules that are switched on."""

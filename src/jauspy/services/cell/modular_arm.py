@@ -96,7 +96,7 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
             self._control.stop()
             self.host.begin_command()(False)
             return
-        positions = [math.nan if each.position is None else each.position for each in msg.position_list]
+        positions = [math.nan if position.position is None else position.position for position in msg.position_list]
         self._control.move(positions, msg.motion_duration_rec.duration)
         self._command = self.host.begin_command()
         self.host.set_timer(_TIMER, self.host.now + CHECK_PERIOD, self._check)
@@ -114,7 +114,7 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
     def set_modular_arm_order(self, msg: SetModularArmOrder, source: JausID) -> None:
         """Set the order of the joints, or determine it from the assembly."""
         self._told.pop(source, None)
-        self._arm.set_order([each.name for each in msg.joint_list])
+        self._arm.set_order([joint.name for joint in msg.joint_list])
 
     def control_lost(self) -> None:
         """Hold: the next client must not inherit a motion."""

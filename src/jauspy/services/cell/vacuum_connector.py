@@ -42,7 +42,7 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
         self._connectors = dict(enumerate(connectors, start=1))
         self._limits = limits
         self._refusals: dict[int, str] = {}
-        """Why a connector was not vented when it was last told to, by number."""
+        """Reasons why connectors were not vented when they were last told to, by number."""
 
     def set_connector(self, msg: SetConnector) -> None:
         """Switch a connector on (pump) or off (vent); an unknown number is ignored and counted.
@@ -103,5 +103,5 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
             max_force=self._limits.max_force,
             max_moment=self._limits.max_moment,
         )
-        names = [each.name.rpartition("/")[2] for each in self._connectors.values()]
+        names = [connector.name.rpartition("/")[2] for connector in self._connectors.values()]
         return report(limits, [report.ConnectorNameRec(sent_text(name)) for name in names])

@@ -46,7 +46,7 @@ INHERITED_DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
 
 
 def with_core_services(services: Iterable[Service], name: str) -> list[Service]:
-    """These services, and the core services that are not among them; `name` is reported by Discovery."""
+    """Add the core services that are not among these; `name` is reported by Discovery."""
     given = list(services)
     urns = {service.urn for service in given}
     component = Identity(name, DEFAULT_IDENTITIES[COMPONENT].type)

@@ -62,7 +62,7 @@ class CompletedCommands:
 
     def forget_of(self, client: JausID) -> None:
         """Forget the commands of a client."""
-        for command in [each for each in self._until if each.client == client]:
+        for command in [key for key in self._until if key.client == client]:
             self.forget(command)
 
     def clear(self) -> None:
@@ -102,8 +102,8 @@ class CommandEvents(Service):
         """Limit the duration of the command; 0 s suffices for one that takes no time."""
         command = self._current
         if isinstance(command, PendingCommand) and command.success is None:
-            at = self.host.now + msg.maximum_allowed_duration
-            self.host.set_timer(("command", command.id), at, lambda: self._on_expired(command))
+            deadline = self.host.now + msg.maximum_allowed_duration
+            self.host.set_timer(("command", command.id), deadline, lambda: self._on_expired(command))
 
     def stop_command_timer(self, msg: PendingCommand) -> None:
         """Cancel the time-out of a command that has ended."""

@@ -39,7 +39,7 @@ MIN_SECRET: Final = 16
 
 Reason = RejectCommand.Reason
 
-OPEN_COMMANDS: Final = frozenset(each.CODE for each in (CreateEvent, UpdateEvent, CancelEvent, RegisterServices))
+OPEN_COMMANDS: Final = frozenset(message.CODE for message in (CreateEvent, UpdateEvent, CancelEvent, RegisterServices))
 """Commands that need no seal: subscriptions to queries, and the lists of services of other components."""
 _REPORT_CODES: Final = range(0x4000, 0x6000)
 _REPORT_NAMES: Final = ("Report", "Confirm", "Reject")
@@ -60,7 +60,7 @@ _EXPLAINED: Final[dict[int, str]] = {
 
 
 def explained(reason: int) -> str:
-    """Why a command was refused, as part of a sentence."""
+    """Reason why a command was refused, as part of a sentence."""
     return _EXPLAINED.get(reason, f"reason {reason}")
 
 
@@ -75,7 +75,7 @@ class CommandRecord:
     """None without a valid seal."""
     message: str
     payload: bytes
-    """As received, with the seal."""
+    """Payload as received, with the seal."""
     outcome: str
     """`taken`, `ignored` or `failed` by the state machine, or `refused: REASON`."""
 
@@ -98,7 +98,7 @@ class CommandSeal(Service, urn="urn:jauspy:operators:CommandSeal"):
         if len(secret) < MIN_SECRET:
             raise ConfigError(f"the secret of CommandSeal has {len(secret)} bytes; it must have {MIN_SECRET} or more")
         self.required = required
-        self._operators = {each.key.id: each for each in operators}
+        self._operators = {operator.key.id: operator for operator in operators}
         self._secret = secret
         self._audit = audit
         self._last_challenge = 0

@@ -110,7 +110,7 @@ class Directory:
         for id, entry in self._entries.items():
             filters = set().union(*(wanted.get(where, ()) for where in _addresses(id)))
             if filters:
-                found[id] = tuple(offer for offer in entry.offers if any(each in offer.uri for each in filters))
+                found[id] = tuple(offer for offer in entry.offers if any(text in offer.uri for text in filters))
         return found
 
     def all(self) -> Mapping[JausID, tuple[OfferedService, ...]]:
@@ -238,7 +238,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         if subsystem != self._registrar.subsystem:
             self.host.count("not_registered", f"with {self._registrar}, which is in another subsystem")
             return
-        self.host.send(self._registrar, RegisterServices([service_record(each) for each in offers]))
+        self.host.send(self._registrar, RegisterServices([service_record(offer) for offer in offers]))
 
     def add_local(self, others: Iterable[ServiceHost]) -> None:
         """List components of the same program: they need not register, do not expire, and keep their ids."""
@@ -267,7 +267,8 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.host.count("foreign_registration", f"{source} is on another machine; registrants may be 'subsystem'")
             return
         offers = [
-            OfferedService(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list
+            OfferedService(service.uri, service.major_version_number, service.minor_version_number)
+            for service in msg.service_list
         ]
         kept = within(offers, MAX_REGISTRATION)
         if len(kept) < len(offers):
@@ -298,18 +299,18 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         if query.query_type not in (SUBSYSTEM, NODE):
             return None
         me = self.host.id
-        here = [
-            each
-            for each in self.directory.all()
-            if each.subsystem == me.subsystem and (query.query_type == SUBSYSTEM or each.node == me.node)
+        listed = [
+            id
+            for id in self.directory.all()
+            if id.subsystem == me.subsystem and (query.query_type == SUBSYSTEM or id.node == me.node)
         ]
         return ReportConfiguration(
             node_list=[
                 ReportConfiguration.NodeSeq(
                     node_rec=ReportConfiguration.NodeRec(node_id=node),
-                    component_list=[ComponentRec(component_id=each.component, instance_id=0) for each in ids],
+                    component_list=[ComponentRec(component_id=id.component, instance_id=0) for id in ids],
                 )
-                for node, ids in groupby(here, key=attrgetter("node"))
+                for node, ids in groupby(listed, key=attrgetter("node"))
             ]
         )
 
@@ -334,13 +335,13 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         """As `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
         self._renew(source)
         matching = self.directory.matching(self._wanted(query))
-        found = self._fitting({each: offers for each, offers in matching.items() if offers})
+        found = self._fitting({item: offers for item, offers in matching.items() if offers})
         subsystems = groupby(sorted(found), key=attrgetter("subsystem"))
         return ReportServiceList(
             subsystem_list=[
                 ReportServiceList.SubsystemSeq(
                     subsystem_rec=ReportServiceList.SubsystemRec(subsystem_id=number),
-                    node_list=node_records(ReportServiceList, {each: found[each] for each in ids}),
+                    node_list=node_records(ReportServiceList, {id: found[id] for id in ids}),
                 )
                 for number, ids in subsystems
             ]
@@ -351,14 +352,14 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         filters = 0
         for subsystem in query.subsystem_list:
             for node in subsystem.node_list:
-                for each in node.component_list:
-                    where = (subsystem.subsystem_rec.subsystem_id, node.node_rec.node_id, each.component_id)
+                for component in node.component_list:
+                    where = (subsystem.subsystem_rec.subsystem_id, node.node_rec.node_id, component.component_id)
                     known = wanted.setdefault(where, set())
-                    if each.search_filter and each.search_filter not in known:
+                    if component.search_filter and component.search_filter not in known:
                         filters += 1
                         if filters > MAX_FILTERS:
                             continue
-                    known.add(each.search_filter or "")
+                    known.add(component.search_filter or "")
         if filters > MAX_FILTERS:
             self.host.count("query_cut", f"{filters} search filters")
         return {where: known for where, known in wanted.items() if known}
@@ -366,10 +367,10 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     def _fitting(self, found: Mapping[JausID, tuple[OfferedService, ...]]) -> dict[JausID, tuple[OfferedService, ...]]:
         """The components that fit `MAX_REPORT`: this one with the services that fit, others with all of theirs."""
         left, kept = MAX_REPORT, {}
-        for each in sorted(found, key=lambda each: each != self.host.id):
-            offers = within(found[each], left - _RECORDS)
-            if each == self.host.id or (left >= _RECORDS and len(offers) == len(found[each])):
-                kept[each] = offers
+        for id in sorted(found, key=lambda component: component != self.host.id):
+            offers = within(found[id], left - _RECORDS)
+            if id == self.host.id or (left >= _RECORDS and len(offers) == len(found[id])):
+                kept[id] = offers
                 left -= _RECORDS + sum(offer.size for offer in offers)
         if sum(map(len, kept.values())) < sum(map(len, found.values())) or len(kept) < len(found):
             self.host.count("report_cut", f"{len(found) - len(kept)} of {len(found)} components left out")
@@ -407,7 +408,7 @@ def node_records(report: Any, found: Mapping[JausID, Iterable[OfferedService]]) 
     return [
         report.NodeSeq(
             node_rec=report.NodeRec(node_id=node),
-            component_list=[_component(report, each, found[each]) for each in ids],
+            component_list=[_component(report, id, found[id]) for id in ids],
         )
         for node, ids in groupby(sorted(found), key=attrgetter("node"))
     ]

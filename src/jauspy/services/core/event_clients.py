@@ -31,7 +31,7 @@ MAX_PROBES: Final = 32
 
 
 class EventClients:
-    """Who is sent events by a component, and when each was heard."""
+    """Clients to whom a component sends events, and when each was heard."""
 
     def __init__(self, host: ServiceHost) -> None:
         self._host = host
@@ -85,7 +85,7 @@ class EventClients:
             return False
         if not client.is_trusted and client.sent + PROBE_COST > MAX_UNHEARD:
             return False
-        return sum(now < each.probed_until for each in self._clients.values()) < MAX_PROBES
+        return sum(now < client.probed_until for client in self._clients.values()) < MAX_PROBES
 
     def _on_acknowledged(self, client: _Client, delivered: bool) -> None:
         client.probed_until = -math.inf
@@ -102,11 +102,11 @@ class _Client:
         self.is_local = False
         self.acknowledged_at: float | None = None
         self.since = math.inf
-        """When the first report was sent after it was heard."""
+        """Time of the first report that was sent after it was heard."""
         self.sent = 0
         """Datagrams of reports since then."""
         self.probed_at = -math.inf
-        """When an acknowledgement was requested last."""
+        """Time at which an acknowledgement was requested last."""
         self.probed_until = -math.inf
         """Until when it is pending."""
 

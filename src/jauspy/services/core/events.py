@@ -91,9 +91,9 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
 
     def leaving(self) -> None:
         """End all events, since clients know them by the id of the component, and confirm that to the clients."""
-        for each in self.subscriptions.all():
-            self._end(each)
-            self.host.send(each.client, _confirmation(each, each.request_id))
+        for subscription in self.subscriptions.all():
+            self._end(subscription)
+            self.host.send(subscription.client, _confirmation(subscription, subscription.request_id))
         self.completed.clear()
 
     # --- actions
@@ -190,7 +190,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         return found if msg.CODE == CancelEvent.CODE or isinstance(found, EventSubscription) else None
 
     def _refusal(self, msg: EventSetup, source: JausID) -> EventRejectCode | None:
-        """Why the event cannot be set up as requested; None when it can."""
+        """Reason why the event cannot be set up as requested; None when it can."""
         if (kind := self._refused_kind(msg)) is not None:
             return kind
         query = self.host.read(msg.query_message)
@@ -305,16 +305,16 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
 
     def report_events(self, query: QueryEvents, source: JausID) -> ReportEvents:
         """The client's subscriptions: all, or by id, kind or query message."""
-        chosen = [each for each in self.subscriptions.queries(source) if _matches(each, query)]
+        chosen = [subscription for subscription in self.subscriptions.queries(source) if _matches(subscription, query)]
         return ReportEvents(
             event_list=[
                 ReportEvents.ReportEventRec(
                     # The report has no numbers for the other two; one is like a change that happens once.
-                    event_type=PERIODIC if each.kind == PERIODIC else EVERY_CHANGE,
-                    event_id=each.id,
-                    query_message=each.query,
+                    event_type=PERIODIC if subscription.kind == PERIODIC else EVERY_CHANGE,
+                    event_id=subscription.id,
+                    query_message=subscription.query,
                 )
-                for each in chosen[:255]
+                for subscription in chosen[:255]
             ]
         )
 

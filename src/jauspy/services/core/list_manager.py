@@ -38,14 +38,14 @@ class ElementList:
 
     def previous(self, uid: int) -> int:
         """The element before this one, 0 for none."""
-        at = self.order.index(uid)
-        return self.order[at - 1] if at or self.loop else 0
+        index = self.order.index(uid)
+        return self.order[index - 1] if index or self.loop else 0
 
     def next(self, uid: int) -> int:
         """The element after this one, 0 for none."""
-        at = self.order.index(uid) + 1
-        if at < len(self.order):
-            return self.order[at]
+        index = self.order.index(uid) + 1
+        if index < len(self.order):
+            return self.order[index]
         return self.order[0] if self.loop else 0
 
     def without(self, uids: Collection[int]) -> ElementList:
@@ -72,15 +72,15 @@ class ElementList:
         return _wrong_link(changed, records) or changed
 
 
-def _placed(there: list[int], records: Sequence[ElementRec]) -> list[int] | None:
+def _placed(existing: list[int], records: Sequence[ElementRec]) -> list[int] | None:
     """Each record behind its previous element; None when that is unknown or taken by another record."""
     waiting = {record.previous_uid: record.element_uid for record in records}
     if len(waiting) < len(records):
         return None
-    if not there and 0 not in waiting:
+    if not existing and 0 not in waiting:
         waiting[0] = waiting.pop(records[0].previous_uid)  # a ring: it starts with the first one that was sent
     order: list[int] = []
-    for anchor in (0, *there):
+    for anchor in (0, *existing):
         order += [anchor] if anchor else []
         behind = waiting.pop(anchor, 0)
         while behind:

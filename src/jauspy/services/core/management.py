@@ -27,7 +27,7 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
 
     def __init__(self) -> None:
         self._emergency_clients: dict[JausID, bool] = {}
-        """Those that set it, and whether with a seal."""
+        """Clients that hold the emergency, and whether they set it with a seal."""
         self._is_any_forgotten = False
         """True after the emergency of a client that is not remembered."""
 

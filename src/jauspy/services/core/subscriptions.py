@@ -93,9 +93,9 @@ class Subscriptions:
         """Remove the event, if it is in the table."""
         if self.holds(entry):
             del self._by_id[entry.id]
-            own = self._by_client[entry.client]
-            del own[entry.id]
-            if not own:
+            of_client = self._by_client[entry.client]
+            del of_client[entry.id]
+            if not of_client:
                 del self._by_client[entry.client]
 
     def holds(self, entry: ClientEvent) -> bool:
@@ -109,20 +109,27 @@ class Subscriptions:
 
     def same(self, client: JausID, kind: int, query: bytes) -> EventSubscription | None:
         """The client's event of this kind with this very query."""
-        return next((each for each in self.queries(client) if each.kind == kind and each.content == query), None)
+        return next(
+            (
+                subscription
+                for subscription in self.queries(client)
+                if subscription.kind == kind and subscription.content == query
+            ),
+            None,
+        )
 
     def same_command(self, client: JausID, command: bytes) -> PendingCommand | None:
         """The client's command event for this very command."""
-        watches = (each for each in self.of(client) if isinstance(each, PendingCommand))
-        return next((each for each in watches if each.command.encode() == command), None)
+        watches = (event for event in self.of(client) if isinstance(event, PendingCommand))
+        return next((watch for watch in watches if watch.command.encode() == command), None)
 
     def all(self) -> list[ClientEvent]:
         """Everyone's events in the order of their ids."""
-        return [each for _, each in sorted(self._by_id.items())]
+        return [item for _, item in sorted(self._by_id.items())]
 
     def of(self, client: JausID) -> list[ClientEvent]:
         """The client's events in the order of their ids."""
-        return [each for _, each in sorted(self._by_client.get(client, {}).items())]
+        return [item for _, item in sorted(self._by_client.get(client, {}).items())]
 
     def has(self, client: JausID) -> bool:
         """True when the client has an event."""
@@ -130,4 +137,4 @@ class Subscriptions:
 
     def queries(self, client: JausID) -> Iterator[EventSubscription]:
         """The subscriptions of the client."""
-        return (each for each in self.of(client) if isinstance(each, EventSubscription))
+        return (event for event in self.of(client) if isinstance(event, EventSubscription))

@@ -72,7 +72,7 @@ class VideoStreams:
     def __init__(self, cameras: Cameras, targets: Iterable[Network] = ()) -> None:
         self.cameras = cameras
         self.end_points: dict[int, EndPoint] = {}
-        """In the order in which they were registered."""
+        """End points by number, in the order in which they were registered."""
         self._targets = tuple(targets)
         self._number = 0
 
@@ -106,7 +106,9 @@ class VideoStreams:
             ports = ", ".join(map(str, sorted(location.ports)))
             raise ConfigError(f"{host}:{port}: video is not sent to a port of JAUS: {ports}")
         address = ipaddress.ip_address(host)
-        if location.has(host) or any(address in each and address != each.broadcast_address for each in self._targets):
+        if location.has(host) or any(
+            address in target and address != target.broadcast_address for target in self._targets
+        ):
             return
         known = f"which is at {', '.join(sorted(location.hosts))}" if location.hosts else "whose machine is not known"
         raise ConfigError(f"{host} is not an address of {client}, {known}; video_targets may allow networks")
@@ -114,9 +116,9 @@ class VideoStreams:
     def _keep_to_share(self, client: JausID, location: Location) -> None:
         """Remove the client's oldest end point if it has its share, or its machine has."""
         is_shared = not location.is_here and bool(location.hosts)
-        own = [number for number, each in self.end_points.items() if each.client == client]
-        same = [n for n, each in self.end_points.items() if is_shared and each.location == location]
-        for numbers in (own, same):
+        of_client = [number for number, item in self.end_points.items() if item.client == client]
+        same = [n for n, item in self.end_points.items() if is_shared and item.location == location]
+        for numbers in (of_client, same):
             if len(numbers) >= MAX_END_POINTS_PER_CLIENT and numbers[0] in self.end_points:
                 self.remove(numbers[0])
 
@@ -127,7 +129,7 @@ class VideoStreams:
             self._check_room()
             source.watch(address)
         except ConfigError:
-            replaced = next((each for each in replaceable if self.end_points[each].sensor == sensor), None)
+            replaced = next((key for key in replaceable if self.end_points[key].sensor == sensor), None)
             if replaced is None:
                 raise
             self.remove(replaced)
@@ -135,8 +137,8 @@ class VideoStreams:
 
     def _free_number(self) -> int:
         """The number that was free for the longest time: clients may still use that of one that was replaced."""
-        following = (1 + (self._number + each) % MAX_END_POINTS for each in range(MAX_END_POINTS))
-        return next(each for each in following if each not in self.end_points)
+        following = (1 + (self._number + index) % MAX_END_POINTS for index in range(MAX_END_POINTS))
+        return next(number for number in following if number not in self.end_points)
 
     def _check_room(self) -> None:
         if len(self.end_points) >= MAX_END_POINTS:
@@ -144,13 +146,17 @@ class VideoStreams:
 
     def _ranking_below(self, client: JausID, operators: Collection[JausID]) -> list[int]:
         """End points of clients that rank below this one, the least and newest first."""
-        subsystems = {each.subsystem for each in operators}
+        subsystems = {operator.subsystem for operator in operators}
 
         def rank(each: JausID) -> int:
             return 2 if each in operators else int(each.subsystem in subsystems)
 
-        newest_first = [(rank(each.client), number) for number, each in reversed(self.end_points.items())]
-        return [number for own, number in sorted(newest_first, key=lambda each: each[0]) if own < rank(client)]
+        newest_first = [(rank(item.client), number) for number, item in reversed(self.end_points.items())]
+        return [
+            number
+            for rank_of_owner, number in sorted(newest_first, key=lambda ranked: ranked[0])
+            if rank_of_owner < rank(client)
+        ]
 
     def remove(self, number: int) -> None:
         """Stop sending to an end point; unknown numbers are ignored."""
@@ -160,24 +166,24 @@ class VideoStreams:
 
     def control(self, client: JausID, sensor: int, state: StreamState) -> int:
         """Play, pause or stop the client's end points of a sensor; returns their number."""
-        own = [each for each in self.end_points.values() if (each.client, each.sensor) == (client, sensor)]
-        for point in own:
+        of_sensor = [point for point in self.end_points.values() if (point.client, point.sensor) == (client, sensor)]
+        for point in of_sensor:
             source = self.cameras[sensor].source
             if state is StreamState.STOP:
                 source.leave(point.address)
             else:
                 source.watch(point.address, playing=state is StreamState.PLAY)
             point.state = state
-        return len(own)
+        return len(of_sensor)
 
     def state(self, sensor: int) -> StreamState:
         """Return PLAY if any end point of the sensor plays, else PAUSE if any is paused, else STOP."""
-        states = {each.state for each in self.end_points.values() if each.sensor == sensor}
+        states = {point.state for point in self.end_points.values() if point.sensor == sensor}
         return next((state for state in StreamState if state in states), StreamState.STOP)
 
     def remove_client(self, client: JausID) -> None:
         """Remove all end points of a client."""
-        for number in [number for number, each in self.end_points.items() if each.client == client]:
+        for number in [number for number, item in self.end_points.items() if item.client == client]:
             self.remove(number)
 
 
@@ -217,11 +223,11 @@ class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:Dig
 
     def send_report_digital_resource_endpoint(self, source: JausID) -> ReportDigitalResourceEndpoint:
         """Return the client's own end points only; the addresses of others are private."""
-        own = self.host.id
-        component = JAUS_ID(own.component, own.node, own.subsystem)
-        points = [each for each in self._streams.end_points.values() if each.client == source]
+        this_component = self.host.id
+        component = JAUS_ID(this_component.component, this_component.node, this_component.subsystem)
+        points = [point for point in self._streams.end_points.values() if point.client == source]
         return ReportDigitalResourceEndpoint(
-            [_Record(RTP_SERVER_TYPE, each.url, component, each.sensor) for each in points]
+            [_Record(RTP_SERVER_TYPE, point.url, component, point.sensor) for point in points]
         )
 
     def add_digital_resource_endpoint(self, msg: RegisterDigitalResourceEndpoint, source: JausID) -> None:
@@ -243,7 +249,7 @@ class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:Dig
         if reply.report is not None:  # too late: 0 was confirmed
             return
         record, number = msg.digital_resource_endpoint_rec, 0
-        operators = {each for each in self.operators() if each is not None}
+        operators = {operator for operator in self.operators() if operator is not None}
         try:
             number = self._streams.register(source, record.resource_id or 1, record.server_url, location, operators)
         except ConfigError as error:

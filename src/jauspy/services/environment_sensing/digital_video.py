@@ -92,7 +92,9 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
         """Return for each camera its sensor id, or an error record with the reason."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
         requested = requested_sensors(msg.digital_video_sensor_list, self._cameras)
-        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in requested])
+        return ConfirmSensorConfiguration(
+            request, [self._refusal(*request) or SensorIdRec(request[0]) for request in requested]
+        )
 
     def update_digital_video_sensor_configuration(self, msg: SetDigitalVideoSensorConfiguration) -> None:
         """Apply valid settings from the next frame on; omitted settings keep their values."""
@@ -103,7 +105,7 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
 
     def modify_digital_video_sensor_stream(self, msg: ControlDigitalVideoSensorStream, source: JausID) -> None:
         """Play, pause or stop the client's end points; PLAY starts with an IDR frame."""
-        state = next((each for each in StreamState if each.value == msg.stream_state), None)
+        state = next((state for state in StreamState if state.value == msg.stream_state), None)
         if state is None:
             self.host.count("stream_refused", f"{source}: there is no state {msg.stream_state}")
             return
@@ -178,7 +180,7 @@ def _find_problems(requested: _RequestedSettings) -> list[tuple[_Code, str]]:
 
 
 def capabilities(sensor: int) -> _Capabilities:
-    """What the streams of every camera support."""
+    """Capabilities that the streams of every camera have."""
     return _Capabilities(
         sensor,
         minimum_bit_rate=MIN_BIT_RATE // KILO,

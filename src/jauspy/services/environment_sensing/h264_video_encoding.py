@@ -40,7 +40,7 @@ PROFILES: Final = {
     _Profile.MAIN: H264Profile.MAIN,
     _Profile.HIGH: H264Profile.HIGH,
 }
-"""By JAUS's numbers. Of two numbers for one profile, the first is reported."""
+"""Profiles by JAUS's numbers. Of two numbers for one profile, the first is reported."""
 
 PROFILE_OF: Final = {profile: number for number, profile in reversed(PROFILES.items())}
 
@@ -90,7 +90,9 @@ class H264VideoEncoding(Service, urn="urn:jaus:jss:environmentSensing:H264VideoE
         """Return for each encoder its sensor id, or an error record with the reason."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
         requested = _requested_settings(msg, self._cameras).items()
-        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in requested])
+        return ConfirmSensorConfiguration(
+            request, [self._refusal(*request) or SensorIdRec(request[0]) for request in requested]
+        )
 
     def _refusal(self, sensor: int, requested: RequestedSettings) -> H264VideoEncodingErrorRec | None:
         if sensor not in self._cameras:
@@ -112,7 +114,7 @@ class _ConfigurationRecord:
 
 
 def _requested_settings(msg: SetH264VideoEncodingConfiguration, cameras: Cameras) -> dict[int, RequestedSettings]:
-    records = [_ConfigurationRecord(each) for each in msg.h264_configuration_list]
+    records = [_ConfigurationRecord(record) for record in msg.h264_configuration_list]
     return {sensor: record.settings for sensor, record in requested_sensors(records, cameras)}
 
 

@@ -64,12 +64,14 @@ def _older_report(records: list[Record]) -> ReportStillImageData:
     return ReportStillImageData(
         [
             _Image(
-                sensor_id=each.sensor_id,
-                report_coordinate_system=each.report_coordinate_system,
-                time_stamp=each.time_stamp,
-                image_frame=still_image.ReportStillImageData.ImageFrame(each.image_frame.format, each.image_frame.data),
+                sensor_id=record.sensor_id,
+                report_coordinate_system=record.report_coordinate_system,
+                time_stamp=record.time_stamp,
+                image_frame=still_image.ReportStillImageData.ImageFrame(
+                    record.image_frame.format, record.image_frame.data
+                ),
             )
-            for each in records
-            if each.image_frame is not None
+            for record in records
+            if record.image_frame is not None
         ]
     )

@@ -224,7 +224,9 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
         """Return for each sensor its id, or an error record with the reason."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
         requested = requested_sensors(msg.range_sensor_configuration_list, self._sensors)
-        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in requested])
+        return ConfirmSensorConfiguration(
+            request, [self._refusal(*request) or SensorIdRec(request[0]) for request in requested]
+        )
 
     def update_range_sensor_configuration(self, msg: SetRangeSensorConfiguration) -> None:
         """Apply valid settings; omitted settings keep their values."""
@@ -285,8 +287,12 @@ def _point(
 def _polar(frame: Transform, distance: float, bearing: float, inclination: float) -> tuple[float, float, float]:
     level, down = distance * math.cos(inclination), -distance * math.sin(inclination)
     x, y, z = frame.apply((level * math.cos(bearing), level * math.sin(bearing), down))
-    across = math.hypot(x, y)
-    return math.hypot(across, z), math.atan2(y, x), math.atan2(-z, across)  # about y, which is right: up is positive
+    horizontal = math.hypot(x, y)
+    return (
+        math.hypot(horizontal, z),
+        math.atan2(y, x),
+        math.atan2(-z, horizontal),
+    )  # about y, which is right: up is positive
 
 
 def data_rec(sensor: int, in_vehicle: bool, stamp: TimeStamp) -> ReportRangeSensorData.RangeSensorDataRec:
@@ -297,7 +303,8 @@ def data_rec(sensor: int, in_vehicle: bool, stamp: TimeStamp) -> ReportRangeSens
 def encoded(found: list[Point], head: ReportRangeSensorData.RangeSensorDataRec) -> bytes:
     """Return the count and the points, encoded as in a report without compression."""
     empty, full = (
-        ReportRangeSensorData([ReportRangeSensorData.RangeSensorDataSeq(head, each)]).encode() for each in ([], found)
+        ReportRangeSensorData([ReportRangeSensorData.RangeSensorDataSeq(head, readings)]).encode()
+        for readings in ([], found)
     )
     return full[len(empty) - POINT_COUNT_SIZE :]
 

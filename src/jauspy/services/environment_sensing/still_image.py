@@ -56,7 +56,7 @@ OnImage: TypeAlias = Callable[[Still | None], None]
 NATIVE: Final = ReportStillImageDataExt.ReportCoordinateSystem.NATIVE
 
 FORMATS: Final = {_Number.JPEG: StillFormat.JPEG, _Number.PNG: StillFormat.PNG}
-"""By JAUS's numbers."""
+"""Formats by JAUS's numbers."""
 
 FORMAT_NUMBERS: Final = {format: number for number, format in FORMATS.items()}
 
@@ -105,9 +105,9 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
         return reply
 
     def _image_record(self, sensor: int, format: StillFormat, still: Still) -> Record:
-        at = time_stamp(self.host.utc_time - timedelta(seconds=still.age))
+        taken_at = time_stamp(self.host.utc_time - timedelta(seconds=still.age))
         image = ReportStillImageDataExt.ImageFrame(FORMAT_NUMBERS[format], still.content)
-        return Record(sensor, NATIVE, at, image)
+        return Record(sensor, NATIVE, taken_at, image)
 
     def send_report_still_image_sensor_capabilities(
         self, query: QueryStillImageSensorCapabilities
@@ -134,7 +134,9 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
         """Return for each camera its sensor id, or an error record with the reason."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
         requested = requested_sensors(msg.still_image_sensor_list, self._cameras)
-        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in requested])
+        return ConfirmSensorConfiguration(
+            request, [self._refusal(*request) or SensorIdRec(request[0]) for request in requested]
+        )
 
     def update_still_image_sensor_configuration(self, msg: SetStillImageSensorConfiguration) -> None:
         """Apply valid settings to later images; omitted settings keep their values."""

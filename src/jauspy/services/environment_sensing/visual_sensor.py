@@ -170,7 +170,9 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
         """Return for each camera its sensor id, or an error record with the reason."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
         requested = requested_sensors(msg.visual_sensor_configuration_list, self._cameras)
-        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in requested])
+        return ConfirmSensorConfiguration(
+            request, [self._refusal(*request) or SensorIdRec(request[0]) for request in requested]
+        )
 
     def update_visual_sensor_configuration(self, msg: SetVisualSensorConfiguration) -> None:
         """Apply valid settings from the next picture on; omitted settings keep their values."""
@@ -234,7 +236,7 @@ EnumT = TypeVar("EnumT", bound=Enum)
 
 
 class Source(Protocol):
-    """What the fields describe."""
+    """Camera and settings that the fields describe."""
 
     @property
     def setup(self) -> CameraSetup:
@@ -276,7 +278,7 @@ def capabilities(camera: CameraSetup) -> dict[str, Any]:
 
 def _bits(every: Iterable[object], offered: Iterable[object]) -> Iterator[int]:
     found = list(offered)
-    return (int(each in found) for each in every)
+    return (int(mode in found) for mode in every)
 
 
 def fields_of_view(source: Source) -> tuple[float, float]:
@@ -379,7 +381,7 @@ def _chosen(
     """The mode of that number; None if it is left out or not offered."""
     if wanted is None:
         return None
-    name = next((each.name for each in numbers if each == wanted), "")
+    name = next((number.name for number in numbers if number == wanted), "")
     found = next((mode for mode in offered if mode.name == name), None)
     if found is None:
         what = code.name.removeprefix("INVALID_").lower().replace("_", " ")
@@ -434,12 +436,12 @@ def _asked_zooms(now: ImagingSettings, wanted: Requested, source: Source) -> Ite
     """Each field of the request that means a zoom, as factor, error code and name."""
     setup, size = source.setup.imaging, source.settings
     spread = math.tan(source.setup.fov / 2.0)
-    for name, angle, across, code in (
+    for name, angle, extent, code in (
         ("horizontal_field_of_view", wanted.horizontal_field_of_view, 1.0, Code.INVALID_HORIZONTAL_FOV),
         ("vertical_field_of_view", wanted.vertical_field_of_view, size.width / size.height, Code.INVALID_VERTICAL_FOV),
     ):
         if angle is not None:
-            yield (spread / (math.tan(angle / 2.0) * across) if angle > ANGLE_TOLERANCE else math.inf), code, name
+            yield (spread / (math.tan(angle / 2.0) * extent) if angle > ANGLE_TOLERANCE else math.inf), code, name
     if wanted.focal_length is not None:
         factor = wanted.focal_length / setup.focal_length(source.setup.fov)
         # With a digital zoom, the focal length says only what the lens does.

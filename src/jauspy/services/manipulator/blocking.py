@@ -25,7 +25,7 @@ class BlockedJoint:
 
     joint: Joint
     effort: float
-    """With which it pushed, N m or N."""
+    """Effort with which it pushed, N m or N."""
     short: float
     """Radians or metres from its position."""
 

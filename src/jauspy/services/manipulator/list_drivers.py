@@ -31,7 +31,7 @@ _LIST_TIMER: Final = "joint position list"
 
 
 class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulator:ManipulatorJointPositionListDriver"):
-    """Its elements are SetJointPositions messages."""
+    """Carries out lists whose elements are SetJointPositions messages."""
 
     element_types = (SetJointPositions,)
 
@@ -95,7 +95,7 @@ class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulat
 class EndEffectorPoseListDriver(
     ToolPoseDriver, ListDriver, urn="urn:jaus:jss:manipulator:ManipulatorEndEffectorPoseListDriver"
 ):
-    """Its elements are SetEndEffectorPose messages; a pose out of reach ends the list."""
+    """Carries out lists whose elements are SetEndEffectorPose messages; a pose out of reach ends the list."""
 
     element_types = (SetEndEffectorPose,)
 

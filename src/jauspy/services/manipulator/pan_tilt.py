@@ -39,8 +39,8 @@ class ReversedJoints:
 
     def __init__(self, group: JointGroup, reverse: Sequence[bool]) -> None:
         self._group = group
-        self._signs = tuple(-1.0 if each else 1.0 for each in reverse)
-        names = {joint.name for joint, each in zip(group.joints, reverse, strict=True) if each}
+        self._signs = tuple(-1.0 if is_reversed else 1.0 for is_reversed in reverse)
+        names = {joint.name for joint, is_reversed in zip(group.joints, reverse, strict=True) if is_reversed}
         self.joints = tuple(reversed_joint(joint) if joint.name in names else joint for joint in group.joints)
         """The joints that move, base to tip."""
         self.chain = tuple(reversed_joint(joint) if joint.name in names else joint for joint in group.chain)
@@ -78,7 +78,7 @@ class PanTilt(Arm):
 
     @property
     def coordinate_system(self) -> Transform:
-        """In the vehicle's frame (JAUS's axes): z along pan, y along tilt, x ahead; where the axes are closest."""
+        """Frame in the vehicle's (JAUS's axes): z along pan, y along tilt, x ahead; where the axes are closest."""
         return JAUS_FROM_REP_103 @ self._mount() @ self._frame
 
 
@@ -136,7 +136,7 @@ class PanTiltMotionProfile(Service, urn="urn:jaus:jss:manipulator:PanTiltMotionP
 
     def report_pan_tilt_motion_profile(self) -> ReportPanTiltMotionProfile:
         """The profiles in force."""
-        pan, tilt = ((each.speed, each.acceleration, each.deceleration) for each in self._unit.profiles)
+        pan, tilt = ((profile.speed, profile.acceleration, profile.deceleration) for profile in self._unit.profiles)
         return ReportPanTiltMotionProfile(*pan, *tilt)
 
 

@@ -31,7 +31,7 @@ class ManipulatorSpecification(Service, urn="urn:jaus:jss:manipulator:Manipulato
         self._arm = arm
 
     def report_manipulator_specifications(self) -> ReportManipulatorSpecifications:
-        """With the manipulator's coordinate system in the vehicle's frame: x forward, y right, z down."""
+        """Report joints and the manipulator's coordinate system in the vehicle's frame: x forward, y right, z down."""
         first, *others = self._arm.geometry.links
         names = [ReportManipulatorSpecifications.JointNameRec(link.joint.name[:255]) for link in (first, *others)]
         return ReportManipulatorSpecifications(
@@ -43,7 +43,7 @@ class ManipulatorSpecification(Service, urn="urn:jaus:jss:manipulator:Manipulato
 
 
 def coordinate_system(base: Transform) -> ManipulatorCoordinateSystemRec:
-    """Where the manipulator stands on the vehicle."""
+    """Frame of the manipulator on the vehicle."""
     frame = JAUS_FROM_REP_103 @ base
     return ManipulatorCoordinateSystemRec(*frame.position, *quaternion(frame.rotation))
 

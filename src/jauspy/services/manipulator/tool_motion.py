@@ -91,7 +91,7 @@ class ToolMotion:
         if found is None or not found.reaches_point:
             return None
         rate = math.hypot(*self._line.linear) / LOOK_AHEAD
-        return [rate * (there - here) for there, here in zip(found.positions, positions, strict=True)]
+        return [rate * (target - position) for target, position in zip(found.positions, positions, strict=True)]
 
     def _start_positions(self) -> list[float]:
         """The present positions, bent a little to the side of greater isotropy."""

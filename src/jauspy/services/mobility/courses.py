@@ -42,7 +42,7 @@ class Course(Protocol):
 
     @property
     def limits(self) -> AccelerationLimits | None:
-        """How fast the velocity may change; None for the limits of the chassis."""
+        """Limits of changes of velocity; None for those of the chassis."""
         ...
 
     def steer(self, pose: Pose, /) -> PlanarVelocity | None:
@@ -124,19 +124,19 @@ class Leg:
     start: PlanarPoint
     end: PlanarPoint
 
-    def ahead(self, here: PlanarPoint, look_ahead: float) -> PlanarPoint:
+    def ahead(self, position: PlanarPoint, look_ahead: float) -> PlanarPoint:
         """The point of the leg to steer for: `look_ahead` metres beyond the one abeam of the robot."""
         length, direction = self.start.to(self.end)
-        along = min(length, max(0.0, self._covered(here, direction)) + look_ahead)
-        return PlanarPoint(self.start.x + along * math.cos(direction), self.start.y + along * math.sin(direction))
+        distance = min(length, max(0.0, self._covered(position, direction)) + look_ahead)
+        return PlanarPoint(self.start.x + distance * math.cos(direction), self.start.y + distance * math.sin(direction))
 
-    def passed(self, here: PlanarPoint) -> bool:
+    def passed(self, position: PlanarPoint) -> bool:
         """True if the robot is abeam of the end, or beyond it."""
         length, direction = self.start.to(self.end)
-        return self._covered(here, direction) >= length
+        return self._covered(position, direction) >= length
 
-    def _covered(self, here: PlanarPoint, direction: float) -> float:
-        return (here.x - self.start.x) * math.cos(direction) + (here.y - self.start.y) * math.sin(direction)
+    def _covered(self, position: PlanarPoint, direction: float) -> float:
+        return (position.x - self.start.x) * math.cos(direction) + (position.y - self.start.y) * math.sin(direction)
 
 
 def look_ahead(speed: float, path_tolerance: float | None) -> float:
@@ -189,34 +189,34 @@ class WaypointCourse:
     def steer(self, pose: Pose) -> PlanarVelocity | None:
         """The velocity wanted at a pose; None once the waypoint, and its heading, are reached."""
         goal, speed = self._goal(), self._speed()
-        here = PlanarPoint(pose.x, pose.y)
-        self._start = self._start or here
+        position = PlanarPoint(pose.x, pose.y)
+        self._start = self._start or position
         if speed == 0.0:
             return STANDSTILL
         leg = Leg(self._start, goal.point)
-        self._reached = self._reached or is_reached(goal, leg, here)
+        self._reached = self._reached or is_reached(goal, leg, position)
         if self._reached:
             return self._align(pose.yaw, goal.heading)
         return self._drive(pose, leg, goal, speed)
 
     def _drive(self, pose: Pose, leg: Leg, goal: CourseGoal, speed: float) -> PlanarVelocity:
-        here = PlanarPoint(pose.x, pose.y)
-        _, bearing = here.to(leg.ahead(here, look_ahead(speed, goal.path_tolerance)))
+        position = PlanarPoint(pose.x, pose.y)
+        _, bearing = position.to(leg.ahead(position, look_ahead(speed, goal.path_tolerance)))
         yaw = reversed_yaw(pose.yaw) if speed < 0.0 else pose.yaw
-        remaining, _ = here.to(goal.point)
+        remaining, _ = position.to(goal.point)
         slowed = math.copysign(min(abs(speed), self._approach_speed(remaining, goal)), speed)
         error = heading_error(yaw, bearing)
         if self._min_turn_radius:
             slowed = speed if abs(error) > MAX_DRIVING_ERROR else slowed
-            self._drives_on = self._is_inside_curve(here, yaw, error, goal)
+            self._drives_on = self._is_inside_curve(position, yaw, error, goal)
             error = 0.0 if self._drives_on else error
         return steer_to_heading(error, slowed, self._max_turn_rate, self._min_turn_radius)
 
-    def _is_inside_curve(self, here: PlanarPoint, yaw: float, error: float, goal: CourseGoal) -> bool:
+    def _is_inside_curve(self, position: PlanarPoint, yaw: float, error: float, goal: CourseGoal) -> bool:
         """True if the narrowest curve towards the goal does not reach it."""
         side = yaw + math.copysign(math.pi / 2.0, error)
         radius = self._min_turn_radius
-        centre = PlanarPoint(here.x + radius * math.cos(side), here.y + radius * math.sin(side))
+        centre = PlanarPoint(position.x + radius * math.cos(side), position.y + radius * math.sin(side))
         distance, _ = centre.to(goal.point)
         return distance < radius * (CURVE_MARGIN if self._drives_on else 1.0)
 
@@ -231,9 +231,9 @@ class WaypointCourse:
         return steer_to_heading(error, 0.0, self._max_turn_rate)
 
 
-def is_reached(goal: CourseGoal, leg: Leg, here: PlanarPoint) -> bool:
+def is_reached(goal: CourseGoal, leg: Leg, position: PlanarPoint) -> bool:
     """Within the tolerance; at the last waypoint also abeam of the point or within `STOP_TOLERANCE` of it."""
-    distance, _ = here.to(goal.point)
+    distance, _ = position.to(goal.point)
     if distance > goal.tolerance:
         return False
-    return not goal.is_last or distance <= STOP_TOLERANCE or leg.passed(here)
+    return not goal.is_last or distance <= STOP_TOLERANCE or leg.passed(position)

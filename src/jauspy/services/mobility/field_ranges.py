@@ -20,7 +20,7 @@ MIN_ALTITUDE: Final = -10_000.0
 MAX_ALTITUDE: Final = 35_000.0
 """Metres, in global poses and in vectors."""
 MAX_RMS: Final = 100.0
-"""Of errors, in every message: metres, m/s, m/s^2."""
+"""Largest error in every message: metres, m/s, m/s^2."""
 MAX_SPEED: Final = 327.67
 """m/s, in every message."""
 _GROUND_SPEEDS: Final = (Speed.Choice.SPEED_OVER_GROUND, Speed.Choice.SPEED_RELATIVE_TO_MEDIUM)

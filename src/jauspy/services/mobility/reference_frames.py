@@ -77,16 +77,16 @@ class GlobalFrame:
         """A pose of the world on the globe."""
         ahead, right = pose.x - self._world.x, pose.y - self._world.y
         sine, cosine = math.sin(self._turn), math.cos(self._turn)
-        there = from_ned(
+        position = from_ned(
             self._anchor, cosine * ahead - sine * right, sine * ahead + cosine * right, pose.z - self._world.z
         )
-        heading = wrap_angle(pose.yaw + self._turn + meridian_convergence(self._anchor, there))
-        return GlobalPose(math.degrees(there.latitude), math.degrees(there.longitude), there.height, heading)
+        heading = wrap_angle(pose.yaw + self._turn + meridian_convergence(self._anchor, position))
+        return GlobalPose(math.degrees(position.latitude), math.degrees(position.longitude), position.height, heading)
 
     def to_world(self, latitude: float, longitude: float) -> PlanarPoint:
         """A point of the globe (degrees) in the world, at the height of the platform when the frame was set."""
-        there = replace(self._anchor, latitude=math.radians(latitude), longitude=math.radians(longitude))
-        north, east, _ = to_ned(self._anchor, there)
+        position = replace(self._anchor, latitude=math.radians(latitude), longitude=math.radians(longitude))
+        north, east, _ = to_ned(self._anchor, position)
         sine, cosine = math.sin(self._turn), math.cos(self._turn)
         return PlanarPoint(self._world.x + cosine * north + sine * east, self._world.y - sine * north + cosine * east)
 

@@ -103,7 +103,7 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
         return self.vehicle.global_frame().from_world(self.vehicle.pose_on_globe).heading
 
     def heading_in_world(self, heading: float) -> Callable[[], float]:
-        """From the global frame."""
+        """Heading in the world of one in the global frame."""
         return lambda: self.vehicle.heading_on_globe(heading)
 
     def set_global_vector(self, msg: SetGlobalVector) -> None:
@@ -153,7 +153,7 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
         return self.vehicle.local_frame.from_world(self.vehicle.pose).yaw
 
     def heading_in_world(self, heading: float) -> Callable[[], float]:
-        """From the local frame."""
+        """Heading in the world of one in the local frame."""
         return lambda: self.vehicle.local_frame.heading_to_world(heading)
 
     def set_local_vector(self, msg: SetLocalVector) -> None:

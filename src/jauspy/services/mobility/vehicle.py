@@ -68,10 +68,10 @@ class Vehicle:
         point = self.global_frame().to_world(latitude, longitude)
         if self.localization is None:
             return point
-        there, here = self.pose_on_globe, self.pose
-        distance, direction = PlanarPoint(there.x, there.y).to(point)
-        direction += here.yaw - there.yaw
-        return PlanarPoint(here.x + distance * math.cos(direction), here.y + distance * math.sin(direction))
+        on_globe, local = self.pose_on_globe, self.pose
+        distance, direction = PlanarPoint(on_globe.x, on_globe.y).to(point)
+        direction += local.yaw - on_globe.yaw
+        return PlanarPoint(local.x + distance * math.cos(direction), local.y + distance * math.sin(direction))
 
     def heading_on_globe(self, heading: float) -> float:
         """A true heading (rad) in the frame of `pose`, by the present estimate."""

@@ -73,7 +73,7 @@ class AxisGains:
 
 SPEED_GAINS = AxisGains(forward=0.53, breakaway=0.01, proportional=0.15, integral=0.6)
 TURN_RATE_GAINS = AxisGains(forward=0.27, breakaway=0.06, proportional=0.05, integral=0.4)
-"""Between the best gains for inc1 with and without physics; the integral compensates the difference."""
+"""Mean of the best gains for inc1 with and without physics; the integral compensates the difference."""
 
 SKIDDING_GAINS = AxisGains(forward=0.25, breakaway=0.12, proportional=0.15, integral=0.8)
 """Turn rate of wheels that skid, which rub more than tracks do."""

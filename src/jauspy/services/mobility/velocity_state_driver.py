@@ -85,7 +85,7 @@ _KINDS: Final = 4
 
 
 class CommandKind(IntEnum):
-    """What a velocity command sets."""
+    """Quantities that a velocity command sets."""
 
     CURRENT = 0
     MAX = 1

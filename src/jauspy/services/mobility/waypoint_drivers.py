@@ -87,7 +87,7 @@ class WaypointDriver(WaypointFollower):
         self._command = CommandCompletion()
 
     def waypoint_exists(self, msg: Any) -> bool:
-        """For a command: this client has set a waypoint. For a query: any of this kind was set or driven to."""
+        """Guard: for a command, this client has set a waypoint; for a query, any of this kind was set or driven to."""
         if msg.IS_COMMAND:
             return self.vehicle.goal is not None and self.accepts(self.vehicle.goal)
         return self.accepts(self.vehicle.waypoint)
@@ -210,7 +210,7 @@ class WaypointListDriver(WaypointFollower, ListDriver):
         raise NotImplementedError(f"{type(self).__name__}.waypoint_of")
 
     def waypoint(self) -> Waypoint | None:
-        """To report: the active element, else the waypoint last set or driven to, else the first of the list."""
+        """Waypoint to report: the active element, else the one last set or driven to, else the first of the list."""
         if not self.elements.active and self.vehicle.waypoint is not None:
             return self.vehicle.waypoint
         message = self.elements.message(self.elements.active or next(iter(self.elements.list.order), 0))
@@ -261,7 +261,7 @@ class WaypointListDriver(WaypointFollower, ListDriver):
 
 
 class LocalWaypointListDriver(WaypointListDriver, urn="urn:jaus:jss:mobility:LocalWaypointListDriver"):
-    """Its elements are SetLocalWaypoint and SetLocalWaypointExt messages."""
+    """Drives along lists of SetLocalWaypoint and SetLocalWaypointExt messages."""
 
     element_types = (SetLocalWaypoint, SetLocalWaypointExt)
 
@@ -286,7 +286,7 @@ class LocalWaypointListDriver(WaypointListDriver, urn="urn:jaus:jss:mobility:Loc
 
 
 class GlobalWaypointListDriver(WaypointListDriver, urn="urn:jaus:jss:mobility:GlobalWaypointListDriver"):
-    """Its elements are SetGlobalWaypoint and SetGlobalWaypointExt messages. The vehicle needs an origin."""
+    """Drives along lists of SetGlobalWaypoint and SetGlobalWaypointExt messages. The vehicle needs an origin."""
 
     element_types = (SetGlobalWaypoint, SetGlobalWaypointExt)
 

@@ -109,7 +109,7 @@ class AckermannDriver(Driver, urn="urn:jaus:jss:ugv:AckermannDriver"):
         self._throttle = 0.0
 
     def send_report_ackermann_configuration(self) -> ReportAckermannConfiguration:
-        """What is commanded; throttle zero after a stop, or while another service drives."""
+        """Report the commanded steering and throttle; throttle zero after a stop, or while another service drives."""
         return ReportAckermannConfiguration(self._angle, self._throttle, self._brake)
 
 

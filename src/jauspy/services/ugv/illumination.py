@@ -13,7 +13,7 @@ LEVELS: Final = 15
 """Highest level of a variable light."""
 
 _State = ReportIlluminationState.Illumination
-_LIGHTS: Final = tuple(each.name for each in fields(_State) if not each.name.startswith("reserved"))
+_LIGHTS: Final = tuple(field.name for field in fields(_State) if not field.name.startswith("reserved"))
 """Fields of the messages, one for each light that JAUS knows."""
 
 

@@ -48,7 +48,7 @@ class Plant(Protocol):
 
     @property
     def axes(self) -> Mapping[str, Axis]:
-        """By the name of the drive."""
+        """Axes by the name of the drive."""
         ...
 
     @property
@@ -257,7 +257,7 @@ class RobotPlant:
         for name, group in model.groups.items():
             joints = [RobotJoint(1.0 / setup.sync_rate) for _ in group.joints]
             self._groups.append((name, joints))
-            self.axes |= {by_joint[each]: axis for each, axis in zip(group.joints, joints, strict=True)}
+            self.axes |= {by_joint[joint]: axis for joint, axis in zip(group.joints, joints, strict=True)}
         for name, drive in drives.items():
             if drive.track is not None:
                 joint = model.description.joint(drive.moves)

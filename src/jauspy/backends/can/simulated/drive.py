@@ -136,8 +136,8 @@ class SimulatedDrive:
         self.node.add_read_callback(self._read)
         self.node.add_write_callback(self._written)
         network.subscribe(0, self._on_nmt)
-        for each in pdo.COMMANDS.values():
-            network.subscribe(each.cob_id + setup.node, self._on_command)
+        for command in pdo.COMMANDS.values():
+            network.subscribe(command.cob_id + setup.node, self._on_command)
 
     # --- the object dictionary --------------------------------------------------------------------------------------
 
@@ -220,7 +220,7 @@ class SimulatedDrive:
 
     def _on_command(self, can_id: int, data: bytearray, _at: float) -> None:
         cob_id = can_id - self.setup.node
-        layout = self._layout(next(each.parameter for each in pdo.COMMANDS.values() if each.cob_id == cob_id))
+        layout = self._layout(next(command.parameter for command in pdo.COMMANDS.values() if command.cob_id == cob_id))
         if layout is None or len(data) != layout[0].size:
             self.ignored += 1
             if self.ignored == 1:
@@ -240,12 +240,12 @@ class SimulatedDrive:
         self._pending.clear()
         if self.silent:
             return
-        for each in (pdo.STATUS, pdo.SPEED):
-            if not self._syncs % each.every:
-                self._send(each)
+        for report in (pdo.STATUS, pdo.SPEED):
+            if not self._syncs % report.every:
+                self._send(report)
 
     def _take(self, cob_id: int, data: bytes) -> None:
-        number = next(each.parameter for each in pdo.COMMANDS.values() if each.cob_id == cob_id)
+        number = next(command.parameter for command in pdo.COMMANDS.values() if command.cob_id == cob_id)
         found = self._layout(number)
         if found is None or len(data) != found[0].size:  # the mapping was changed meanwhile
             return

@@ -72,9 +72,9 @@ class DriveFleet:
         self.ignored = 0
         """Frames that no drive could take."""
         self.drives: dict[str, SimulatedDrive] = {}
-        for name, each in setup.drives.items():
-            units = DriveUnits(each, model.description.joint(each.moves))
-            drive = SimulatedDrive(each, units, plant.axes[name], dictionary(), self.network)
+        for name, item in setup.drives.items():
+            units = DriveUnits(item, model.description.joint(item.moves))
+            drive = SimulatedDrive(item, units, plant.axes[name], dictionary(), self.network)
             drive.keeps_home = keeps_home
             self.drives[name] = drive
         self.network.subscribe(pdo.SYNC, self._on_sync)
