@@ -15,13 +15,14 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 
 import cv2
 
-from jauspy.cli.demo import Place, true_place
 from jauspy.demo import plan
 from jauspy.demo.grasp import ARM_CAMERA, Grasp
+from jauspy.demo.judge import Place, touched, true_place
 from jauspy.demo.report import Report, StageResult, View
 from jauspy.demo.tour import Tour
 from jauspy.geometry.poses import PlanarPose
 from jauspy.ocu.frames import RobotFrames
+from jauspy.platform.contacts import Contacts
 from jauspy.robot.robot_files import load
 from jauspy.robot.runner import RobotRunner
 from jauspy.virtual.environment import VirtualTime
@@ -31,7 +32,6 @@ from jauspy_sim.robot import SimulatedRobot
 pytestmark = pytest.mark.slow
 
 SIZE = (640, 480)
-BODIES = {"yard": "can", "street": "pipe_device"}
 
 
 class Camera:
@@ -88,7 +88,15 @@ async def test_goals_are_reached_in_the_simulation(world: str, virtual_network: 
     pose = simulated.drive.pose()
     place = true_place(Place(PlanarPose(pose.x, pose.y, pose.yaw), pose.z), goals)
     assert place.reached, place.measured
-    lifted = simulated.data.body(BODIES[world]).xpos[2] - goals.thing.height - goals.ground
+    contacts = Contacts.of(simulated)
+    assert contacts is not None
+    kept_off = touched(contacts.state(), goals)
+    assert kept_off.reached, kept_off.measured
+    assert kept_off.figures["thing_contacts"] > 100
+    reached = next(each.figures for each in results if each.stage == "reach")
+    assert abs(reached["base_pitch"]) < math.radians(1.0)
+    assert reached["target_z"] == pytest.approx(goals.thing.support + goals.thing.grip, abs=plan.MAX_SUPPORT_ERROR)
+    lifted = simulated.data.body(goals.thing.body).xpos[2] - goals.thing.height - goals.ground
     assert lifted == pytest.approx(results[-1].figures["lifted"], abs=0.02)
     assert lifted > plan.MIN_LIFT
 
