@@ -35,7 +35,7 @@ def test_groups_count_the_bodies_that_they_touch() -> None:
 def test_arm_on_the_table_is_counted_with_all_that_it_carries() -> None:
     robot = SimulatedRobot.open(INC1, "yard")
     address = robot.model.joint("inc1/base").qposadr[0]
-    robot.data.qpos[address : address + 7] = (2.0, 0.35, 0.0, 0.7071, 0.0, 0.0, 0.7071)
+    robot.data.qpos[address : address + 7] = (1.87, 0.35, 0.0, 0.7071, 0.0, 0.0, 0.7071)
     robot.groups["arm"].command([Target(ControlMode.POSITION, value) for value in (0.0, -0.35, 0.0, 0.0, 0.0)])
     robot.advance(6.0)
     contacts = Contacts.of(robot)
