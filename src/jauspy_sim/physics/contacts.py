@@ -8,7 +8,6 @@ from types import MappingProxyType
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
 from jauspy.platform.contacts import ContactCounts, Contacts
 
@@ -22,29 +21,32 @@ class SimulatedContacts(Contacts):
     def __init__(
         self, model: mujoco.MjModel, data: mujoco.MjData, name_prefix: str, groups: Mapping[str, Iterable[str]]
     ) -> None:
-        self._model, self._data = model, data
+        self._data = data
         self._counts: dict[str, Counter[str]] = {}
         self._state: ContactCounts = MappingProxyType({})
-        own = np.array([model.body(number).name.startswith(name_prefix) for number in range(model.nbody)])
-        self._is_world = ~own[model.geom_bodyid]
-        self._members = {name: _moved_geoms(model, name_prefix, joints) for name, joints in groups.items()}
+        names = [model.body(number).name for number in range(model.nbody)]
+        bodies = [names[body] for body in model.geom_bodyid.tolist()]
+        self._world = {geom: body for geom, body in enumerate(bodies) if not body.startswith(name_prefix)}
+        """The bodies of the world's geometries."""
+        self._groups: dict[int, list[str]] = {}
+        """The groups of the robot's geometries."""
+        for name, joints in groups.items():
+            for geom in _moved_geoms(model, name_prefix, joints):
+                self._groups.setdefault(geom, []).append(name)
 
     def step(self, now: float) -> None:  # noqa: ARG002 - as other sensors
         """Count the contacts after the last step of the physics."""
-        pairs = self._data.contact.geom[self._data.contact.dist <= 0.0]  # without those within a margin
-        world = self._is_world[pairs]
-        mixed = pairs[world[:, 0] != world[:, 1]]
-        if not len(mixed):
-            return
-        first_is_world = self._is_world[mixed[:, 0]]
-        robot = np.where(first_is_world, mixed[:, 1], mixed[:, 0])
-        touched = np.where(first_is_world, mixed[:, 0], mixed[:, 1])
-        for name, members in self._members.items():
-            bodies = set(self._model.geom_bodyid[touched[members[robot]]].tolist())
-            if bodies:
-                counts = self._counts.setdefault(name, Counter())
-                counts.update(self._model.body(body).name for body in bodies)
-                self._state = MappingProxyType({})
+        contacts = self._data.contact
+        found: set[tuple[str, str]] = set()
+        for (one, other), gap in zip(contacts.geom.tolist(), contacts.dist.tolist(), strict=True):
+            if gap > 0.0:  # within a margin
+                continue
+            for mine, theirs in ((one, other), (other, one)):
+                if mine in self._groups and theirs in self._world:
+                    found.update((group, self._world[theirs]) for group in self._groups[mine])
+        for group, body in found:
+            self._counts.setdefault(group, Counter())[body] += 1
+            self._state = MappingProxyType({})
 
     def state(self) -> ContactCounts:
         """As `Contacts.state`."""
@@ -53,12 +55,12 @@ class SimulatedContacts(Contacts):
         return self._state
 
 
-def _moved_geoms(model: mujoco.MjModel, name_prefix: str, joints: Iterable[str]) -> NDArray[np.bool_]:
-    """Which geometries are of the links below these joints, as booleans."""
+def _moved_geoms(model: mujoco.MjModel, name_prefix: str, joints: Iterable[str]) -> list[int]:
+    """The geometries of the links below these joints."""
     moved = np.zeros(model.nbody, bool)
     for joint in joints:
         moved[model.joint(f"{name_prefix}{joint}").bodyid[0]] = True
     for body in range(1, model.nbody):  # parents come first
         moved[body] |= moved[model.body_parentid[body]]
-    found: NDArray[np.bool_] = moved[model.geom_bodyid]
-    return found
+    geoms: list[int] = np.flatnonzero(moved[model.geom_bodyid]).tolist()
+    return geoms
