@@ -17,6 +17,7 @@ from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer, Turning
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import STEP_TOLERANCE, TIMESTEP, DrawnModel, build, prefix, redirect_warnings
+from jauspy_sim.physics.contacts import SimulatedContacts
 from jauspy_sim.physics.joints import SimulatedJoints
 from jauspy_sim.physics.sensors import SimulatedLidar, simulated_force_torque
 from jauspy_sim.physics.tracks import SimulatedTracks
@@ -53,7 +54,7 @@ class SimulatedRobot:
         }
         """Its other joints, by the names that its description gives them."""
         self._every = math.gcd(MAX_STEPS_AT_ONCE, *(group.every for group in self.groups.values()))
-        self._sensors: tuple[Scanner | SampledForceTorque | Localizer, ...] = ()
+        self._sensors: tuple[Scanner | SampledForceTorque | Localizer | SimulatedContacts, ...] = ()
         mujoco.mj_forward(model, data)
         self._owed = 0.0
         self._steps = -SETTLING_STEPS
@@ -73,7 +74,10 @@ class SimulatedRobot:
             turning = Turning(robot.tracks.turning_point, SKIDDING) if robot.tracks else Turning()
             self._localizer = Localizer(robot.localization, measured, turning)
         located = () if self._localizer is None else (self._localizer,)
-        self._sensors = (*self.lidars.values(), *self.force_torque.values(), *located)
+        self._contacts = SimulatedContacts(
+            model, data, name_prefix, {name: setup.joints for name, setup in robot.groups.items()}
+        )
+        self._sensors = (*self.lidars.values(), *self.force_torque.values(), *located, self._contacts)
         self._update_sensors()
         self._lamps = switched_lamps(robot.lamps)
         self._cameras = SimulatedCameras(model, data, name_prefix, robot, self._lamps, drawn=drawn)
@@ -101,9 +105,9 @@ class SimulatedRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis, the localisation unless the pose is exact, and the lamps."""
+        """The optional parts of the chassis, the localisation unless the pose is exact, its contacts, and the lamps."""
         located = () if self._localizer is None else (self._localizer,)
-        return (*self.drive.optional_parts, *located, *self._lamps)
+        return (*self.drive.optional_parts, *located, self._contacts, *self._lamps)
 
     @property
     def time(self) -> float:

@@ -12,16 +12,19 @@ import pytest
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 pytest.importorskip("cv2", reason="OpenCV is not installed")
+pytest.importorskip("canopen", reason="canopen is not installed")
 
 import cv2
 
-from jauspy.cli.demo import Place, true_place
+from jauspy.cli.options import on_bus
 from jauspy.demo import plan
 from jauspy.demo.grasp import ARM_CAMERA, Grasp
+from jauspy.demo.judge import Place, touched, true_place
 from jauspy.demo.report import Report, StageResult, View
 from jauspy.demo.tour import Tour
 from jauspy.geometry.poses import PlanarPose
 from jauspy.ocu.frames import RobotFrames
+from jauspy.platform.contacts import Contacts
 from jauspy.robot.robot_files import load
 from jauspy.robot.runner import RobotRunner
 from jauspy.virtual.environment import VirtualTime
@@ -31,7 +34,6 @@ from jauspy_sim.robot import SimulatedRobot
 pytestmark = pytest.mark.slow
 
 SIZE = (640, 480)
-BODIES = {"yard": "can", "street": "pipe_device"}
 
 
 class Camera:
@@ -51,6 +53,8 @@ class GraspTour(Tour):
 
     simulated: SimulatedRobot
     folder: Path
+    height: float
+    """Metres of the thing's middle above the world's origin, while it is held."""
 
     async def run(self) -> None:
         robot = await self._discover()
@@ -63,32 +67,49 @@ class GraspTour(Tour):
             self._add(await grasp.look(self.folder))
             for stage in stages:
                 self._add(await stage())
+            self.height = float(self.simulated.data.body(self._plan.thing.body).xpos[2])
             camera.close()
 
 
-async def play(network: VirtualNetwork, world: str, folder: Path) -> tuple[list[StageResult], SimulatedRobot]:
+async def play(
+    network: VirtualNetwork, world: str, folder: Path, backend: str = "sim"
+) -> tuple[list[StageResult], GraspTour]:
     config = load("inc1").model_copy(update={"world": world})
-    runner = RobotRunner(config, network.transport, backend="sim", realtime=VirtualTime)
+    if backend == "can":  # simulated servo drives between the modules and the physics
+        config = on_bus(config, "virtual:sim")
+    runner = RobotRunner(config, network.transport, backend=backend, realtime=VirtualTime)
     async with runner, network.ocu("42.1.1") as ocu:
         assert runner._realtime is not None
         report = Report()
         tour = GraspTour(ocu, config, View(), report, folder, goals=plan.PLANS[world])
-        tour.simulated, tour.folder = runner._realtime._robot, folder
+        opened = runner._realtime._robot
+        tour.simulated, tour.folder = opened.fleet.plant.robot if backend == "can" else opened, folder
         await tour.run()
-        return report.results, tour.simulated
+        return report.results, tour
 
 
-@pytest.mark.parametrize("world", plan.PLANS)
-async def test_goals_are_reached_in_the_simulation(world: str, virtual_network: VirtualNetwork, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("world", "backend"), [("yard", "sim"), ("yard", "can"), ("street", "sim")])
+async def test_goals_are_reached_in_the_simulation(
+    world: str, backend: str, virtual_network: VirtualNetwork, tmp_path: Path
+) -> None:
     goals = plan.PLANS[world]
-    results, simulated = await play(virtual_network, world, tmp_path)
+    results, tour = await play(virtual_network, world, tmp_path, backend)
+    simulated = tour.simulated
     assert {each.stage: each.reached for each in results} == dict.fromkeys(
         ("drive", "look", "reach", "grasp", "lift"), True
     ), [each.measured for each in results]
     pose = simulated.drive.pose()
     place = true_place(Place(PlanarPose(pose.x, pose.y, pose.yaw), pose.z), goals)
     assert place.reached, place.measured
-    lifted = simulated.data.body(BODIES[world]).xpos[2] - goals.thing.height - goals.ground
+    contacts = Contacts.of(simulated)
+    assert contacts is not None
+    kept_off = touched(contacts.state(), goals)
+    assert kept_off.reached, kept_off.measured
+    assert kept_off.figures["thing_contacts"] > 100
+    reached = next(each.figures for each in results if each.stage == "reach")
+    assert abs(reached["base_pitch"]) < math.radians(1.0)
+    assert reached["target_z"] == pytest.approx(goals.thing.support + goals.thing.grip, abs=plan.MAX_SUPPORT_ERROR)
+    lifted = tour.height - goals.thing.height - goals.ground
     assert lifted == pytest.approx(results[-1].figures["lifted"], abs=0.02)
     assert lifted > plan.MIN_LIFT
 
@@ -96,8 +117,8 @@ async def test_goals_are_reached_in_the_simulation(world: str, virtual_network: 
 async def test_street_twice_is_the_same(virtual_network: VirtualNetwork, tmp_path: Path) -> None:
     ends = []
     for _ in range(2):
-        results, simulated = await play(virtual_network, "street", tmp_path)
+        results, tour = await play(virtual_network, "street", tmp_path)
         figures = [{**each.figures, "seconds": 0.0} for each in results]  # those are of the wall clock
-        ends.append((simulated.data.qpos.tolist(), figures))
+        ends.append((tour.simulated.data.qpos.tolist(), figures))
     assert ends[0] == ends[1]
     assert not math.isnan(sum(ends[0][0]))

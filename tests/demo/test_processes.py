@@ -10,10 +10,11 @@ from typer.testing import CliRunner
 
 from jauspy.backends.kinematic import KinematicRobot
 from jauspy.cli import demo as processes
-from jauspy.cli.demo import Place, RobotOutput, _whole_tour, true_place
+from jauspy.cli.demo import _whole_tour
 from jauspy.cli.main import app
 from jauspy.cli.up import print_truth
-from jauspy.demo import plan
+from jauspy.demo import judge, plan
+from jauspy.demo.judge import Place, RobotOutput, touched, true_place
 from jauspy.errors import ConfigError, RequestError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.platform.contract import Snapshot
@@ -63,13 +64,29 @@ async def test_robot_process_counters_are_read() -> None:
 
 def test_drive_is_judged_by_the_true_pose() -> None:
     output = RobotOutput()
-    output.line("true pose of inc1: x +2.100 m  y -0.050 m  z +0.001 m  yaw +91.00°")
+    output.line("true pose of inc1: x +2.100 m  y -0.050 m  z +0.001 m  yaw +91.00°  pitch -0.50°  roll +0.10°")
     place, goals = output.true_place, plan.PLANS["yard"]
     assert place is not None
     assert place.pose == pytest.approx((2.1, -0.05, math.radians(91.0)))
+    assert place.pitch == pytest.approx(math.radians(-0.5))
     assert true_place(place, goals).reached
-    assert not true_place(place._replace(pose=place.pose._replace(x=2.4)), goals).reached
-    assert not true_place(place._replace(pose=place.pose._replace(yaw=1.3)), goals).reached
+    assert not true_place(replace(place, pose=place.pose._replace(x=2.4)), goals).reached
+    assert not true_place(replace(place, pose=place.pose._replace(yaw=1.3)), goals).reached
+
+
+def test_arm_that_touches_the_table_fails() -> None:
+    output, goals = RobotOutput(), plan.PLANS["yard"]
+    output.line('contacts of inc1: {"arm": {"can": 900, "table": 3}, "flippers": {"world": 20}}')
+    assert output.contacts is not None
+    found = touched(output.contacts, goals)
+    assert not found.reached
+    assert found.figures == {"support_contacts": 3, "thing_contacts": 900}
+    assert "touched the table in 3 samples" in found.measured
+    clear = touched({"arm": {"can": 900}}, goals)
+    assert clear.reached
+    assert "never touched the table" in clear.measured
+    assert [each.stage for each in output.results(goals)] == ["contacts"]
+    assert RobotOutput().results(goals) == []
 
 
 def test_robot_that_did_not_get_over_the_kerb_fails() -> None:
@@ -93,6 +110,6 @@ def test_true_pose_is_printed_where_the_robot_does_not_know_it(capsys: pytest.Ca
 
 
 async def test_missing_counters_raise_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(processes, "COUNTERS_TIMEOUT", 0.1)
+    monkeypatch.setattr(judge, "COUNTERS_TIMEOUT", 0.1)
     with pytest.raises(RequestError, match="does not print its counters"):
         await RobotOutput().counters()

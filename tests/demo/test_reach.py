@@ -51,7 +51,9 @@ def test_all_poses_of_the_plan_are_reachable(hand: ArmKinematics, goals: Plan) -
     thing, goal = goals.thing, goals.goal
     ahead, aside = rotated(goal.heading, thing.x - goal.x, thing.y - goal.y)
     for error in (-0.1, 0.1):
-        turn, distance, height = hand.around((ahead + error, aside + plan.DRIVE_TOLERANCE[0], thing.height))
+        turn, distance, height = hand.around(
+            (ahead + error, aside + plan.DRIVE_TOLERANCE[0], thing.support + thing.grip)
+        )
         for farther, higher in (goals.high, goals.over, *goals.approach):
             hand.joints(turn, distance + farther, height + higher, goals.pitch)
     hand.joints(0.0, *goals.view)

@@ -7,6 +7,7 @@ import pytest
 pytest.importorskip("numpy", reason="NumPy is not installed")
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 
+import cv2
 import numpy as np
 
 from jauspy.demo import grasp
@@ -45,6 +46,24 @@ def test_ray_intersects_at_the_position_of_the_can() -> None:
     spread = 2.0 * math.tan(FOV / 2.0)
     point = (-y / x / spread, -z / x / spread)
     assert grasp.at_height(camera, grasp.ray(point, FOV), 0.41) == pytest.approx(can)
+
+
+def test_height_of_a_can_is_measured_by_its_edges() -> None:
+    """From above and obliquely, by a camera that is not level."""
+    camera = Transform.from_pose(Pose(0.3, -0.1, 0.75, pitch=0.6, roll=0.01, yaw=0.2))
+    ends = [camera.inverse().apply((0.85, 0.05, height)) for height in (0.36, 0.46)]
+    low, high = ((1.0, y / x, z / x) for x, y, z in ends)
+    assert grasp.lower_end(camera, low, high, 0.1) == pytest.approx(0.36, abs=1e-9)
+
+
+def test_edges_of_a_can_are_those_in_its_middle() -> None:
+    image = scene((200, 100, 21, 40))
+    cv2.ellipse(image, (210, 140), (10, 4), 0.0, 0.0, 180.0, CAN, -1)
+    band = grasp.red_band(image)
+    assert band.column == pytest.approx((210.5 - 160) / 320)
+    assert band.top == pytest.approx((100 - 120) / 320)
+    assert band.bottom == pytest.approx((145 - 120) / 320, abs=1.1 / 320)
+    assert grasp.red_band(scene()) is None
 
 
 def test_upward_ray_has_no_intersection() -> None:

@@ -63,11 +63,16 @@ def test_demo_drives_grasps_and_lifts(world: str, backend: str, free_port: int, 
 
     found = {each["stage"]: each for each in json.loads((folder / "summary.json").read_text())["results"]}
     goals = ["drive", "map", "aim", "look", "reach", "grasp", "lift"]
-    goals += ["arm video", "chassis video", "outside video", "truth"]
+    goals += ["arm video", "chassis video", "outside video", "truth", "contacts"]
     assert [stage for stage, each in found.items() if each["reached"]] == goals
     assert found["lift"]["figures"]["lifted"] >= 0.1
     assert found["lift"]["figures"]["weight"] == pytest.approx(thing.weight, abs=0.2)
     assert found["real time"]["figures"]["held"] > 0.0
+    assert found["contacts"]["figures"]["support_contacts"] == 0
+    reached = found["reach"]["figures"]
+    assert abs(reached["base_pitch"]) < math.radians(3.0)
+    assert reached["target_z"] == pytest.approx(thing.support + thing.grip, abs=plan.MAX_SUPPORT_ERROR)
+    assert 0.3 < math.hypot(reached["target_x"], reached["target_y"]) < 1.3
 
     for camera in ("arm", "chassis", "outside"):
         with av.open(folder / f"{camera}.mp4") as video:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import math
-import re
 import signal
 import tempfile
 from collections.abc import Callable, Coroutine
@@ -12,7 +10,7 @@ from contextlib import AsyncExitStack
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Annotated, Any, Final, NamedTuple
+from typing import Annotated, Any, Final
 
 import typer
 
@@ -20,11 +18,10 @@ from jauspy.cli import console
 from jauspy.cli.options import DEFAULT_PORT, Port
 from jauspy.cli.processes import ChildFailed, ChildProcess, run
 from jauspy.demo import plan
-from jauspy.demo.plan import Plan
-from jauspy.demo.report import LiveView, Report, StageResult, View, time_limit
+from jauspy.demo.judge import RobotOutput
+from jauspy.demo.report import LiveView, Report, StageResult, View
 from jauspy.demo.tour import Tour
 from jauspy.errors import ConfigError, RequestError
-from jauspy.geometry.poses import PlanarPose
 from jauspy.ocu import OCU
 from jauspy.platform.video_settings import SUPPORTED_FRAME_SIZES
 from jauspy.robot import robot_files
@@ -105,7 +102,6 @@ REQUIRED_PACKAGES: Final = {
     "numpy": "NumPy",
     "matplotlib": "matplotlib",
 }
-COUNTERS_TIMEOUT: Final = 5.0  # seconds from SIGUSR1 to the robot's counters
 
 
 async def play(port: int, backend: str, view: View, folder: Path, *, size: tuple[int, int], world: str) -> Report:
@@ -140,58 +136,12 @@ async def play(port: int, backend: str, view: View, folder: Path, *, size: tuple
             report.results.append(StageResult(stage, str(error), reached=False))
         robot.signal(signal.SIGUSR1)
         report.results += [_time(await output.counters()), _messages(ocu)]
-        if output.true_place is not None and any(result.stage == "drive" for result in report.results):
-            report.results.append(true_place(output.true_place, goals))
+        if any(result.stage == "drive" for result in report.results):
+            report.results += output.results(goals)
     if whole:
         report.files.append("summary.json")
         report.save(folder)
     return report
-
-
-class Place(NamedTuple):
-    """The true pose of the robot, from the simulation."""
-
-    pose: PlanarPose
-    height: float
-    """Metres above the world's origin."""
-
-
-class RobotOutput:
-    """Collects what the robot's process prints at SIGUSR1: counters, and the true pose of a simulated robot."""
-
-    def __init__(self) -> None:
-        self._counters: dict[str, int] = {}
-        self.true_place: Place | None = None
-
-    def line(self, text: str) -> None:
-        """Read one line."""
-        if found := re.fullmatch(r"\s+(realtime\.\w+)\s+(\d+)", text):
-            self._counters[found[1]] = int(found[2])
-        elif found := re.match(r"true pose of .*: x (\S+) m  y (\S+) m  z (\S+) m  yaw (\S+)°", text):
-            x, y, z, yaw = map(float, found.groups())
-            self.true_place = Place(PlanarPose(x, y, math.radians(yaw)), z)
-
-    async def counters(self) -> dict[str, int]:
-        """The real-time counters, once they are printed; counters of zero are missing."""
-        async with time_limit(COUNTERS_TIMEOUT, lambda: "the robot's process does not print its counters"):
-            while "realtime.steps" not in self._counters:  # noqa: ASYNC110 - lines come when they come
-                await asyncio.sleep(0.05)
-        return self._counters
-
-
-def true_place(place: Place, goals: Plan) -> StageResult:
-    """Check with the simulation's pose, not the estimated one, whether the robot has reached its goal."""
-    goal = goals.goal
-    off = math.dist(place.pose[:2], (goal.x, goal.y))
-    turn = math.remainder(place.pose.yaw - goal.heading, math.tau)
-    rise = place.height - goals.ground
-    level = f", {100 * place.height:.1f} cm above the start" if goals.ground else ""
-    return StageResult(
-        "truth",
-        f"{100 * off:.1f} cm and {math.degrees(turn):+.1f}° off in the simulation{level}, by which the drive is judged",
-        off <= plan.TRUE_TOLERANCE[0] and abs(turn) <= plan.TRUE_TOLERANCE[1] and abs(rise) <= plan.GROUND_TOLERANCE,
-        {"true_distance_error": off, "true_heading_error": turn, "true_height": place.height},
-    )
 
 
 def _whole_tour(folder: Path, size: tuple[int, int]) -> Callable[..., Tour]:

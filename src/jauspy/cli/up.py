@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import math
 import signal
 import sys
-from collections.abc import AsyncIterator, Collection, Sequence
+from collections.abc import AsyncIterator, Collection, Mapping, Sequence
 from contextlib import AbstractAsyncContextManager, AsyncExitStack, asynccontextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -43,6 +44,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.node.config import load_config
 from jauspy.platform.camera import Quality
+from jauspy.platform.contacts import Contacts
 from jauspy.platform.contract import PartId, Snapshot
 from jauspy.platform.lights import TimeOfDay
 from jauspy.platform.localization import Localization
@@ -402,11 +404,17 @@ def _forward(line: str) -> None:
 
 
 def print_truth(name: str, snapshot: Snapshot | None) -> None:
-    """Print the true pose of a simulated robot, unless its own pose is exact."""
-    if snapshot is not None and PartId(Localization) in snapshot.parts:
+    """Print what a simulation knows: the true pose unless the robot's own is exact, and what its joints touched."""
+    if snapshot is None:
+        return
+    if PartId(Localization) in snapshot.parts:
         pose = snapshot.pose
         where = f"x {pose.x:+.3f} m  y {pose.y:+.3f} m  z {pose.z:+.3f} m  yaw {math.degrees(pose.yaw):+.2f}°"
-        console.print_if_read(f"true pose of {name}: {where}", file=sys.stderr)
+        tilt = f"pitch {math.degrees(pose.pitch):+.2f}°  roll {math.degrees(pose.roll):+.2f}°"
+        console.print_if_read(f"true pose of {name}: {where}  {tilt}", file=sys.stderr)
+    if isinstance(counts := snapshot.parts.get(PartId(Contacts)), Mapping):
+        touched = json.dumps({group: dict(bodies) for group, bodies in counts.items()})
+        console.print_if_read(f"contacts of {name}: {touched}", file=sys.stderr)
 
 
 async def run_robot(

@@ -85,11 +85,13 @@ class Arm:
             self._following.cancel()
             await asyncio.wait({self._following})
 
-    async def go(self, turn: float, distance: float, height: float, pitch: float = 0.0) -> float:
-        """Move the tool; returns the largest joint error, rad."""
+    async def go(
+        self, turn: float, distance: float, height: float, pitch: float = 0.0, *, duration: float | None = None
+    ) -> float:
+        """Move the tool, with `duration` in so many seconds for all joints; returns the largest joint error, rad."""
         wanted = self.kinematics.joints(turn, distance, height, pitch)
         self._state.commanded(list(wanted.values()))
-        reached = await self._arm.move(wanted, tolerance=JOINT_TOLERANCE, timeout=plan.MOVE_TIMEOUT)
+        reached = await self._arm.move(wanted, duration=duration, tolerance=JOINT_TOLERANCE, timeout=plan.MOVE_TIMEOUT)
         if self._following is not None and self._following.done():
             self._following.result()  # raises the error that ended the subscription
         return max(abs(reached[name] - position) for name, position in wanted.items())

@@ -6,17 +6,18 @@ import asyncio
 import math
 from contextlib import AsyncExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from jauspy.demo import plan
-from jauspy.demo.arm import Arm
+from jauspy.demo.arm import Arm, ArmKinematics
 from jauspy.demo.plan import Plan
 from jauspy.demo.report import StageResult
 from jauspy.errors import RequestError
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import Vector, difference
 from jauspy.ocu.camera import Camera
 from jauspy.ocu.frames import LOCAL, RobotFrames
@@ -53,8 +54,9 @@ class Grasp:
         self._arm, self._frames, self._plan = arm, frames, goals
         self._camera, self._size = camera, size
         self._setup = next(camera for camera in model.cameras if camera.name == ARM_CAMERA)
-        self._around = (0.0, 0.0, 0.0)
+        self._target: Vector = (0.0, 0.0, 0.0)
         self._empty = 0.0
+        self._tilt = Transform()
         self._grasped = 0.0
 
     async def look(self, folder: Path) -> StageResult:
@@ -65,39 +67,60 @@ class Grasp:
         photo = await self._camera.still(size=self._size, format="jpeg", timeout=plan.CAMERA_TIMEOUT)
         (folder / STILL_FILE).write_bytes(photo.content)
         frames = await self._frames.read()
-        region = red_region(decode_image(photo.content))
+        image = decode_image(photo.content)
         base = frames.pose("base_link", LOCAL)
-        # From the base, which stands on the floor: a drift of the pose, its height too, does not matter for the grasp.
-        camera = base.inverse() @ frames.pose(self._setup.link, LOCAL)
-        near = region and at_height(camera, ray(region, self._setup.fov), thing.height)
+        tilt = level(base)
+        # From below the base, which stands on the floor: a drift of the pose, its height too, does not matter here.
+        camera = tilt @ base.inverse() @ frames.pose(self._setup.link, LOCAL)
+        region = red_region(image)
+        support = thing.support if thing.band is None else self._support(image, camera)
+        near = region and at_height(camera, ray(region, self._setup.fov), support + thing.size / 2.0)
         if near is None:
             raise RequestError(
                 f"no red {thing.name} is in the picture of the camera {ARM_CAMERA!r}; see {folder / STILL_FILE}"
             )
-        self._around = self._arm.kinematics.around(near)
-        seen = base.apply(near)
         x, y, _ = near
+        self._target = x, y, support + thing.grip
+        seen = base.apply(tilt.inverse().apply(near))
         off = math.dist(seen[:2], (thing.x + self._plan.goal.slip, thing.y))
         return StageResult(
             "look",
             f"the {thing.name} is seen {math.hypot(x, y):.2f} m away, {_bearing(math.atan2(y, x))}, "
-            f"{100 * off:.1f} cm from its nominal position",
-            off <= plan.MAX_OFFSET,
-            {"x": seen[0], "y": seen[1], "from_plan": off},
+            f"{100 * off:.1f} cm from its nominal position, {100 * support:.1f} cm above the ground",
+            off <= plan.MAX_OFFSET and abs(support - thing.support) <= plan.MAX_SUPPORT_ERROR,
+            {"x": seen[0], "y": seen[1], "from_plan": off, "support": support},
         )
+
+    def _support(self, image: Image, camera: Transform) -> float:
+        """Height of what the thing stands on, by the height of what is red of it."""
+        band, thing = red_band(image), self._plan.thing
+        assert thing.band is not None
+        if band is None:
+            return thing.support
+        low, high = (ray((band.column, row), self._setup.fov) for row in (band.bottom, band.top))
+        return lower_end(camera, low, high, thing.band) - (thing.size - thing.band) / 2.0
 
     async def reach(self) -> StageResult:
         """Weigh the empty gripper above the thing, then move the open gripper around it."""
         opened = await self._arm.open_gripper()
         errors = [await self._go(*self._plan.high), await self._go(*self._plan.over)]
         self._empty = await self._arm.weight()
-        errors += [await self._go(*step) for step in self._plan.approach]
+        errors += [await self._go(*step, duration=plan.APPROACH_TIME) for step in self._plan.approach]
+        attitude, (x, y, z) = self._tilt.to_pose(), self._target
         return StageResult(
             "reach",
             f"{len(errors)} poses of five joints, each at most {math.degrees(max(errors)):.2f}° off; "
-            f"the fingers are {100 * opened:.1f} cm apart",
+            f"the fingers are {100 * opened:.1f} cm apart, the chassis pitches by {math.degrees(attitude.pitch):+.2f}°",
             opened > self._plan.thing.width,
-            {"joint_error": max(errors), "opened": opened},
+            {
+                "joint_error": max(errors),
+                "opened": opened,
+                "base_pitch": attitude.pitch,
+                "base_roll": attitude.roll,
+                "target_x": x,
+                "target_y": y,
+                "target_z": z,
+            },
         )
 
     async def close(self) -> StageResult:
@@ -129,9 +152,35 @@ class Grasp:
             {"lifted": lifted, "weight": weight, "width": width, "sunk": top - end},
         )
 
-    async def _go(self, farther: float, higher: float) -> float:
-        turn, distance, height = self._around
-        return await self._arm.go(turn, distance + farther, height + higher, self._plan.pitch)
+    async def _go(self, farther: float, higher: float, *, duration: float | None = None) -> float:
+        """Move the gripper to an offset from the target, with the attitude that the chassis has now."""
+        self._tilt = level((await self._frames.read()).pose("base_link", LOCAL))
+        pose = gripper_pose(self._arm.kinematics, self._tilt, self._target, (farther, higher), self._plan.pitch)
+        return await self._arm.go(*pose, duration=duration)
+
+
+def level(base: Transform) -> Transform:
+    """The pose of the base in a level frame with its place and heading: pitch and roll only."""
+    pose = base.to_pose()
+    return Transform.from_pose(Pose(roll=pose.roll, pitch=pose.pitch))
+
+
+def gripper_pose(
+    kinematics: ArmKinematics, tilt: Transform, target: Vector, offset: tuple[float, float], pitch: float
+) -> tuple[float, float, float, float]:
+    """Turn, distance, height and pitch for the arm that hold the gripper at a target in the level frame.
+
+    `tilt` is the pose of the base in the level frame, `offset` metres farther out from the arm's axis and higher than
+    the target, `pitch` that of the gripper against the horizon.
+    """
+    x, y, z = target
+    foot = tilt.apply((kinematics.axis, 0.0, 0.0))
+    heading = math.atan2(y - foot[1], x - foot[0])
+    out = math.cos(heading), math.sin(heading)
+    point = x + offset[0] * out[0], y + offset[0] * out[1], z + offset[1]
+    ahead = math.cos(pitch) * out[0], math.cos(pitch) * out[1], math.sin(pitch)
+    to_base = tilt.inverse()
+    return *kinematics.around(to_base.apply(point)), math.asin(to_base.rotate(ahead)[2])
 
 
 def _bearing(bearing: float) -> str:
@@ -156,6 +205,35 @@ def decode_image(file: bytes) -> Image:
 
 def red_region(image: Image) -> tuple[float, float] | None:
     """Centre of the largest red region from the image centre, as fractions of the width; None if there is none."""
+    pixels = _red_pixels(image)
+    return None if pixels is None else _fractions(image, float(pixels[1].mean()), float(pixels[0].mean()))
+
+
+class Band(NamedTuple):
+    """The middle column, and the upper and lower edge there, from the image centre as fractions of the width."""
+
+    column: float
+    top: float
+    bottom: float
+
+
+def red_band(image: Image) -> Band | None:
+    """The edges of the largest red region in the middle third of its width; None if there is none."""
+    pixels = _red_pixels(image)
+    if pixels is None:
+        return None
+    rows, columns = pixels
+    left, right = int(columns.min()), int(columns.max())
+    third = (right - left) // 3
+    middle = range(left + third, right - third + 1)
+    edges = [(rows[columns == column].min(), rows[columns == column].max()) for column in middle if column in columns]
+    top, bottom = (float(np.median(values)) for values in zip(*edges, strict=True))
+    column, upper = _fractions(image, (left + right) / 2.0, top - 0.5)
+    return Band(column, upper, _fractions(image, 0.0, bottom + 0.5)[1])
+
+
+def _red_pixels(image: Image) -> tuple[NDArray[np.intp], NDArray[np.intp]] | None:
+    """Rows and columns of the largest red region."""
     colours = cv2.cvtColor(image, cv2.COLOR_RGB2HSV)
     red = np.zeros(image.shape[:2], np.uint8)
     for low, high in REDS:
@@ -166,9 +244,13 @@ def red_region(image: Image) -> tuple[float, float] | None:
     largest = 1 + int(np.argmax(sizes[1:]))
     if sizes[largest] < MIN_RED_SHARE * red.size:
         return None
-    height, width = labels.shape
     rows, columns = np.nonzero((labels == largest) & (red > 0))
-    return (float(columns.mean()) + 0.5 - width / 2.0) / width, (float(rows.mean()) + 0.5 - height / 2.0) / width
+    return rows, columns
+
+
+def _fractions(image: Image, column: float, row: float) -> tuple[float, float]:
+    height, width = image.shape[:2]
+    return (column + 0.5 - width / 2.0) / width, (row + 0.5 - height / 2.0) / width
 
 
 def ray(region: tuple[float, float], fov: float) -> Vector:
@@ -186,6 +268,18 @@ def at_height(camera: Transform, direction: Vector, height: float) -> Vector | N
     return camera.position[0] + times * far[0], camera.position[1] + times * far[1], height
 
 
+def lower_end(camera: Transform, low: Vector, high: Vector, length: float) -> float:
+    """Height of the lower end of an upright line of this length, m; its ends are seen along two rays of the camera.
+
+    Both ends are equally far away, so that the difference of the rays' slopes gives the distance.
+    """
+    below, above = camera.rotate(low), camera.rotate(high)
+    slopes = below[2] / math.hypot(*below[:2]), above[2] / math.hypot(*above[:2])
+    distance = length / max(slopes[1] - slopes[0], MIN_SLOPE)
+    return camera.position[2] + distance * slopes[0]
+
+
+MIN_SLOPE: Final = 1e-3
 AIM_TOLERANCE: Final = 0.01
 """Radians."""
 

@@ -47,12 +47,37 @@ class Thing:
     """Metres in the local frame, of the middle of what is grasped."""
     y: float
     """Metres."""
-    height: float
-    """Metres above the ground on which the robot stands."""
+    body: str
+    """Its name in the world."""
+    stands_on: str
+    """The body of the world on which it stands, which arm and gripper must not touch."""
+    support: float
+    """Metres; height of that above the ground on which the robot stands."""
+    size: float
+    """Metres from its lowest to its highest point."""
+    grip: float
+    """Metres above the support at which the middle of the gripper holds it."""
     width: float
     """Metres, between the fingers."""
     weight: float
     """Kilograms."""
+    band: float | None = None
+    """Metres; height of what is red of an upright thing, from which its distance and the height of its support are
+    measured. None: the height of the support is not measured."""
+
+    @property
+    def height(self) -> float:
+        """Height of its middle above the ground on which the robot stands, m."""
+        return self.support + self.size / 2.0
+
+
+PALM_BELOW: Final = 0.025
+"""Metres from the middle of the level gripper down to its lowest point, of the palm; fingers reach 0.015 m down."""
+CAN_SIZE: Final = 0.12
+CAN_CLEARANCE: Final = 0.05
+"""Metres between palm and table. The fingers are then 0.03 m below the upper edge of the can. There are 0.08 m for
+both; the table gets more, since a gripper on it blocks the arm. Errors of attitude (0.3 degrees) and of the measured
+height take up to 0.015 m of it, so that more than 0.03 m are left."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +115,19 @@ PLANS: Final[Mapping[str, Plan]] = {
     "yard": Plan(
         waypoints=(Waypoint(2.0, 0.0, math.pi / 2),),
         drive="2 m to the table and turn to it",
-        thing=Thing("can", 2.0, 0.9, 0.41, width=0.05, weight=1.0),
+        thing=Thing(
+            "can",
+            2.0,
+            0.9,
+            body="can",
+            stands_on="table",
+            support=0.35,
+            size=CAN_SIZE,
+            grip=PALM_BELOW + CAN_CLEARANCE,
+            width=0.05,
+            weight=1.0,
+            band=0.1086,
+        ),
         view=(0.43, 0.62, -0.5),
         pitch=0.0,
         high=(-0.25, 0.28),
@@ -105,7 +142,18 @@ PLANS: Final[Mapping[str, Plan]] = {
             Waypoint(2.665, -0.70, math.radians(12.0), speed=0.4, flippers=2.2, slip=0.2),
         ),
         drive="over the kerb to the pipe",
-        thing=Thing("pipe", 3.35, -0.55, 0.031, width=0.048, weight=1.05),
+        thing=Thing(
+            "pipe",
+            3.35,
+            -0.55,
+            body="pipe_device",
+            stands_on="world",
+            support=0.0,
+            size=0.062,
+            grip=0.041,
+            width=0.048,
+            weight=1.05,
+        ),
         view=(0.36, 0.52, -1.1),
         pitch=-1.2,
         high=(-0.08, 0.25),
@@ -129,6 +177,11 @@ GROUND_TOLERANCE: Final = 0.02
 
 MAX_OFFSET: Final = 0.20
 """Metres between nominal and measured position: the pose has drifted, and the attitude is off by 0.3 degrees."""
+MAX_SUPPORT_ERROR: Final = 0.03
+"""Metres between nominal and measured height of what the thing stands on."""
+APPROACH_TIME: Final = 1.5
+"""Seconds of each motion near the thing, in which all joints arrive together: otherwise the gripper leaves the way
+between two poses by some centimetres, and touches the table."""
 MIN_LIFT: Final = 0.10
 """Metres."""
 HOLD_TIME: Final = 2.0

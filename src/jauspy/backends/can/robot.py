@@ -24,6 +24,7 @@ from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
 from jauspy.platform.camera import CameraSource
+from jauspy.platform.contacts import Contacts
 from jauspy.platform.contract import DriveBase, OptionalPart, Robot, Viewable
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.platform.drives import SLIP_FACTOR, FixedBase, SkidSteerDrive
@@ -299,10 +300,10 @@ class CanRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis, and the localisation of the simulation."""
+        """The optional parts of the chassis, and the localisation and the contacts of the simulation."""
         robot = self._ticker.plant_robot
-        located = None if robot is None else Localization.of(robot)
-        return self._drive_base.optional_parts if located is None else (*self._drive_base.optional_parts, located)
+        simulated = () if robot is None else (Localization.of(robot), Contacts.of(robot))
+        return (*self._drive_base.optional_parts, *(part for part in simulated if part is not None))
 
     @property
     def time(self) -> float:
