@@ -23,6 +23,7 @@ from jauspy.protocol.endpoint import Endpoint
 from jauspy.robot.robot_files import load
 from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LoopbackHub, LoopbackTransport
+from jauspy.video.camera_protocol import StreamReduced
 
 ROBOT, CLIENT = JausID(101, 1, 102), JausID(42, 1, 1)
 STATUS = {
@@ -91,6 +92,9 @@ async def test_table_shows_controllers_and_losses() -> None:
         assert look.node is not None
         assert (look.node.packets, look.node.dropped) == (21.0, {"dropped.not_here": 7, "by the kernel": 3})
         text = drawn(runner, look)
+        runner.videos["arm"]._on_message(StreamReduced("the robot's machine is too slow for camera arm"))
+        assert "too slow" not in text
+        assert "the robot's machine is too slow for camera arm" in drawn(runner, sampler.sample(13.0, STATUS))
     await wire.close()
     assert "up 1:02:05" in text
     assert "1 101.1.102: host.ignored" in text

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -43,8 +44,12 @@ def wait_for_pictures(page: Any, count: int = 3) -> None:
 
 
 def workers(robot: RunningRobot) -> list[psutil.Process]:
-    children = psutil.Process(robot.process.pid).children(recursive=True)
-    return [each for each in children if "camera_worker" in " ".join(each.cmdline())]
+    found = []
+    for each in psutil.Process(robot.process.pid).children(recursive=True):
+        with suppress(psutil.Error):  # it ends now
+            if "camera_worker" in " ".join(each.cmdline()):
+                found.append(each)
+    return found
 
 
 def test_a_browser_without_a_decoder_says_so(url: str) -> None:

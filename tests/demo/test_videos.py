@@ -40,7 +40,8 @@ def recorded(pictures: int, note: str = "", **counters: int) -> VideoRecording:
         (140, SLOW, True, True),
         (50, SLOW, True, True),
         (10, SLOW, True, True),
-        (9, SLOW, False, False),
+        (6, SLOW, True, True),
+        (4, SLOW, False, False),
         (0, SLOW, False, False),
     ],
 )

@@ -59,8 +59,8 @@ def demo(
     The node manager and the robot run as child processes; this process is the operator control unit (OCU). It
     discovers the robot over UDP, takes control, records its cameras and one outside of it, maps with the lidar,
     drives by waypoints, finds what to grasp in a still, moves the arm and the gripper, and releases control. Videos,
-    map and measurements are written to DIR, and a summary is printed. The exit status is 0 if every goal was reached.
-    The demo takes less than 90 s.
+    map and measurements are written to DIR, and a summary is printed. The exit status is 0 if every goal was reached,
+    videos may be reduced where the machine is too slow for them. The demo takes less than 90 s on others.
 
     Example:
       jauspy demo --port 3795 --output /tmp/demo

@@ -246,7 +246,7 @@ async def parameter_sets(ocu: OCU, camera: JausID, sensor: int) -> tuple[bytes, 
     from jauspy.video.receiver import RtpReceiver
 
     found: dict[int, bytes] = {}
-    said = ""
+    note = ""
     try:
         with RtpReceiver(await ocu.address_towards(camera)) as receiver:
             here = url_of((await ocu.address_towards(camera), receiver.port))
@@ -254,12 +254,14 @@ async def parameter_sets(ocu: OCU, camera: JausID, sensor: int) -> tuple[bytes, 
                 while len(found) < 2:
                     for picture in receiver.take():
                         found |= {nal_type(nal): nal for nal in picture.nals if nal_type(nal) in (SPS, PPS)}
-                    said = f"; it says: {note}" if (note := receiver.note) else ""
+                    note = receiver.note
                     await asyncio.sleep(0.02)
     except (TimeoutError, RequestError, TransportError) as error:
-        why = str(error) or f"no picture has come within {START_TIMEOUT:g} s{said}"
+        why = str(error) or f"no picture has come within {START_TIMEOUT:g} s" + (f"; it says: {note}" if note else "")
         console.note(f"the description lacks the stream's parameters, so that players wait for a key frame: {why}")
         return ()
+    if note:
+        console.note(f"{camera} says: {note}")
     return found[SPS], found[PPS]
 
 

@@ -192,7 +192,7 @@ SETTLING_TIME: Final = 0.7
 
 MIN_RATE: Final = 0.5
 """Of the pictures per second that a camera is set to: the least for its video to be a success."""
-MIN_REDUCED_RATE: Final = 1.0
+MIN_REDUCED_RATE: Final = 0.5
 """The same, in pictures per second, for a camera that says that its machine is too slow."""
 
 # --- timeouts, seconds

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
-from typing import Final, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 from jauspy.errors import ConfigError, JausError
 from jauspy.logs import get_logger
@@ -66,6 +66,7 @@ class CameraProcess(SupervisedWorker):
         self._timeout = START_TIMEOUT
         self._is_open = False
         self._reduced = ""
+        self._expects_picture = False
 
     @property
     def setup(self) -> CameraSetup:
@@ -112,6 +113,7 @@ class CameraProcess(SupervisedWorker):
         self._wake()
         self._receivers[address] = playing
         self._send(AddReceiver(address, playing))
+        self._expect_picture()
 
     def leave(self, address: Address) -> None:
         """Stop sending to this address; without effect for an unknown one."""
@@ -161,7 +163,8 @@ class CameraProcess(SupervisedWorker):
     def _on_started(self) -> None:
         self._heard_at, self._timeout = time.monotonic(), START_TIMEOUT
         self._reduced = ""
-        self._notify_later(self.pid, time.monotonic())
+        self._expects_picture = False
+        self._expect_picture()
         self._send(StartCamera(self._camera, self._settings, self._imaging, self._stamped, NICENESS))
         for address, playing in self._receivers.items():
             self._send(AddReceiver(address, playing))
@@ -187,26 +190,45 @@ class CameraProcess(SupervisedWorker):
         self._own["reduced"] += bool(text)
         self._reduced = text
 
-    def _notify_later(self, pid: int | None, began: float) -> None:
-        asyncio.get_running_loop().call_later(NOTICE_INTERVAL, self._notify, pid, began)
+    def _expect_picture(self) -> None:
+        """From now on, tell receivers and the log why nothing comes, until a picture has been sent."""
+        if self.pid is not None and not self._expects_picture and any(self._receivers.values()):
+            self._expects_picture = True
+            waiting = Waiting(self.pid, time.monotonic(), processor_time(self.pid), self._reported["pictures"])
+            asyncio.get_running_loop().call_later(NOTICE_INTERVAL, self._notify, waiting)
 
-    def _notify(self, pid: int | None, began: float) -> None:
-        """Tell receivers and the log that the worker is still starting, and with how much of a processor."""
-        if pid is None or pid != self.pid or self._reported["pictures"]:
+    def _notify(self, waiting: Waiting) -> None:
+        if waiting.pid != self.pid:
             return
-        elapsed = time.monotonic() - began
-        text = starting_text(self._camera.setup.name, elapsed, processor_time(pid))
-        if elapsed - NOTICE_INTERVAL < LONG_START <= elapsed and any(self._receivers.values()):
+        playing = [address for address, plays in self._receivers.items() if plays]
+        if self._reported["pictures"] > waiting.pictures or not playing:
+            self._expects_picture = False
+            return
+        elapsed = time.monotonic() - waiting.began
+        text = starting_text(self._camera.setup.name, elapsed, processor_time(waiting.pid) - waiting.used)
+        if elapsed - NOTICE_INTERVAL < LONG_START <= elapsed:
             _LOG.warning("%s", text)
         with RtpSender(self._camera.setup.name) as sender:
-            for address in (address for address, playing in self._receivers.items() if playing):
+            for address in playing:
                 with suppress(JausError):  # the worker counts addresses that are none
                     sender.add(address)
             sender.announce(text)
-        self._notify_later(pid, began)
+        asyncio.get_running_loop().call_later(NOTICE_INTERVAL, self._notify, waiting)
 
     def _on_ended(self) -> None:
         self._own["stills_lost"] += self._stills.fail()
+
+
+class Waiting(NamedTuple):
+    """Receivers that wait for a first picture of this process."""
+
+    pid: int
+    began: float
+    """Seconds of the monotonic clock."""
+    used: float
+    """Seconds of a processor that it had used then."""
+    pictures: int
+    """Those that it had sent then."""
 
 
 def starting_text(name: str, elapsed: float, used: float) -> str:
