@@ -11,8 +11,10 @@ import pytest
 from tests.helpers.robot import FakeDrive
 from tests.helpers.simulated import Simulation, simulated
 
+from jauspy.backends.kinematic import KinematicDrive
 from jauspy.component.component import loop_time
 from jauspy.errors import ConfigError, ControlRejected, RequestError
+from jauspy.geometry.poses import Pose
 from jauspy.geometry.vectors import GRAVITY
 from jauspy.messages.core import Standby, TimeStamp
 from jauspy.messages.mobility import QueryWrenchEffort, SetWrenchEffort
@@ -150,6 +152,21 @@ async def test_go_to_names_the_loss_of_control(inc1, virtual_network):
         async with virtual_network.ocu("42.1.9") as other, (await other.robot(101)).control("drive", authority=200):
             with pytest.raises(ControlRejected, match="was lost"):
                 await going
+
+
+async def test_go_to_says_that_the_robot_is_tilted_when_its_guard_stops_it(inc1, robot, monkeypatch):
+    level = KinematicDrive.pose
+
+    def rearing_up(drive: KinematicDrive) -> Pose:
+        pose = level(drive)
+        return replace(pose, pitch=-math.radians(65.0)) if pose.x > 0.8 else pose
+
+    monkeypatch.setattr(KinematicDrive, "pose", rearing_up)
+    async with inc1.control("drive"):
+        with pytest.raises(RequestError, match=r"stopped 1\.\d+ m from.*tilted: pitch -65, roll 0 degrees"):
+            await inc1.go_to(x=2.0, y=0.0)
+        await asyncio.sleep(1.0)
+        assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
 
 
 async def test_go_to_unknown_frame_lists_frames(inc1):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import replace
 
@@ -14,10 +15,11 @@ import numpy as np
 
 from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.assembly import DrawnModel, build
-from jauspy_sim.models.decals import MARK, MARK_LENGTH, MARKS, SHADOW, SHEET, add_decals, footprint
+from jauspy_sim.models.decals import BODY_SHADE, MARK, MARK_LENGTH, MARKS, SHADOW, add_decals, footprint, opacities
 from jauspy_sim.models.whips import Whips
 from jauspy_sim.rendering.cameras import state_size
 from jauspy_sim.rendering.decals import Decals
+from jauspy_sim.rendering.gl import HIDDEN, Culling
 from jauspy_sim.robot import SimulatedRobot
 
 INC1 = replace(robot_model(load("inc1")), lidars=())
@@ -57,7 +59,11 @@ class Seen:
 
     @property
     def opacity(self) -> float:
-        return float(self.model.geom(f"{SHADOW} 0").rgba[3])
+        """That of the shadow, as a fraction of the greatest."""
+        first, found = self.model.geom(f"{SHADOW} 0").id, np.array(opacities())
+        shown = self.model.geom_rgba[first : first + len(found), 3] / found
+        assert np.ptp(shown) < 1e-6
+        return float(shown[0])
 
     def corners(self, geom: int) -> np.ndarray:
         """The points of a shape's mesh in the world."""
@@ -74,24 +80,42 @@ class Seen:
 def test_the_shadow_lies_below_the_robot_on_level_ground() -> None:
     seen = Seen()
     seen.place(0.5, -0.3, yaw=math.pi / 2.0)
-    assert seen.opacity == pytest.approx(SHEET, rel=0.01)
+    assert seen.opacity == pytest.approx(1.0, rel=0.01)
     points = seen.corners(seen.model.geom(f"{SHADOW} 0").id)
     assert points[:, 2].min() > 0.004, "above paint on the ground"
     assert points[:, 2].max() < 0.012
     assert FOOTPRINT is not None
     back, front, right, left = FOOTPRINT.body
-    assert points[:, 1].min() == pytest.approx(-0.3 + back - 0.095, abs=0.01)
-    assert points[:, 1].max() == pytest.approx(-0.3 + front + 0.095, abs=0.01)
+    assert points[:, 1].min() == pytest.approx(-0.3 + back - BODY_SHADE.outer, abs=0.01)
+    assert points[:, 1].max() == pytest.approx(-0.3 + front + BODY_SHADE.outer, abs=0.01)
     assert (points[:, 0].min(), points[:, 0].max()) == pytest.approx(
-        (0.5 - left - 0.095, 0.5 - right + 0.095), abs=0.01
+        (0.5 - left - BODY_SHADE.outer, 0.5 - right + BODY_SHADE.outer), abs=0.01
     )
+
+
+def test_the_shadow_darkens_inward_without_steps_that_show() -> None:
+    body, feet = opacities()[: BODY_SHADE.rings], opacities()[BODY_SHADE.rings :]
+    for shade in (body, feet):
+        steps = np.diff([0.0, *shade])
+        assert (steps > 0.0).all()
+        assert steps.max() < 0.17
+
+
+def test_the_rings_of_the_shadow_do_not_overlap() -> None:
+    """Else they would be darker than their opacities."""
+    seen = Seen()
+    seen.place(0.0)
+    rings = [seen.corners(seen.model.geom(f"{SHADOW} {ring}").id) for ring in range(BODY_SHADE.rings)]
+    for outer, inner in itertools.pairwise(rings):
+        half = len(outer) // 2
+        assert np.sort(outer[half:], axis=0) == pytest.approx(np.sort(inner[: len(outer) - half], axis=0), abs=1e-5)
 
 
 def test_the_shadow_lies_on_a_ramp() -> None:
     seen = Seen()
     along = 1.5
     seen.place(3.0 + along * math.cos(seen.slope), z=along * math.sin(seen.slope), pitch=-seen.slope)
-    assert seen.opacity > 0.8 * SHEET
+    assert seen.opacity > 0.8
     up = seen.data.geom_xmat[seen.model.geom(f"{SHADOW} 0").id].reshape(3, 3)
     normals = [-math.sin(seen.slope), 0.0, math.cos(seen.slope)]
     points = seen.corners(seen.model.geom(f"{SHADOW} 0").id)
@@ -113,6 +137,18 @@ def test_there_is_no_shadow_without_contact(pose: dict[str, float]) -> None:
     seen.place(**pose)
     assert seen.opacity == 0.0
     assert seen.marks() == []
+
+
+def test_decals_are_hidden_where_mujoco_draws_shadows() -> None:
+    """Its light of the sun does not reach the ground below what is transparent."""
+    seen = Seen()
+    culling, shown = Culling(seen.model), seen.model.geom_group.copy()
+    culling.hide_decals()
+    hidden = [seen.model.geom(int(geom)).name for geom in np.flatnonzero(seen.model.geom_group == HIDDEN)]
+    assert len(hidden) == len(opacities()) + 4 * MARKS
+    assert all(name.startswith((SHADOW, MARK)) for name in hidden)
+    culling.show_all()
+    assert (seen.model.geom_group == shown).all()
 
 
 def test_tracks_leave_marks_where_they_have_been() -> None:

@@ -18,12 +18,12 @@ from jauspy.geometry.poses import Pose
 from jauspy.ids import JausID
 from jauspy.messages.core import RequestControl, Resume
 from jauspy.messages.mobility import SetWrenchEffort
-from jauspy.platform.chassis import chassis_of
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.robot.kinds.mobility import vehicle_of
 from jauspy.robot.robot_files import load, robot_model
 from jauspy.services.core import AccessControl, Events, Management
 from jauspy.services.host import Host
-from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver, Vehicle
+from jauspy.services.mobility import LocalPoseSensor, PrimitiveDriver
 from jauspy_sim.assembly import build_in
 from jauspy_sim.robot import SimulatedRobot
 
@@ -146,8 +146,9 @@ class Operated:
     """The robot with its driver service, and an operator who is in control."""
 
     def __init__(self, robot: SimulatedRobot, *, guarded: bool) -> None:
-        chassis = chassis_of(INC1 if guarded else dataclasses.replace(INC1, tilt_guard=None))
-        vehicle = Vehicle(robot.drive, chassis=chassis)
+        model = INC1 if guarded else dataclasses.replace(INC1, tilt_guard=None)
+        vehicle = vehicle_of("inc1", None, model, robot)
+        assert vehicle.drive is not robot.drive, "the attitude is what its sensors estimate"
         services = (PrimitiveDriver(vehicle), LocalPoseSensor(vehicle), AccessControl(), Management(), Events())
         self.robot = robot
         self.host = Host(JausID(101, 1, 102), services, utc_now=lambda: datetime.now(UTC), now=robot.time)

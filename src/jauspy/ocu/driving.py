@@ -283,6 +283,10 @@ def _percent(value: float, full: float) -> float:
     return max(-100.0, min(100.0, 100.0 * value / full))
 
 
+MAX_TILT: Final = math.radians(30.0)
+"""From here on the tilt of a robot that stopped is reported, since it may be the reason."""
+
+
 class _Way:
     """The way to one point."""
 
@@ -305,7 +309,7 @@ class _Way:
                     self._progress(Progress(left, pose, clock() - began))
                 stands = before is not None and math.dist((pose.x, pose.y), before) < MAX_STEP
                 if done and task.exception() is not None:
-                    raise self._stopped(task.exception(), left)
+                    raise self._stopped(task.exception(), left, pose)
                 if done and left <= self._tolerance and stands:
                     return pose
                 before = (pose.x, pose.y)
@@ -320,9 +324,14 @@ class _Way:
             task.cancel()
             await asyncio.wait({task})
 
-    def _stopped(self, error: BaseException | None, left: float) -> BaseException:
+    def _stopped(self, error: BaseException | None, left: float, pose: RobotPose) -> BaseException:
         if error is not None and type(error) is RequestError:
-            return RequestError(f"the robot stopped {left:.2f} m from ({self._goal.x:g}, {self._goal.y:g}): {error}")
+            where = f"{left:.2f} m from ({self._goal.x:g}, {self._goal.y:g})"
+            tilted = ""
+            if max(abs(pose.pitch), abs(pose.roll)) > MAX_TILT:
+                angles = f"pitch {math.degrees(pose.pitch):.0f}, roll {math.degrees(pose.roll):.0f} degrees"
+                tilted = f"; it is tilted: {angles}, so it may have stopped itself"
+            return RequestError(f"the robot stopped {where}: {error}{tilted}")
         assert error is not None
         return error
 

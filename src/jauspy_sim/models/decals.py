@@ -1,12 +1,12 @@
 """Shapes on the ground below a robot that are only seen: its contact shadow, and the marks of its tracks.
 
 They are in the model that cameras draw, not in that for physics; `jauspy_sim.rendering.decals` moves them. MuJoCo has
-no transparent textures, so a soft edge is a stack of thin sheets, each slightly smaller than the one below it.
+no transparent textures, so the shadow is made of rings, each slightly darker than the one around it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final, NamedTuple
 
 import mujoco
@@ -28,14 +28,26 @@ MARK_LENGTH: Final = 0.13
 BARS: Final = 4
 """Grousers of a track in one mark."""
 
-SHEET: Final = 0.1
-"""Opacity of one sheet of the shadow: with twelve of them, 28 % of the ground's light is left."""
-SHEET_GAP: Final = 0.0003
-"""Metres between sheets; a pixel's depth differs by a tenth of that at 3 m."""
-FOOT_SHEETS: Final = (-0.006, 0.003, 0.012, 0.022, 0.034)
-"""Metres by which each sheet below a track or wheel reaches beyond it."""
-BODY_SHEETS: Final = (-0.12, -0.07, -0.02, 0.015, 0.045, 0.07, 0.095)
-"""As `FOOT_SHEETS`, below the whole robot."""
+LAYER_GAP: Final = 0.0003
+"""Metres between shapes above each other; a pixel's depth differs by a tenth of that at 3 m."""
+
+
+class Shade(NamedTuple):
+    """A shadow that darkens from its edge inward."""
+
+    outer: float
+    """Metres from the edge of what is above it to where the shadow begins."""
+    inner: float
+    """To where it is darkest; negative inside of the edge."""
+    darkness: float
+    """Opacity there."""
+    rings: int
+
+
+BODY_SHADE: Final = Shade(0.12, -0.12, 0.5, 10)
+"""Below the whole robot."""
+FOOT_SHADE: Final = Shade(0.045, -0.015, 0.55, 5)
+"""Below its tracks or wheels, in addition."""
 CORNER: Final = 4
 """Points of a quarter of a circle."""
 
@@ -107,9 +119,8 @@ def add_decals(spec: mujoco.MjSpec, robot: RobotModel) -> None:
     found = footprint(robot)
     if found is None:
         return
-    sheets = [(found.body, reach) for reach in reversed(BODY_SHEETS)]
-    sheets += [(foot, reach) for reach in reversed(FOOT_SHEETS) for foot in found.feet]
-    _add(spec, SHADOW, _stacked(sheets), 1)
+    _add_rings(spec, 0, [found.body], BODY_SHADE)
+    _add_rings(spec, BODY_SHADE.rings, found.feet, FOOT_SHADE)
     if robot.tracks is not None:
         width = found.feet[0].left - found.feet[0].right
         bar = MARK_LENGTH / BARS
@@ -118,16 +129,38 @@ def add_decals(spec: mujoco.MjSpec, robot: RobotModel) -> None:
             Rectangle(start + 0.2 * bar, start + 0.75 * bar, -0.5 * width, 0.5 * width)
             for start in np.arange(BARS) * bar - 0.5 * MARK_LENGTH
         ]
-        _add(spec, MARK, [(_corners(whole), 0.0), *((_corners(each), SHEET_GAP) for each in bars)], 4 * MARKS)
+        sheets = [(_corners(whole), 0.0), *((_corners(each), LAYER_GAP) for each in bars)]
+        mesh = _Mesh()
+        for outline, height in sheets:
+            mesh.add_sheet(outline, height)
+        mesh.add_to(spec, MARK, [f"{MARK} {number}" for number in range(4 * MARKS)])
 
 
-def _stacked(sheets: Sequence[tuple[Rectangle, float]]) -> Iterator[tuple[Floats, float]]:
-    """Outlines and heights of sheets, from the lowest one up."""
-    level, last = -1, None
-    for rectangle, reach in sheets:
-        level += reach != last
-        last = reach
-        yield _rounded(rectangle, reach), level * SHEET_GAP
+def opacities() -> list[float]:
+    """The opacity of each ring of the shadow."""
+    shades = (BODY_SHADE, FOOT_SHADE)
+    return [shade.darkness * _smooth((ring + 1) / shade.rings) for shade in shades for ring in range(shade.rings)]
+
+
+def _smooth(x: float) -> float:
+    """From 0 to 1, level at both ends."""
+    return x * x * (3.0 - 2.0 * x)
+
+
+def _add_rings(spec: mujoco.MjSpec, first: int, rectangles: Sequence[Rectangle], shade: Shade) -> None:
+    """Add the rings of a shadow, from outside inward; the last one is closed. They are numbered from `first`."""
+    reaches = np.linspace(shade.outer, shade.inner, shade.rings + 1)
+    height = LAYER_GAP * (first > 0)
+    for ring in range(shade.rings):
+        mesh = _Mesh()
+        for rectangle in rectangles:
+            outline = _rounded(rectangle, reaches[ring])
+            if ring == shade.rings - 1:
+                mesh.add_sheet(outline, height)
+            else:
+                mesh.add_ring(outline, _rounded(rectangle, reaches[ring + 1]), height)
+        name = f"{SHADOW} {first + ring}"
+        mesh.add_to(spec, name, [name])
 
 
 def _rounded(rectangle: Rectangle, reach: float) -> Floats:
@@ -149,27 +182,50 @@ def _corners(rectangle: Rectangle) -> Floats:
     return np.array([(front, left), (back, left), (back, right), (front, right)])
 
 
-def _add(spec: mujoco.MjSpec, name: str, sheets: Iterable[tuple[Floats, float]], count: int) -> None:
-    """Add a mesh of convex sheets, seen from above, and shapes that show it."""
-    points: list[Floats] = []
-    faces: list[tuple[int, int, int]] = []
-    for outline, height in sheets:
-        first = sum(len(each) for each in points)
-        points.append(np.column_stack([outline, np.full(len(outline), height)]))
-        faces += [(first, first + corner, first + corner + 1) for corner in range(1, len(outline) - 1)]
-    mesh = spec.add_mesh(name=name, inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL)
-    mesh.uservert = np.concatenate(points).ravel()
-    mesh.userface = np.array(faces).ravel()
-    material = spec.add_material(name=name, specular=0.0, shininess=0.0)
-    for number in range(count):
-        spec.worldbody.add_geom(
-            name=f"{name} {number}",
-            type=mujoco.mjtGeom.mjGEOM_MESH,
-            meshname=name,
-            material=material.name,
-            rgba=(0.0, 0.0, 0.0, 0.0),
-            contype=0,
-            conaffinity=0,
-            mass=0.0,
-            group=VISUAL,
-        )
+def decals_of(model: mujoco.MjModel) -> NDArray[np.bool_]:
+    """Which shapes of a model are decals."""
+    return np.array([model.geom(geom).name.startswith((SHADOW, MARK)) for geom in range(model.ngeom)], np.bool_)
+
+
+class _Mesh:
+    """A mesh of level faces, seen from above."""
+
+    def __init__(self) -> None:
+        self._points: list[Floats] = []
+        self._faces: list[tuple[int, int, int]] = []
+
+    def add_sheet(self, outline: Floats, height: float) -> None:
+        """Add the inside of a convex outline."""
+        first = self._add(outline, height)
+        self._faces += [(first, first + corner, first + corner + 1) for corner in range(1, len(outline) - 1)]
+
+    def add_ring(self, outer: Floats, inner: Floats, height: float) -> None:
+        """Add what is between two outlines of as many points."""
+        count = len(outer)
+        first, second = self._add(outer, height), self._add(inner, height)
+        for corner in range(count):
+            after = (corner + 1) % count
+            self._faces.append((first + corner, first + after, second + after))
+            self._faces.append((first + corner, second + after, second + corner))
+
+    def add_to(self, spec: mujoco.MjSpec, name: str, geoms: Sequence[str]) -> None:
+        """Add the mesh, and shapes that show it."""
+        mesh = spec.add_mesh(name=name, inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL)
+        mesh.uservert = np.concatenate(self._points).ravel()
+        mesh.userface = np.array(self._faces).ravel()
+        for geom in geoms:
+            spec.worldbody.add_geom(
+                name=geom,
+                type=mujoco.mjtGeom.mjGEOM_MESH,
+                meshname=name,
+                rgba=(0.0, 0.0, 0.0, 0.0),
+                contype=0,
+                conaffinity=0,
+                mass=0.0,
+                group=VISUAL,
+            )
+
+    def _add(self, outline: Floats, height: float) -> int:
+        first = sum(len(each) for each in self._points)
+        self._points.append(np.column_stack([outline, np.full(len(outline), height)]))
+        return first

@@ -12,7 +12,7 @@ from typing import Final
 import mujoco
 import numpy as np
 
-from jauspy_sim.models.decals import MARK, MARK_LENGTH, MARKS, SHADOW, SHEET, Floats, Footprint
+from jauspy_sim.models.decals import MARK, MARK_LENGTH, MARKS, SHADOW, Floats, Footprint, opacities
 from jauspy_sim.physics.sensors import cast_rays
 
 STILL: Final = 1e-4
@@ -52,7 +52,9 @@ class Decals:
         Without `marks` tracks leave none: a camera on the robot hardly sees them, and they take time.
         """
         self._model, self._base = model, base
-        self._shadow = model.geom(f"{SHADOW} 0").id
+        self._opacities = np.array(opacities())
+        ring = model.geom(f"{SHADOW} 0").id
+        self._shadow = slice(ring, ring + len(self._opacities))
         first = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_GEOM, f"{MARK} 0") if marks else -1
         back, front, right, left = footprint.body
         ends = [(x, y) for x in (back, front) for y in (right, left)]
@@ -78,7 +80,7 @@ class Decals:
             self._model.geom_rgba[self._shadow, 3] = 0.0
             return
         normal, point, strength = ground
-        self._model.geom_rgba[self._shadow, 3] = SHEET * strength
+        self._model.geom_rgba[self._shadow, 3] = strength * self._opacities
         self._frame = _frame(axes[:, 0], normal)
         self._place = position - ((position - point) @ normal - SHADOW_LAYER) * normal
         if self._marks is not None:
@@ -156,9 +158,7 @@ class _Marks:
         age = (self._turns - 1 - np.arange(MARKS)[:, None]) % MARKS
         fresh = np.clip((MARKS - age) / FADING, 0.0, 1.0)
         self._model.geom_rgba[shown, 3] = (self._opacity * fresh).ravel()
-        axes = self._axes.reshape(-1, 3, 3)
-        data.geom_xpos[shown] = self._places.reshape(-1, 3) + axes @ self._model.geom_pos[self._first]
-        data.geom_xmat[shown] = (axes @ _rotation(self._model, self._first)).reshape(-1, 9)
+        _put(self._model, data, shown, self._places.reshape(-1, 3), self._axes.reshape(-1, 3, 3))
 
 
 def _frame(ahead: Floats, normal: Floats) -> Floats:
@@ -168,13 +168,10 @@ def _frame(ahead: Floats, normal: Floats) -> Floats:
     return np.stack([x, np.cross(normal, x), normal], axis=1)
 
 
-def _put(model: mujoco.MjModel, data: mujoco.MjData, geom: int, position: Floats, frame: Floats) -> None:
-    """Place a mesh, whose own frame MuJoCo has turned to its axes of inertia."""
-    data.geom_xpos[geom] = position + frame @ model.geom_pos[geom]
-    data.geom_xmat[geom] = (frame @ _rotation(model, geom)).ravel()
-
-
-def _rotation(model: mujoco.MjModel, geom: int) -> Floats:
-    turned = np.empty(9)
-    mujoco.mju_quat2Mat(turned, model.geom_quat[geom])
-    return turned.reshape(3, 3)
+def _put(model: mujoco.MjModel, data: mujoco.MjData, geoms: slice, positions: Floats, frames: Floats) -> None:
+    """Place meshes, whose own frames MuJoCo has turned to their axes of inertia."""
+    data.geom_xpos[geoms] = positions + (frames @ model.geom_pos[geoms][:, :, None])[:, :, 0]
+    own = np.empty((geoms.stop - geoms.start, 9))
+    for row, quaternion in zip(own, model.geom_quat[geoms], strict=True):
+        mujoco.mju_quat2Mat(row, quaternion)
+    data.geom_xmat[geoms] = (frames @ own.reshape(-1, 3, 3)).reshape(-1, 9)

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.camera import Quality
+from jauspy_sim.models.decals import decals_of
 from jauspy_sim.rendering.rays import MAX_DISTANCE
 
 Vectors = NDArray[np.float64]
@@ -66,6 +67,7 @@ class Culling:
         has_material = model.geom_matid >= 0
         if has_material.any():
             alpha[has_material] = np.minimum(alpha, model.mat_rgba[model.geom_matid, 3])[has_material]
+        self._decals = decals_of(model)
         self._casts = (alpha >= 1.0) & (self._radii > SMALLEST) & ~_grounds(model)
 
     def hide_unseen(
@@ -98,8 +100,15 @@ class Culling:
         """Hide also shapes that cast no shadow."""
         self._model.geom_group[~self._casts] = HIDDEN
 
+    def hide_decals(self) -> None:
+        """Hide the shapes on the ground that are below the light of MuJoCo's own shadows.
+
+        It adds the light of the sun in a second pass, which reaches only what is nearest: not the ground below them.
+        """
+        self._model.geom_group[self._decals] = HIDDEN
+
     def show_all(self) -> None:
-        """Undo `hide_unseen`."""
+        """Show all shapes again."""
         self._model.geom_group[:] = self._groups
 
 
@@ -283,7 +292,9 @@ class GlRenderer:
             self._resize(width, height)
         half = self._spread, self._spread * height / width
         self._model.cam_fovy[self._view.fixedcamid] = math.degrees(2.0 * math.atan(half[1]))
-        if not self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW]:  # else what is not seen may cast a shadow
+        if self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW]:  # what is not seen may cast a shadow
+            self._culling.hide_decals()
+        else:
             right, up, back = data.cam_xmat[self._view.fixedcamid].reshape(3, 3).T
             axes = np.stack([-back, -right, up], axis=1)
             self._culling.hide_unseen(data, data.cam_xpos[self._view.fixedcamid], axes, half)

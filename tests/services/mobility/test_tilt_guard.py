@@ -11,6 +11,7 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose
 from jauspy.messages.core import QueryTime, RequestControl, Resume
 from jauspy.messages.mobility import (
+    QueryLocalVector,
     QueryTravelSpeed,
     QueryWrenchEffort,
     SetLocalVector,
@@ -118,6 +119,7 @@ def test_commands_that_are_repeated_move_it_only_after_letting_go(rig, drive, co
     drive.efforts.clear()
     repeat(rig, command, 3.0)
     assert all(effort == (0.0, 0.0) for effort in drive.efforts), "the stick is still held"
+    assert rig.ask(A, QueryLocalVector(0xFF)).speed == pytest.approx(0.0, abs=1e-3), "nothing is commanded"
     rig.tell(A, RequestControl(100))
     rig.run(1.6)
     repeat(rig, command, 0.5)

@@ -62,8 +62,8 @@ class VectorDriver(Driver):
         course = VectorCourse(
             self.heading_in_world(heading), vector.speed, chassis.max_turn_rate, chassis.min_turn_radius
         )
-        self.vehicle.pilot.follow(self, course)
         self._vector = vector
+        self.vehicle.pilot.follow(self, course)
 
     def drive_along_course(self, msg: SetGlobalVectorExt | SetLocalVectorExt) -> bool:
         """Follow the vector of a wide form; False, and counted, for a speed that is not one over ground."""
