@@ -12,11 +12,11 @@ import pytest
 from jauspy import sync
 from jauspy.backends.kinematic import KinematicRobot
 from jauspy.errors import ConfigError, RequestError
+from jauspy.ids import JausID
 from jauspy.messages.environment_sensing.v2_0.range_sensor import (
     ConfirmSensorConfiguration,
     SetRangeSensorConfiguration,
 )
-from jauspy.ids import JausID
 from jauspy.ocu import OCU, Robot
 from jauspy.platform.ranging import Scanner
 from jauspy.services.core import Events
