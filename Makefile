@@ -40,7 +40,7 @@ demo: setup
 	@$(BIN)/jauspy demo --port $(PORT) --world $(WORLD)
 
 cell: dev
-	$(BIN)/jauspy cell all --out cell_out $(CELL_ARGS)
+	$(BIN)/jauspy cell all --output cell_out $(CELL_ARGS)
 
 # the checks two at a time, and then the tests alone: some of them measure time
 test: dev

@@ -10,6 +10,7 @@ import dpkt
 import pytest
 from typer.testing import CliRunner
 
+from jauspy.capture import writer
 from jauspy.cli.main import app
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -203,6 +204,20 @@ def test_control_messages_of_the_junior_protocol_are_decoded(pack, text):
     data = pack(JausID(126, 1, 20)).hex()
     assert run(data).stdout == f"{text}, of the Junior local protocol (21 bytes)\n"
     assert objects(data)[0]["note"].startswith(text)
+
+
+def test_a_mirror_begins_with_registrations_and_not_with_undecoded_lines(tmp_path):
+    """On a network the same bytes are a packet with an old header, such as Shutdown."""
+    id = JausID(101, 1, 102)
+    local, remote = ("127.101.1.102", 3794), ("192.168.1.5", 3794)
+    rows = [(local, local, junior.accept(id)), (remote, local, bytes.fromhex(QUERY_STATUS))]
+    rows.append((remote, local, junior.accept(id)))
+    path = tmp_path / "mirror.pcapng"
+    path.write_bytes(writer.preamble() + b"".join(writer.packet(*row, number) for number, row in enumerate(rows)))
+    first, second, third = run(path).stdout.splitlines()
+    assert "Accept to 101.1.102, of the Junior local protocol" in first
+    assert "QueryStatus" in second
+    assert "not decoded" in third
 
 
 def test_truncated_capture_is_shown_and_fails(tmp_path):

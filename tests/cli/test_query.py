@@ -8,18 +8,19 @@ import pytest
 from typer.testing import CliRunner
 
 from jauspy.cli.main import app
-from jauspy.cli.query import _ask, repeated
+from jauspy.cli.query import _ask, _show_json, _show_yaml, repeated
 from jauspy.errors import ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryHeartbeatPulse
 from jauspy.messages.manipulator import QueryJointPositions
+from jauspy.messages.mobility import ReportLocalPose
 from jauspy.services.core import Liveness
 
 
 async def asked(network, id, message):
     ocu = network.ocu()
     async with ocu:
-        await _ask(ocu, id, message)
+        await _ask(ocu, id, message, _show_json, first=True)
 
 
 async def test_a_query_that_is_not_offered_says_so(virtual_network):
@@ -38,7 +39,7 @@ async def test_a_query_is_repeated_and_goes_on_after_a_missing_answer(virtual_ne
         times.append(clock())
         if len(times) == 2:
             raise ResponseTimeout("7.1.1 did not answer")
-        await _ask(ocu, JausID(7, 1, 1), QueryHeartbeatPulse(), first=first)
+        await _ask(ocu, JausID(7, 1, 1), QueryHeartbeatPulse(), _show_json, first=first)
 
     async with virtual_network.component("7.1.1", [Liveness()]):
         await repeated(ocu, ask, 0.5, 3)
@@ -46,6 +47,16 @@ async def test_a_query_is_repeated_and_goes_on_after_a_missing_answer(virtual_ne
     printed = capsys.readouterr()
     assert printed.out.count("ReportHeartbeatPulse") == 2
     assert "7.1.1 did not answer" in printed.err
+
+
+@pytest.mark.parametrize("show", [_show_json, _show_yaml])
+def test_a_zero_is_printed_as_zero(show, capsys):
+    pose = ReportLocalPose.decode(ReportLocalPose(x=0.0, yaw=0.5).encode())
+    assert pose.x == 2.3283064365386963e-05
+    show(pose, JausID(7, 1, 1), first=True)
+    printed = capsys.readouterr().out
+    assert ('"x": 0.0, "yaw": 0.5' if show is _show_json else "x: 0  # m\n") in printed
+    assert "e-05" not in printed
 
 
 def test_a_report_is_no_query():

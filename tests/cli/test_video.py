@@ -113,7 +113,7 @@ def test_unknown_sensor_is_an_error(robot):
         (["101.1.106", "--size", "641x480"], 1, "--size 641x480: JAUS has no such size for video; it has: 128x96,"),
         (["101.1.106", "--rate", "0"], 2, "--rate"),
         (["101.1.106", "--sdp", "/no/such/folder/x.sdp"], 1, "choose another file with --sdp"),
-        (["101.1.106", "--save", "x.mp4", "--show"], 2, "cannot be combined with --save"),
+        (["101.1.106", "--save", "x.mp4", "--show"], 2, "cannot be combined with --output"),
     ],
 )
 def test_wrong_usage_ends_with_status_2(arguments, status, said):

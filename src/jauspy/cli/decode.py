@@ -35,6 +35,7 @@ from jauspy.codec.rounding import rounded
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.printable import printable
+from jauspy.protocol import judp
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 from jauspy.schema import model
 
@@ -569,11 +570,18 @@ def _from_file(file: BufferedReader, name: str, options: DecodeOptions) -> Itera
 def _from_capture(reader: CaptureReader, options: DecodeOptions) -> Iterator[Item]:
     count = 0
     for count, datagram in enumerate(reader, 1):  # noqa: B007 - for the note below
-        yield Item(datagram.number, captured=datagram, dissection=options.datagram(datagram.payload))
+        control = local_control(datagram.payload) if _is_local(datagram) else None
+        yield Item(datagram.number, captured=datagram, dissection=control or options.datagram(datagram.payload))
     if not count and not reader.skipped:
         console.note("the capture has no packets")
     if reader.skipped:
         console.note("skipped: " + ", ".join(f"{count} {reason}" for reason, count in reader.skipped.items()))
+
+
+def _is_local(datagram: Datagram) -> bool:
+    """True for an answer of the node manager to a component of its machine, as its mirror writes it."""
+    host, port = datagram.source
+    return datagram.source == datagram.destination and host.startswith("127.") and port == judp.PORT
 
 
 def _from_hex(number: int, data: bytes, options: DecodeOptions) -> Item:

@@ -45,7 +45,7 @@ def demo(
         str, typer.Option("--world", metavar="NAME", help=f"{' or '.join(plan.PLANS)}: where, and what is grasped.")
     ] = DEFAULT_WORLD,
     output: Annotated[
-        Path, typer.Option("--output", metavar="DIR", help="Directory for videos, still, map, plot and summary.")
+        Path, typer.Option("-o", "--output", metavar="DIR", help="Directory for videos, still, map, plot and summary.")
     ] = Path("demo_out"),
     size: Annotated[str, typer.Option("--size", metavar="WxH", help="Size of the videos.")] = "640x480",
     plain: Annotated[

@@ -5,14 +5,16 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated, Final, Protocol
+from typing import Annotated, Any, Final, Protocol
 
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.text import Text
 
 from jauspy.cli import console
+from jauspy.cli.options import Json
 from jauspy.codec.message import counted
 from jauspy.errors import ConfigError, SchemaError
 from jauspy.fuzz.campaign import CHECK as IDENTITY, CampaignPlan, CampaignResult, fuzzer, run
@@ -45,13 +47,16 @@ def codec(
     ] = None,
     cases: Annotated[int, typer.Option("--cases", min=1, metavar="N", help="Number of cases.")] = 100_000,
     seed: Annotated[int, typer.Option("--seed", min=0, metavar="S", help="The same seed gives the same cases.")] = 0,
-    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where findings are saved.")] = Path("findings"),
+    output: Annotated[
+        Path, typer.Option("-o", "--output", "--out", metavar="DIR", help="Where findings are saved.")
+    ] = Path("findings"),
     message: Annotated[
         list[str] | None, typer.Option("--message", metavar="NAME", help="Only this message; may be repeated.")
     ] = None,
     sources: SchemasOption = None,
     package: PackageOption = None,
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, metavar="N", help="Processes to use.")] = 1,
+    as_json: Json = False,
 ) -> None:
     """Decode valid, random and damaged messages and check invariants.
 
@@ -81,12 +86,16 @@ def codec(
         with _progress(plan) as show:
             outcome = run(plan, show)
     for finding in sorted(outcome.findings.values(), key=lambda finding: finding.case):
+        if as_json:
+            console.print_json(_object(finding) | {"file": str(finding.save(output))})
+            continue
         _print(finding)
-        again = [str(finding.save(out)), *(f"--schemas {source}" for source in sources or ())]
+        again = [str(finding.save(output)), *(f"--schemas {source}" for source in sources or ())]
         again += [f"--package {package}"] if package else []
         console.print_lines(f"  jauspy fuzz replay {' '.join(again)}")
     found = counted(len(outcome.findings), "finding") if outcome.findings else "nothing found"
-    console.print_lines(f"{outcome.cases} cases from {outcome.seeds} seeds of {outcome.messages} messages: {found}")
+    summary = f"{outcome.cases} cases from {outcome.seeds} seeds of {outcome.messages} messages: {found}"
+    (console.note if as_json else console.print_lines)(summary)
     if outcome.findings:
         raise typer.Exit(1)
 
@@ -104,6 +113,7 @@ def replay(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A finding that was saved.")],
     sources: SchemasOption = None,
     package: PackageOption = None,
+    as_json: Json = False,
 ) -> None:
     """Check the bytes of a saved finding again.
 
@@ -117,10 +127,14 @@ def replay(
         only = () if finding.check == IDENTITY else (finding.message,)
         plan = CampaignPlan(0, finding.seed, only=only, own=tuple(sources or ()), package=package or "")
         again = fuzzer(plan).replay(finding)
-    if again is None:
+    if as_json:
+        console.print_json(_object(again or finding) | {"reproduced": again is not None})
+    elif again is None:
         console.print_lines(f"{finding.cause}: not reproduced")
+    else:
+        _print(again)
+    if again is None:
         return
-    _print(again)
     raise typer.Exit(1)
 
 
@@ -132,6 +146,10 @@ def _usage_errors() -> Iterator[None]:
     except (ConfigError, SchemaError) as error:
         console.error(str(error))
         raise typer.Exit(2) from None
+
+
+def _object(finding: FuzzFinding) -> dict[str, Any]:
+    return {"cause": finding.cause, **asdict(finding)}
 
 
 def _print(finding: FuzzFinding) -> None:

@@ -23,7 +23,10 @@ if TYPE_CHECKING:
 
 def map_robot(
     *,
-    output: Annotated[Path, typer.Argument(metavar="OUT", help="Where to write OUT.pgm and OUT.yaml.")],
+    where: Annotated[
+        Path | None, typer.Argument(metavar="[OUT]", help="Where to write OUT.pgm and OUT.yaml.", show_default=False)
+    ] = None,
+    output: Annotated[Path | None, typer.Option("-o", "--output", metavar="OUT", help="The same as an option.")] = None,
     subsystem: Annotated[
         int, typer.Option("--robot", metavar="SUBSYSTEM", min=1, max=65534, help="The robot's subsystem id.")
     ] = 101,
@@ -48,15 +51,19 @@ def map_robot(
     Example:
       jauspy map yard --seconds 60
     """
+    if (where is None) == (output is None):
+        raise typer.BadParameter("give OUT once: where to write OUT.pgm and OUT.yaml", param_hint="OUT")
+    path = output or where
+    assert path is not None
     if find_spec("numpy") is None:
         raise ConfigError("maps need numpy: pip install 'jauspy[map]'")
-    if not output.absolute().parent.is_dir():
-        raise ConfigError(f"{output}: the directory {output.absolute().parent} does not exist")
+    if not path.absolute().parent.is_dir():
+        raise ConfigError(f"{path}: the directory {path.absolute().parent} does not exist")
     from jauspy.mapping.grid import OccupancyGrid
 
     grid = OccupancyGrid(size, resolution)
     ocu = client.make_ocu(own_id, connect, timeout)
-    run(_map(ocu, (subsystem, sensor), grid, output, seconds))
+    run(_map(ocu, (subsystem, sensor), grid, path, seconds))
 
 
 async def _map(ocu: OCU, which: tuple[int, int], grid: OccupancyGrid, output: Path, seconds: float | None) -> None:

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from jauspy.cli import client, console
-from jauspy.cli.options import Connect, OperatorKey, OwnId, WithParent
+from jauspy.cli.options import Connect, Json, OperatorKey, OwnId, WithParent
 from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, run
 from jauspy.errors import ConfigError
 from jauspy.ocu import OCU
@@ -237,10 +237,14 @@ def remove(
 
 
 @user_app.command("ls")
-def ls(*, users: UsersFile = USERS_FILE) -> None:
+def ls(*, users: UsersFile = USERS_FILE, as_json: Json = False) -> None:
     """List the users with their roles and authorities."""
     from jauspy.console.users import Users
 
+    if as_json:
+        for user in Users(users):
+            console.print_json({"name": user.name, "role": user.role, "authority": user.authority})
+        return
     console.print_table(
         ("NAME", "ROLE", "AUTHORITY"), [(each.name, each.role, str(each.authority)) for each in Users(users)]
     )
@@ -250,7 +254,7 @@ def ls(*, users: UsersFile = USERS_FILE) -> None:
 def make_certificate(
     names: Annotated[list[str], typer.Argument(metavar="HOST...", help="Names and addresses of this machine.")],
     *,
-    output: Annotated[Path, typer.Option("--output", "-o", metavar="FILE", help="The certificate.")] = CERTIFICATE_FILE,
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="The certificate.")] = CERTIFICATE_FILE,
     key: Annotated[Path, typer.Option("--key", metavar="FILE", help="The private key of the certificate.")] = KEY_FILE,
 ) -> None:
     """Make a self-signed certificate that is valid for a year. Browsers warn about it once; compare the fingerprint.

@@ -5,15 +5,19 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
 from jauspy.cli import console
+from jauspy.cli.options import Json
 from jauspy.errors import ConfigError
 from jauspy.ocu.sealing import load_key
 from jauspy.printable import printable
 from jauspy.protocol.seal import OperatorKey
+
+if TYPE_CHECKING:
+    from jauspy.robot.audit import AuditReport
 
 _NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,64}")
 Role = Annotated[
@@ -89,6 +93,7 @@ def audit(
         Path | None,
         typer.Option("--operators", metavar="FILE", help="The operators file, to verify the signatures of commands."),
     ] = None,
+    as_json: Json = False,
 ) -> None:
     """Verify an audit log: name the first line that was changed or removed, or cut off at the end.
 
@@ -102,16 +107,37 @@ def audit(
 
     anchors = [log.Head.parse(each) for each in head or ()]
     report = log.verify(path, anchors, file.load(operators) if operators is not None else (), heads)
+    if as_json:
+        console.print_json(_object(path, report))
+    else:
+        _print(path, report, signed=operators is not None)
+    if report.problem:
+        raise ConfigError(f"{path}: {report.problem}")
+
+
+def _object(path: Path, report: AuditReport) -> dict[str, Any]:
+    return {
+        "file": str(path),
+        "lines": report.head.number,
+        "commands": dict(report.commands.most_common()),
+        "refused": report.refused,
+        "verified": report.verified,
+        "unverifiable": report.unverifiable,
+        "not_recorded": report.not_recorded,
+        "head": str(report.head),
+        "problem": report.problem or None,
+    }
+
+
+def _print(path: Path, report: AuditReport, *, signed: bool) -> None:
     commands = ", ".join(f"{number} of {printable(name)}" for name, number in report.commands.most_common())
     console.print_lines(f"{path}: {report.head.number} lines; commands: {commands or 'none'}; {report.refused} refused")
-    if operators is not None:
+    if signed:
         too_long = f"; {report.unverifiable} are not known, of long commands" if report.unverifiable else ""
         console.print_lines(f"signatures: {report.verified} verified{too_long}")
     if report.not_recorded:
         console.print_lines(f"not recorded: {report.not_recorded}, since they were too many or the disk too slow")
     console.print_lines(f"head: {report.head}")
-    if report.problem:
-        raise ConfigError(f"{path}: {report.problem}")
 
 
 def _lines(name: str, role: str, key: OperatorKey) -> tuple[str, ...]:

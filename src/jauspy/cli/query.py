@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import itertools
 from collections.abc import Awaitable, Callable
-from typing import Annotated, Final
+from typing import Annotated, Final, Protocol
 
 import typer
 from rich.text import Text
@@ -13,7 +13,7 @@ from rich.text import Text
 from jauspy.cli import client, console
 from jauspy.cli.definitions import SchemasOption, ServiceName, ServiceVersion, definitions
 from jauspy.cli.fields import message_from
-from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, Json, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.render import field_lines
 from jauspy.codec.layout import Composite
@@ -61,14 +61,15 @@ def query(
         int | None, typer.Option("--count", min=1, metavar="N", help="With --every: end after this many queries.")
     ] = None,
     timeout: Timeout = 2.0,
+    as_json: Json = False,
 ) -> None:
     """Query a component and print its answer.
 
-    The answer is YAML on a terminal and one JSON object per line in a pipe. For an id with wildcards, as in 101.1.255,
-    all answers within the timeout are printed. Without a presence vector, every field is requested. Lengths are in
-    metres, angles in radians, times in seconds. Poses and velocities of messages have the axes of JAUS: x forward, y
-    right, z down; `jauspy tf` shows poses with y to the left (REP-103). With --every, a missing answer is noted on
-    stderr, and the next query is sent all the same.
+    The answer is YAML on a terminal, and one JSON object per line in a pipe or with --json. For an id with wildcards,
+    as in 101.1.255, all answers within the timeout are printed. Without a presence vector, every field is requested.
+    Lengths are in metres, angles in radians, times in seconds. Poses and velocities of messages have the axes of JAUS:
+    x forward, y right, z down; `jauspy tf` shows poses with y to the left (REP-103). With --every, a missing answer is
+    noted on stderr, and the next query is sent all the same.
 
     Examples:
       jauspy query 101.1.102 QueryStatus
@@ -86,12 +87,13 @@ def query(
     if count is not None and every is None:
         raise typer.BadParameter("it requires --every", param_hint="--count")
     ocu = client.make_ocu(own_id, connect, timeout, known.registry)
+    show = _show_json if as_json or not console.is_terminal() else _show_yaml
 
     async def ask(first: bool) -> None:
         if to.is_wildcard:
-            await _ask_all(ocu, to, query_message, timeout, first=first)
+            await _ask_all(ocu, to, query_message, timeout, show, first=first)
         else:
-            await _ask(ocu, to, query_message, first=first)
+            await _ask(ocu, to, query_message, show, first=first)
 
     run(repeated(ocu, ask, every, count))
 
@@ -125,7 +127,7 @@ async def repeated(ocu: OCU, ask: Callable[[bool], Awaitable[None]], every: floa
                 console.note(str(error))
 
 
-async def _ask(ocu: OCU, to: JausID, query_message: Message, *, first: bool = True) -> None:
+async def _ask(ocu: OCU, to: JausID, query_message: Message, show: Show, *, first: bool) -> None:
     """Print the answer of one component."""
     try:
         answer = await ocu.query(to, query_message)
@@ -134,32 +136,39 @@ async def _ask(ocu: OCU, to: JausID, query_message: Message, *, first: bool = Tr
         if reason and not reason.startswith(f"{to} does not answer"):
             raise ResponseTimeout(f"{query_message.NAME} was not answered: {reason}") from error
         raise
-    _show(answer, to, first=first)
+    show(answer, to, first=first)
 
 
-async def _ask_all(ocu: OCU, to: JausID, query_message: Message, max_wait: float, *, first: bool = True) -> None:
+async def _ask_all(ocu: OCU, to: JausID, query_message: Message, max_wait: float, show: Show, *, first: bool) -> None:
     """Print all answers as they arrive."""
     count = 0
     async for source, answer in ocu.query_each(to, query_message, within=max_wait):
-        _show(answer, source, first=first and not count)
+        show(answer, source, first=first and not count)
         count += 1
     if not count:
         raise ResponseTimeout(f"no component of {to} answered {query_message.NAME} within {max_wait:g} s")
 
 
-def _show(answer: Message, source: JausID, *, first: bool = True) -> None:
+class Show(Protocol):
+    """Prints answers."""
 
-    if not console.is_terminal():
-        shown = {
-            "source": str(source),
-            "message": answer.NAME,
-            "code": f"{answer.CODE:04X}",
-            "fields": rounded(answer).to_dict(),
-        }
-        if has_axes(answer):
-            shown["axes"] = "JAUS"
-        console.print_json(shown)
-        return
+    def __call__(self, answer: Message, source: JausID, *, first: bool) -> None:
+        """Print an answer; `first` is true for the first one."""
+
+
+def _show_json(answer: Message, source: JausID, *, first: bool) -> None:  # noqa: ARG001 - of `Show`
+    shown = {
+        "source": str(source),
+        "message": answer.NAME,
+        "code": f"{answer.CODE:04X}",
+        "fields": rounded(answer).to_dict(),
+    }
+    if has_axes(answer):
+        shown["axes"] = "JAUS"
+    console.print_json(shown)
+
+
+def _show_yaml(answer: Message, source: JausID, *, first: bool) -> None:
     if not first:
         console.stdout().print(Text("---", style="dim"))
     axes = "; axes of JAUS: x forward, y right, z down" if has_axes(answer) else ""

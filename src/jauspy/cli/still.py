@@ -20,7 +20,9 @@ from jauspy.ocu.stills import LARGE_IMAGE_DELIVERY
 def still(
     *,
     camera: Annotated[str, typer.Argument(metavar="ID", help="The component of the camera, as in 101.1.106.")],
-    save: Annotated[Path, typer.Option("--save", metavar="FILE", help="The file: .jpg, .jpeg or .png.")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", "--save", metavar="FILE", help="The file: .jpg, .jpeg or .png.")
+    ],
     size: Annotated[
         str | None,
         typer.Option(
@@ -39,15 +41,15 @@ def still(
     taken, the settings are changed for this picture, and restored.
 
     Examples:
-      jauspy still 101.1.106 --save arm.jpg
-      jauspy still 101.1.107 --save front.png --size 1280x720
+      jauspy still 101.1.106 -o arm.jpg
+      jauspy still 101.1.107 -o front.png --size 1280x720
     """
     component = client.destination(camera)
     if component.is_wildcard:
         raise ConfigError(f"{component} has wildcards; name one component")
-    wanted = size_of(size), format_of(save)
+    wanted = size_of(size), format_of(output)
     ocu = OCU(client.own_id(own_id, connect), connect, delivery=LARGE_IMAGE_DELIVERY, operator=operator_key)
-    run(take_picture(ocu, component, sensor, *wanted, file=save, max_wait=timeout))
+    run(take_picture(ocu, component, sensor, *wanted, file=output, max_wait=timeout))
 
 
 FORMATS: Final = {".jpg": "jpeg", ".jpeg": "jpeg", ".png": "png"}

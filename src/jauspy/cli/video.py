@@ -63,8 +63,11 @@ def video(
     sdp: Annotated[
         Path | None, typer.Option("--sdp", metavar="FILE", help="Description for players.  [default: ID.sdp]")
     ] = None,
-    save: Annotated[
-        Path | None, typer.Option("--save", metavar="FILE", help="Record to this file, .mp4 or .mkv, without a player.")
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", "--output", "--save", metavar="FILE", help="Record to this file, .mp4 or .mkv, without a player."
+        ),
     ] = None,
     show: Annotated[bool, typer.Option("--show", help="Open a window with ffplay.")] = False,
     size: Annotated[
@@ -89,7 +92,7 @@ def video(
         typer.Option(
             "--seconds",
             min=0.1,
-            help="End after this time, with --save after the first picture. Default: until Ctrl-C.",
+            help="End after this time, with --output after the first picture. Default: until Ctrl-C.",
         ),
     ] = None,
     connect: Connect = None,
@@ -100,25 +103,25 @@ def video(
     """Request the video of a camera, and print commands that show it; or record it.
 
     The camera sends H.264 in RTP until this command ends. The commands of ffplay, GStreamer and VLC that show the video
-    are printed. With --save the stream is recorded without re-encoding. --size, --rate and --bitrate take control of
+    are printed. With --output the stream is recorded without re-encoding. --size, --rate and --bitrate take control of
     the camera for a moment; they apply to all who watch it, and stay.
 
     Examples:
       jauspy video 101.1.106
       jauspy video 101.1.106 --size 1280x720 --rate 10 --bitrate 3000
-      jauspy video 101.1.107 --save front.mp4 --seconds 30
+      jauspy video 101.1.107 -o front.mp4 --seconds 30
       jauspy video 101.1.106 --to 192.168.1.20:5004 --show
     """
     component = client.destination(camera)
     if component.is_wildcard:
         raise ConfigError(f"{component} has wildcards; name one component")
-    if save is not None and show:
-        raise typer.BadParameter("it cannot be combined with --save: a port has one receiver", param_hint="--show")
+    if output is not None and show:
+        raise typer.BadParameter("it cannot be combined with --output: a port has one receiver", param_hint="--show")
     given = None if to is None else parse_rtp_url(f"rtp://{to}")
     settings = StreamSettings(known_size(size_of(size)), rate, bit_rate)
     ocu = client.make_ocu(own_id, connect, timeout, operator=operator_key)
-    if save is not None:
-        run(record(ocu, component, sensor, given, settings, file=save, seconds=seconds))
+    if output is not None:
+        run(record(ocu, component, sensor, given, settings, file=output, seconds=seconds))
         return
     file = sdp or Path(f"{component}.sdp")
     check_writable(file)

@@ -20,7 +20,9 @@ Record = Annotated[
 View = Annotated[
     bool, typer.Option("--view", help="Show the task in MuJoCo's window, no faster than the clock; needs a display.")
 ]
-Out = Annotated[Path, typer.Option("--out", metavar="DIR", help="Directory of plots, films and results.")]
+Out = Annotated[
+    Path, typer.Option("-o", "--output", "--out", metavar="DIR", help="Directory of plots, films and results.")
+]
 Jobs = Annotated[
     int | None, typer.Option("--jobs", "-j", min=1, metavar="N", help="Parallel processes. Default: one per core.")
 ]

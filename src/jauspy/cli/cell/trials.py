@@ -12,6 +12,7 @@ import typer
 
 from jauspy.cli import console
 from jauspy.cli.cell.options import OUTPUT, Exact, Jobs, Out, Seeds, check_extra
+from jauspy.cli.options import Json
 
 if TYPE_CHECKING:
     from jauspy.cell.measurements import Measured
@@ -47,6 +48,7 @@ def trials(
         float, typer.Option("--need", min=0.0, max=1.0, help="Exit status 1 when the rate of success is below this.")
     ] = 0.95,
     out: Out = OUTPUT,
+    as_json: Json = False,
 ) -> None:
     """Run a task with many seeds, and report how often it succeeds.
 
@@ -74,7 +76,10 @@ def trials(
     summary = summarised(found)
     path.write_text(json.dumps([asdict(each) for each in found], indent=1))
     plot_trials(found, summary, out / f"trials-{task}.svg")
-    console.stdout(140).print(trials_table(summary, found))
+    if as_json:
+        console.print_json(asdict(summary))
+    else:
+        console.stdout(140).print(trials_table(summary, found))
     if summary.rate < need:
         raise typer.Exit(1)
 
@@ -82,16 +87,14 @@ def trials(
 WAYS = {"kitting": "UR10 alone", "kitting-arm": "UR10 with a modular arm"}
 
 
-def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT) -> None:
+def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT, as_json: Json = False) -> None:
     """Fill kitting orders with the UR10 alone and with an arm that it built, scored as in ARIAC 2018.
 
     Each order has two products from the bins and two boxes from the belt, at drawn poses on a tray. Prints score and
     time of both ways, and the number of orders from which building the arm saves time.
     """
     check_extra()
-    from rich.table import Table
-
-    from jauspy.cell.trials import mean_of, run_trials
+    from jauspy.cell.trials import run_trials
 
     out.mkdir(parents=True, exist_ok=True)
     results: dict[str, list[Measured]] = {}
@@ -100,6 +103,19 @@ def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT) -> None:
         for each in with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)):
             results[task].append(each)
             (out / f"{task}.json").write_text(json.dumps([asdict(every) for every in results[task]], indent=1))
+    if as_json:
+        console.print_json({task: [asdict(each) for each in found] for task, found in results.items()})
+    else:
+        _print_orders(seeds, results)
+    if not all(each.success for found in results.values() for each in found):
+        raise typer.Exit(1)
+
+
+def _print_orders(seeds: int, results: dict[str, list[Measured]]) -> None:
+    from rich.table import Table
+
+    from jauspy.cell.trials import mean_of
+
     table = Table(title=f"{seeds} orders", title_justify="left")
     for heading in ("way", "runs", "score", "of", "time of an order, s", "building, s", "largest error, mm"):
         table.add_column(heading)
@@ -109,8 +125,6 @@ def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT) -> None:
         table.add_row(way, f"{len(found)} of {seeds}", *figures, f"{1000 * mean_of(found, 'largest_error'):.1f}")
     console.stdout(140).print(table)
     console.print_lines(break_even(results["kitting"], results["kitting-arm"]))
-    if not all(each.success for found in results.values() for each in found):
-        raise typer.Exit(1)
 
 
 def break_even(alone: list[Measured], both: list[Measured]) -> str:

@@ -11,6 +11,7 @@ import typer
 
 from jauspy.cli import console
 from jauspy.cli.new import write_new
+from jauspy.cli.options import Json
 from jauspy.errors import ConfigError
 
 COMPANIONS: Final = {"backend.py": ("tracked.toml", "tracked.urdf"), "own_service.py": ("winch.xml",)}
@@ -26,6 +27,7 @@ def example(
     output: Annotated[
         Path, typer.Option("-o", "--output", metavar="DIR", help="Where to write it. Default: the current directory.")
     ] = Path(),
+    as_json: Json = False,
 ) -> None:
     """Write an example program to begin with, or list the examples.
 
@@ -34,7 +36,11 @@ def example(
     examples = _examples()
     if name is None:
         width = max(map(len, examples))
-        console.print_lines(*(f"{stem:{width}}  {_title(path)}" for stem, path in examples.items()))
+        for stem, program in examples.items():
+            if as_json:
+                console.print_json({"name": stem, "title": _title(program)})
+            else:
+                console.print_lines(f"{stem:{width}}  {_title(program)}")
         return
     path = examples.get(name) or examples.get(Path(name).stem)
     if path is None:
