@@ -243,8 +243,10 @@ def test_what_is_left_out_is_told_once(
     monkeypatch.chdir(tmp_path)
     lacking()
     CliRunner().invoke(app, ["new", "robot", "rover.urdf.xacro", "--skip-missing-packages", "--placeholder-meshes"])
-    left_out, replaced = [text for text in caplog.messages if "rover.urdf.xacro" in text]
-    assert "includes: package://lidar/lidar.xacro (rover.urdf.xacro:1); macros: lidar (rover.urdf.xacro:1)" in left_out
+    packages, includes, macros, replaced = [text for text in caplog.messages if "rover.urdf.xacro" in text]
+    assert "packages that are not found: lidar, looks" in packages
+    assert "left out includes: package://lidar/lidar.xacro (rover.urdf.xacro:1)" in includes
+    assert "left out macros: lidar (rover.urdf.xacro:1)" in macros
     assert "replaced by a box of 0.1 m (a texture by none): package://looks/body.dae" in replaced
 
 
