@@ -55,6 +55,8 @@ REFUSED: Final = {
     "video_targets": ['video_targets = ["224.0.0.0/4"]', 'video_targets = ["0.0.0.0"]'],
     "xacro_arguments": ['urdf = "args.xacro"\nxacro_arguments = {{ file = "{secret}" }}'],
     "package_path": ['urdf = "found.xacro"\npackage_path = ["{home}", "/"]'],
+    "skip_missing_packages": ['urdf = "found.xacro"\npackage_path = ["/"]\nskip_missing_packages = true'],
+    "placeholder_meshes": ['urdf = "mesh.urdf"\nplaceholder_meshes = true'],
 }
 """By key: values that are refused in one sentence. Robots' files have no others that name something outside."""
 SAID: Final = {
@@ -69,6 +71,8 @@ SAID: Final = {
     "modules.announce_to": "announce_to",
     "xacro_arguments": "is not read, because",
     "package_path": "is not read, because",
+    "skip_missing_packages": "is not read, because",
+    "placeholder_meshes": "is not read, because",
 }
 """What the refusal has; else the key."""
 HARMLESS: Final = {"world", "model_path"}
@@ -86,6 +90,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">{}<link name="${{xacro.load_yaml({})}}"/></robot>'
     )
     (folder / "args.xacro").write_text(reading.format('<xacro:arg name="file" default=""/>', "'$(arg file)'"))
+    mesh = '<visual><geometry><mesh filename="../secret"/></geometry></visual>'
+    (folder / "mesh.urdf").write_text(f'<robot name="it"><link name="l">{mesh}</link></robot>')
     (folder / "found.xacro").write_text(reading.format("", "'$(find home)/secret'"))
     monkeypatch.setenv("HOME", str(folder.parent))
     return folder

@@ -207,3 +207,71 @@ def test_wrong_limits_are_named(written: Path, limits: str, said: str) -> None:
     written.write_text(f"{written.read_text()}\n{limits}\n")
     with pytest.raises(ConfigError, match=said):
         robot_files.robot_model(robot_files.load(written))
+
+
+def lacking(name: str = "rover.urdf.xacro") -> None:
+    """The rover with a mesh and a package that are missing."""
+    head = '<robot name="rover" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    include = '<xacro:include filename="$(find lidar)/lidar.xacro"/><xacro:lidar parent="body"/>'
+    mesh = '<visual><geometry><mesh filename="package://looks/body.dae"/></geometry></visual>'
+    text = rover().replace('<robot name="rover">', f"{head}{include}")
+    Path(name).write_text(text.replace('<link name="body">', f'<link name="body">{mesh}'))
+
+
+def test_a_robot_with_missing_parts_runs_without_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    lacking()
+    done = CliRunner().invoke(app, ["new", "robot", "rover.urdf.xacro"])
+    said = done.output + str(done.exception)
+    assert "rover.urdf.xacro: 2 parts are missing:" in said
+    assert "rover.urdf.xacro:1: <xacro:include>: package://lidar/lidar.xacro" in said
+    assert "<mesh>: package://looks/body.dae" in said
+    assert not Path("rover.toml").exists()
+    options = ["--skip-missing-packages", "--placeholder-meshes"]
+    done = CliRunner().invoke(app, ["new", "robot", "rover.urdf.xacro", *options])
+    assert done.exit_code == 0, done.output
+    data = tomllib.loads(Path("rover.toml").read_text())
+    assert (data["skip_missing_packages"], data["placeholder_meshes"]) == (True, True)
+    model = robot_files.robot_model(robot_files.load(Path("rover.toml")))
+    assert model.wheels is not None
+    assert '<box size="0.1 0.1 0.1"' in model.description.urdf
+
+
+def test_what_is_left_out_is_told_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    lacking()
+    CliRunner().invoke(app, ["new", "robot", "rover.urdf.xacro", "--skip-missing-packages", "--placeholder-meshes"])
+    packages, includes, macros, replaced = [text for text in caplog.messages if "rover.urdf.xacro" in text]
+    assert "packages that are not found: lidar, looks" in packages
+    assert "left out includes: package://lidar/lidar.xacro (rover.urdf.xacro:1)" in includes
+    assert "left out macros: lidar (rover.urdf.xacro:1)" in macros
+    assert "replaced by a box of 0.1 m (a texture by none): package://looks/body.dae" in replaced
+
+
+def test_the_urdf_is_expanded_only(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    lacking()
+    expanding = ["new", "robot", "rover.urdf.xacro", "--skip-missing-packages", "--expand-only"]
+    done = CliRunner().invoke(app, expanding)
+    assert done.exit_code == 0, done.output
+    assert '  <link name="body">\n' in done.stdout
+    assert '<mesh filename="package://looks/body.dae"/>' in done.stdout
+    assert not Path("rover.toml").exists()
+    done = CliRunner().invoke(app, [*expanding, "-o", "expanded.urdf"])
+    assert done.exit_code == 0, done.output
+    assert '<link name="body">' in Path("expanded.urdf").read_text()
+    done = CliRunner().invoke(app, [*expanding, "-o", "expanded.urdf"])
+    assert "expanded.urdf exists; remove it" in done.output + str(done.exception)
+
+
+def test_the_text_of_an_expanded_urdf_is_data(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Control characters of 8 bits, directions, and tabs in a text."""
+    monkeypatch.chdir(tmp_path)
+    Path("it.urdf").write_text('<robot name="it"><link name="\u009b2J\u202e"/><gazebo>\t\u009b2J</gazebo></robot>')
+    done = CliRunner().invoke(app, ["new", "robot", "it.urdf", "--expand-only"])
+    assert done.exit_code == 0, done.output
+    assert done.stdout.isascii()
+    assert "&#155;2J&#8238;" in done.stdout
+    assert done.stdout.replace("\n", "").isprintable()

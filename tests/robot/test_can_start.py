@@ -152,6 +152,17 @@ async def test_a_program_that_is_held_up_again_is_a_failure_with_the_reason(star
         assert states(start) <= POWERED
 
 
+async def test_a_drive_that_fails_when_all_are_enabled_is_a_failure(start: Start) -> None:
+    def before_cycle(start: Start) -> None:
+        if start.robot.master.running and start.robot.fleet is not None:
+            start.robot.fleet.drives["arm_2"].fail(0x2310, 2)
+
+    start.before_cycle = before_cycle
+    async with start.runner() as runner:
+        await asyncio.sleep(0.2)
+        assert "drive 'arm_2' (node 5), which moves" in runner.faults["101.1.104"]
+
+
 async def test_a_drive_that_cannot_be_enabled_ends_the_start(start: Start, caplog: pytest.LogCaptureFixture) -> None:
     def before_cycle(start: Start) -> None:
         if start.robot.master._phase is Phase.ENABLING and start.robot.fleet is not None:

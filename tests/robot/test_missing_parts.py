@@ -102,18 +102,35 @@ def test_what_is_missing_is_left_out_with_all_that_needs_it(urdf: Path) -> None:
     rover = read(urdf, BOTH, told)
     assert rover.links() == {"base", "mast"}
     assert set(rover.joints) == {"base_to_mast"}
-    left_out, replaced = told
-    assert left_out == (
-        f"{urdf}: packages are missing (lidar_description, optional_things, mount_description, camera), so this is "
-        "left out: includes: package://lidar_description/lidar.xacro (rover.urdf.xacro:3), "
-        "no_such_file.xacro (mount.xacro:3), package://optional_things/it.xacro (mount.xacro:4); "
-        "macros: lidar (rover.urdf.xacro:8); joints: lidar_to_cap, base_to_lidar, cap_to_cover; links: cap, cover"
-    )
-    assert replaced == (
-        f"{urdf}: missing, and replaced by a box of 0.1 m (a texture by none): "
-        "package://rover/meshes/base.stl (rover.urdf.xacro:5), package://camera/lens.dae (rover.urdf.xacro:6), "
-        "package://mount_description/plate.stl (mount.xacro:6), wood.png (mount.xacro:7)"
-    )
+    assert told == [
+        f"{urdf.name}: {text}"
+        for text in (
+            "packages that are not found: lidar_description, optional_things, mount_description, camera",
+            (
+                "left out includes: package://lidar_description/lidar.xacro (rover.urdf.xacro:3), no_such_file.xacro "
+                "(mount.xacro:3), package://optional_things/it.xacro (mount.xacro:4)"
+            ),
+            "left out macros: lidar (rover.urdf.xacro:8)",
+            "left out joints: lidar_to_cap, base_to_lidar, cap_to_cover",
+            "left out links: cap, cover",
+            (
+                "missing, and replaced by a box of 0.1 m (a texture by none): package://rover/meshes/base.stl "
+                "(rover.urdf.xacro:5), package://camera/lens.dae (rover.urdf.xacro:6), "
+                "package://mount_description/plate.stl (mount.xacro:6), wood.png (mount.xacro:7)"
+            ),
+        )
+    ]
+
+
+def test_long_lists_are_told_in_lines_of_the_log(tmp_path: Path) -> None:
+    path = tmp_path / "it.urdf"
+    meshes = "".join(f'<mesh filename="{"x" * 100}{number}.stl"/>' for number in range(100))
+    path.write_text(f'<robot name="it"><link name="a"><visual><geometry>{meshes}</geometry></visual></link></robot>')
+    told: list[str] = []
+    read(path, BOXES, told)
+    assert all(len(line) < 1000 for line in told)
+    assert "x49.stl" in told[-1]
+    assert told[-1].endswith(", and more")
 
 
 def test_a_box_takes_the_place_of_each_missing_mesh(urdf: Path) -> None:
@@ -173,7 +190,7 @@ def test_texts_that_name_missing_packages_are_kept(tmp_path: Path) -> None:
     path.write_text(f'{HEAD}<gazebo><p>$(find lidar)/it.yaml</p></gazebo><link name="a"/></robot>')
     told: list[str] = []
     assert "<p" in read(path, SKIP, told).urdf
-    assert told == [f"{path}: packages are missing (lidar), so this is left out: nothing"]
+    assert told == ["it.xacro: packages that are not found: lidar"]
 
 
 def test_where_reading_stops_is_said(tmp_path: Path) -> None:
@@ -183,9 +200,9 @@ def test_where_reading_stops_is_said(tmp_path: Path) -> None:
     _, include, stop, *_ = refusal(path)
     assert "it.xacro:2: <xacro:include>: package://lidar/it.xacro" in include
     assert "perhaps more, since it could be read to here only: it.xacro:3: 'height' is not defined" in stop
-    first, left_out = refusal(path, SKIP)
+    first, _, left_out = refusal(path, SKIP)
     assert "'height' is not defined" in first
-    assert "packages are missing (lidar), so this is left out: includes: package://lidar/it.xacro" in left_out
+    assert left_out.strip() == "it.xacro: left out includes: package://lidar/it.xacro (it.xacro:2)"
 
 
 def test_macros_by_name_and_in_namespaces(tmp_path: Path) -> None:
@@ -196,8 +213,10 @@ def test_macros_by_name_and_in_namespaces(tmp_path: Path) -> None:
     )
     told: list[str] = []
     read(path, SKIP, told)
-    assert "files are missing, so this is left out: includes: none.xacro" in told[0]
-    assert "macros: lidar (it.xacro:2), parts.lidar (it.xacro:2)" in told[0]
+    assert told == [
+        "it.xacro: left out includes: none.xacro (it.xacro:2)",
+        "it.xacro: left out macros: lidar (it.xacro:2), parts.lidar (it.xacro:2)",
+    ]
 
 
 def test_the_choice_is_in_the_robots_file(urdf: Path, tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
@@ -210,7 +229,8 @@ def test_the_choice_is_in_the_robots_file(urdf: Path, tmp_path: Path, caplog: py
     path.write_text(f"skip_missing_packages = true\nplaceholder_meshes = true\n{text}")
     with caplog.at_level(logging.WARNING):
         assert robot_model(load(path)).description.links() == {"base", "mast"}
-    assert [record.levelname for record in caplog.records] == ["WARNING", "WARNING"]
+    assert {record.levelname for record in caplog.records} == {"WARNING"}
+    assert "rover.urdf.xacro: left out macros: lidar (rover.urdf.xacro:8)" in caplog.messages
 
 
 def test_expanded_urdf(urdf: Path, tmp_path: Path) -> None:

@@ -146,6 +146,15 @@ def test_motors_are_enabled_by_the_robots_thread_before_its_next_step(fake_robot
     assert not runner.faults
 
 
+def test_motors_are_not_enabled_if_the_start_was_cancelled(fake_robot):
+    enabled = []
+    runner = RealTime(fake_robot, step=0.002)
+    assert runner.enable(lambda: enabled.append(1)).cancel()
+    with runner:
+        fake_robot.wait_for_steps(2)
+    assert not enabled
+
+
 def test_motors_that_cannot_be_enabled(fake_robot, caplog):
     def refuse():
         raise ConfigError("no drive answers")

@@ -6,7 +6,7 @@ Packages of accessories that are not installed are what is missing most often.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -23,7 +23,7 @@ MAX_PACKAGES: Final = 32
 """Packages that are missing: each is searched for in thousands of directories."""
 
 MAX_LISTED: Final = 50
-"""Lines of an error; parts of one kind in a line of the log."""
+"""Lines of an error; parts of one kind that are told."""
 
 MAX_TEXT: Final = 500
 """Characters of a name or a reason that are shown."""
@@ -232,16 +232,16 @@ class MissingParts:
         return ConfigError("\n  ".join([*lines, hint]))
 
     def sentences(self) -> Iterator[str]:
-        """What was left out and replaced, one sentence for each kind."""
-        if self._includes or self._packages:
-            which = f"packages are missing ({', '.join(self._packages)})" if self._packages else "files are missing"
-            includes = [f"{part.name} ({part.place})" for part in self._includes]
-            kinds = {"includes": includes, **{kind: [*names] for kind, names in self._left_out.items()}}
-            left_out = "; ".join(f"{kind}: {_listed(names)}" for kind, names in kinds.items() if names)
-            yield f"{self._path}: {which}, so this is left out: {left_out or 'nothing'}"
-        if self._meshes:
-            meshes = _listed([f"{part.name} ({part.place})" for part in self._meshes])
-            yield f"{self._path}: missing, and replaced by a box of {BOX:g} m (a texture by none): {meshes}"
+        """What is missing, left out and replaced, in sentences that are not too long for a line of the log."""
+        name = _shown(Path(self._path).name)
+        for listed in _listed(map(_shown, self._packages)):
+            yield f"{name}: packages that are not found: {listed}"
+        includes = [f"{part.name} ({part.place})" for part in self._includes]
+        for kind, names in {"includes": includes, **self._left_out}.items():
+            for listed in _listed(names):
+                yield f"{name}: left out {kind}: {listed}"
+        for listed in _listed(f"{part.name} ({part.place})" for part in self._meshes):
+            yield f"{name}: missing, and replaced by a box of {BOX:g} m (a texture by none): {listed}"
 
 
 def _package(filename: str) -> str:
@@ -276,6 +276,16 @@ def _tree(link: str, below: dict[str, list[tuple[Element, str]]]) -> dict[str, N
     return found
 
 
-def _listed(names: list[str]) -> str:
-    more = f" and {len(names) - MAX_LISTED} more" if len(names) > MAX_LISTED else ""
-    return ", ".join(names[:MAX_LISTED]) + more
+def _listed(names: Iterable[str]) -> Iterator[str]:
+    """The names, with commas, as several texts if they are long."""
+    text = ""
+    for number, name in enumerate(names):
+        if number == MAX_LISTED:
+            text += ", and more"
+            break
+        if text and len(text) + len(name) > MAX_TEXT:
+            yield text
+            text = ""
+        text += f"{', ' if text else ''}{name}"
+    if text:
+        yield text

@@ -276,7 +276,7 @@ class RealTime:
     def enable(self, enable: Callable[[], None]) -> Future[None]:
         """Have the thread call `enable`, which enables the robot's motors and may take seconds, before its next step.
 
-        The result is done when it has returned. A `ConfigError` is that of the result; any other exception of `enable`
+        The result is done after that step. A `ConfigError` is that of the result; any other exception of `enable`
         is a failure of the robot as a whole.
         """
         done = Future[None]()
@@ -328,8 +328,9 @@ class RealTime:
             commands, self._pending = self._pending, {}
             retried, self._retried = self._retried, set()
             enabling, self._enabling = self._enabling, None
-        if enabling is not None:
-            self._enable(*enabling)
+        if enabling is not None and not enabling[1].set_running_or_notify_cancel():
+            enabling = None
+        refused = None if enabling is None else self._enable(enabling[0])
         began = self._clock()
         for part in retried:
             self._try(part, partial(_stop_part, self._robot, part))
@@ -342,20 +343,24 @@ class RealTime:
         if (duration := self._clock() - began) > SLOW_STEP:
             self._timer.counters["slow"] += 1
             self._warn(f"a step of the robot took {duration:.2f} s; it should take less than {self._step:g} s")
+        if enabling is not None and refused is not None:
+            enabling[1].set_exception(refused)
+        elif enabling is not None:
+            enabling[1].set_result(None)
 
-    def _enable(self, enable: Callable[[], None], done: Future[None]) -> None:
+    def _enable(self, enable: Callable[[], None]) -> ConfigError | None:
+        """Enable the motors; return the error of a robot that cannot be used."""
         try:
             enable()
         except ConfigError as error:
             with self._lock:
                 self._faults = {WHOLE_ROBOT: str(error)}  # without power it is not advanced until it is closed
-            done.set_exception(error)
-            return
+            return error
         except Exception as error:  # noqa: BLE001 - whatever a backend raises
             self._fail(WHOLE_ROBOT, error)
             self._stop_all()
         self._timer.restart(self._clock())
-        done.set_result(None)
+        return None
 
     def _advance(self) -> None:
         self._robot.advance(self._step)

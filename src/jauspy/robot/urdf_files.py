@@ -23,13 +23,17 @@ STRICT: Final = MissingPolicy()
 """Whatever is missing is an error."""
 
 
+def _warn(sentence: str) -> None:
+    _LOG.warning("%s", sentence)
+
+
 def read_urdf(
     path: str,
     packages: PackagePaths,
     arguments: Mapping[str, str] | None = None,
     policy: MissingPolicy = STRICT,
     *,
-    tell: Callable[[str], None] = _LOG.warning,
+    tell: Callable[[str], None] = _warn,
 ) -> RobotDescription:
     """The robot of a URDF or xacro file, with the paths of its meshes on this machine.
 
@@ -55,7 +59,7 @@ def expand_urdf(
     policy: MissingPolicy,
     folder: Path,
     *,
-    tell: Callable[[str], None] = _LOG.warning,
+    tell: Callable[[str], None] = _warn,
 ) -> bytes:
     """The URDF of a xacro file, in ASCII, with the names of files as it has them; relative ones start at `folder`.
 

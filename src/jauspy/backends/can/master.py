@@ -291,7 +291,8 @@ class Master:
     def enable(self) -> None:
         """Reset faults, and enable the configured drives; once more if this program was held up. Blocks.
 
-        Raises `DriveFault`; `held_up` tells whether that may be because of this program.
+        Raises `DriveFault` if they cannot be enabled; `held_up` tells whether that may be because of this program.
+        `check` raises what stopped them after they were enabled.
         """
         self._longest_pause = 0.0
         try:
@@ -299,13 +300,22 @@ class Master:
         except DriveFault:
             if not self.held_up:
                 raise
-            _LOG.warning(
-                "%s: the robot's program did not run for %.2f s while the drives were enabled: they are enabled once "
-                "more",
-                *(self.setup.bus, self._longest_pause),
-            )
-            self._longest_pause = 0.0
-            self.recover()
+        else:
+            self._settle()
+            if self.running or not self.held_up:
+                return
+        _LOG.warning(
+            "%s: the robot's program did not run for %.2f s while the drives were enabled: they are enabled once more",
+            *(self.setup.bus, self._longest_pause),
+        )
+        self._longest_pause = 0.0
+        self.recover()
+        self._settle()
+
+    def _settle(self) -> None:
+        """Let the first cycles pass, and the time in which a failure is explained."""
+        for _ in range(STILL_SYNCS + round(EXPLAIN_TIME / self.period)):
+            self._wait_cycle()
 
     @property
     def held_up(self) -> bool:
@@ -395,10 +405,6 @@ class Master:
                 drive.start()
             self._failure = ""
             self._phase = Phase.RUNNING
-        for _ in range(STILL_SYNCS):
-            self._wait_cycle()
-        if self._phase is Phase.STOPPED:
-            raise DriveFault(self.reason())
 
     def _home(self, drive: Drive, tell: Callable[[str], None]) -> None:
         homing = drive.setup.homing
