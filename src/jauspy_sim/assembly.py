@@ -258,14 +258,14 @@ def _wheels(spec: mujoco.MjSpec, setup: WheelSetup) -> None:
         found.damping = same_shape(found.damping, back_emf)
         if setup.kind is WheelKind.MECANUM:
             _add_rollers(spec, wheel)
-    for each in setup.steering:
-        motor = spec.actuator(each.joint.name)
-        stiffness, damping = (factor * each.joint.effort for factor in (STEERING_STIFFNESS, STEERING_DAMPING))
+    for steered in setup.steering:
+        motor = spec.actuator(steered.joint.name)
+        stiffness, damping = (factor * steered.joint.effort for factor in (STEERING_STIFFNESS, STEERING_DAMPING))
         motor.gainprm[0] = stiffness
         motor.biastype = mujoco.mjtBias.mjBIAS_AFFINE
         motor.biasprm[1], motor.biasprm[2] = -stiffness, -damping
-        motor.ctrlrange = (each.joint.lower, each.joint.upper)
-        motor.forcelimited, motor.forcerange = True, (-each.joint.effort, each.joint.effort)
+        motor.ctrlrange = (steered.joint.lower, steered.joint.upper)
+        motor.forcelimited, motor.forcerange = True, (-steered.joint.effort, steered.joint.effort)
 
 
 def _add_rollers(spec: mujoco.MjSpec, wheel: Wheel) -> None:

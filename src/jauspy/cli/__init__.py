@@ -39,5 +39,5 @@ def main() -> None:
         package = (error.name or "").partition(".")[0]
         if package not in OPTIONAL_PACKAGES:
             raise
-        extra = next((EXTRA_OF_VERB[each] for each in sys.argv[1:] if each in EXTRA_OF_VERB), "cli")
+        extra = next((EXTRA_OF_VERB[word] for word in sys.argv[1:] if word in EXTRA_OF_VERB), "cli")
         sys.exit(f"jauspy: this command needs the package {package}: pip install 'jauspy[{extra}]'")

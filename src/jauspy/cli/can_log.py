@@ -113,11 +113,11 @@ class FrameNames:
     def __init__(self, model: RobotModel, setup: CanSetup) -> None:
         self._node = setup.node
         self._drives: Mapping[int, tuple[DriveSetup, DriveUnits, str]] = {
-            each.node: (each, DriveUnits(each, joint), "m" if joint.kind is JointKind.PRISMATIC else "rad")
-            for each in setup.drives.values()
-            for joint in (model.description.joint(each.moves),)
+            drive.node: (drive, DriveUnits(drive, joint), "m" if joint.kind is JointKind.PRISMATIC else "rad")
+            for drive in setup.drives.values()
+            for joint in (model.description.joint(drive.moves),)
         }
-        self._pdos = {each.cob_id: each for each in pdo.ALL}
+        self._pdos = {mapping.cob_id: mapping for mapping in pdo.ALL}
 
     def explain(self, identifier: int, data: bytes) -> str:
         """An explanation of one frame; unknown content as bytes in hex."""
@@ -137,7 +137,7 @@ class FrameNames:
             return f"{self._name(node)}: SDO {what} {index:04X}h:{data[3]:02X} {data[4:].hex(' ')}"
         found = self._pdos.get(function)
         if found is not None and node in self._drives and len(data) == found.layout.size:
-            way = "command" if function in {each.cob_id for each in pdo.COMMANDS.values()} else "status"
+            way = "command" if function in {mapping.cob_id for mapping in pdo.COMMANDS.values()} else "status"
             values = ", ".join(self._values(found, node, data))
             return f"{self._name(node)}: {way}: {values}"
         return data.hex(" ")

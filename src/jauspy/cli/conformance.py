@@ -149,8 +149,8 @@ def conformance(
                 status = report.status
             except Interrupted as stop:
                 report, status = stop.report, stopped()
-            for each in (unwritten := files.write(report)):
-                console.error(each)
+            for problem in (unwritten := files.write(report)):
+                console.error(problem)
             with _ignoring_closed_pipe():
                 _show(report, json=json)
     except JausError as error:
@@ -217,7 +217,7 @@ class ReportFiles:
             _write(self.html, lambda: reports.page(report).encode()),
             _write(self.pcapng, lambda: reports.capture(report)),
         )
-        return [each for each in problems if each]
+        return [problem for problem in problems if problem]
 
 
 def _obstacle(path: Path) -> str:
@@ -264,18 +264,18 @@ def named_offers(names: str | None, target: str | None, own: Schema | None = Non
     schema = Schema(services=(*(own.services if own else ()), *load_builtin().services))
     parent_of = parents_among(schema.services)
     found: dict[str, ServiceDefinition] = {}
-    for name in filter(None, (each.strip() for each in names.split(","))):
+    for name in filter(None, (name.strip() for name in names.split(","))):
         services = [match.service for match in find_definitions(schema, name) if match.message is None]
         if len(services) != 1:
-            several = ", ".join(each.id for each in services)
+            several = ", ".join(service.id for service in services)
             raise ConfigError(f"--services {name}: {'name one of ' + several if several else 'this is a message'}")
-        for each in lineage(services[0], parent_of):
-            if (other := found.setdefault(each.id, each)).version != each.version:
+        for service in lineage(services[0], parent_of):
+            if (other := found.setdefault(service.id, service)).version != service.version:
                 raise ConfigError(
-                    f"--services {name}: it needs {each.name} {each.version}, and the services before it need "
-                    f"{each.name} {other.version}; give a version to each, as in {services[0].name}@{other.version}"
+                    f"--services {name}: it needs {service.name} {service.version}, and the services before it need "
+                    f"{service.name} {other.version}; give a version to each, as in {services[0].name}@{other.version}"
                 )
-    return Offers({id: frozenset(each.key for each in found.values())})
+    return Offers({id: frozenset(service.key for service in found.values())})
 
 
 def steps_of(
@@ -353,7 +353,11 @@ def show(report: Report) -> None:
     for note in report.notes:
         console.note(note)
     if total := transitions_summary(report):
-        rest = "; --json and --html list the others" if any(not each.step for each in report.transitions) else ""
+        rest = (
+            "; --json and --html list the others"
+            if any(not transition.step for transition in report.transitions)
+            else ""
+        )
         out.print(Text(f"{total}{rest}", style="dim"))
     style = "bold green" if report.status == 0 else "bold red"
     out.print(Text(f"{report.profile}, {report.target}: {summary(report)}", style=style))
@@ -365,14 +369,14 @@ def _table(report: Report) -> Table:
     table = Table(box=None, pad_edge=False, header_style="dim")
     for header in ("step", "verdict", "ms", *(["points"] if counted else []), "what"):
         table.add_column(header, overflow="fold", justify="right" if header == "ms" else "left")
-    for each in report.results:
-        reason = f"  {each.reason}" if each.verdict is Verdict.SKIPPED else ""
+    for result in report.results:
+        reason = f"  {result.reason}" if result.verdict is Verdict.SKIPPED else ""
         table.add_row(
-            each.id,
-            Text(str(each.verdict), style=_STYLES.get(each.verdict, "red")),
-            f"{each.elapsed * 1000:.0f}",
-            *([f"{each.earned:g}/{each.points:g}" if each.points else ""] if counted else []),
-            Text.assemble(each.title, (reason, "dim")),
+            result.id,
+            Text(str(result.verdict), style=_STYLES.get(result.verdict, "red")),
+            f"{result.elapsed * 1000:.0f}",
+            *([f"{result.earned:g}/{result.points:g}" if result.points else ""] if counted else []),
+            Text.assemble(result.title, (reason, "dim")),
         )
     return table
 

@@ -430,7 +430,7 @@ class HumanPrinter:
         if message is None or not content.others or message.CODE in self._noted:
             return []
         self._noted.add(message.CODE)
-        others = ", ".join(f"{each.name} in {_place(each)} ({_option(each, message)})" for each in content.others)
+        others = ", ".join(f"{other.name} in {_place(other)} ({_option(other, message)})" for other in content.others)
         here = f"{_service(message.SERVICE)} {message.VERSION}"
         return [_remark(f"decoded as in {here}; also {others}", "dim")]
 

@@ -47,8 +47,8 @@ class Definitions:
         """The definition of a message class."""
         key = (kind.SERVICE, kind.VERSION)
         services = self.own.services if self.own else ()
-        service = next((each for each in services if each.key == key), None) or load_builtin().service(*key)
-        return next(each for each in service.messages if (each.code, each.name) == (kind.CODE, kind.NAME))
+        service = next((service for service in services if service.key == key), None) or load_builtin().service(*key)
+        return next(message for message in service.messages if (message.code, message.name) == (kind.CODE, kind.NAME))
 
     def hints(self, service: str | None = None, version: str | None = None, message: str | None = None) -> Hints:
         """The preferred definitions; raises `ConfigError`, with similar names, for an unknown name."""

@@ -24,7 +24,7 @@ _BOOL: Final = "tag:yaml.org,2002:bool"
 
 
 def _without_bool(cls: Any) -> Any:
-    return {first: [each for each in found if each[0] != _BOOL] for first, found in cls.yaml_implicit_resolvers.items()}
+    return {first: [kind for kind in found if kind[0] != _BOOL] for first, found in cls.yaml_implicit_resolvers.items()}
 
 
 class _Loader(yaml.SafeLoader):
@@ -172,21 +172,21 @@ def _with_names(item: Item, value: Any) -> Any:
     if isinstance(item, Number) and item.values.enum and isinstance(value, str):
         return _enumerated(value)
     if isinstance(item, Repeat | Grid) and isinstance(value, list):
-        return [_with_names(item.item, each) for each in value]
+        return [_with_names(item.item, entry) for entry in value]
     if isinstance(value, dict):
         parts = dict(_parts(item))
-        return {name: _with_names(parts[name], each) if name in parts else each for name, each in value.items()}
+        return {name: _with_names(parts[name], entry) if name in parts else entry for name, entry in value.items()}
     return value
 
 
 def _with_bits(item: Item, value: Any) -> Any:
     """The value with 0 for bits that are left out, where 0 is allowed."""
     if isinstance(item, Repeat | Grid) and isinstance(value, list):
-        return [_with_bits(item.item, each) for each in value]
+        return [_with_bits(item.item, entry) for entry in value]
     if not isinstance(value, dict):
         return value
     parts = dict(_parts(item))
-    given = {name: _with_bits(parts[name], each) if name in parts else each for name, each in value.items()}
+    given = {name: _with_bits(parts[name], entry) if name in parts else entry for name, entry in value.items()}
     if isinstance(item, Bits):
         return {bit.name: 0 for bit in item.bits if bit.values.allows(0)} | given
     return given
@@ -300,7 +300,7 @@ def _example_value(item: Item) -> Any:
             return "name"[: item.length or None]
         case Real():
             low, high = item.scaling.lower, item.scaling.upper
-            return next((each for each in SAMPLES if low <= each <= high), low)
+            return next((sample for sample in SAMPLES if low <= sample <= high), low)
         case Number():
             return _example_number(item.values)
     raise AssertionError(item)
@@ -317,4 +317,4 @@ def _example_number(values: Values) -> Any:
 
 
 def _example_named(values: Values, number: int) -> Any:
-    return next((each.name for each in values.enum or () if each == number), number)
+    return next((constant.name for constant in values.enum or () if constant == number), number)

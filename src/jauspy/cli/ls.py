@@ -97,7 +97,11 @@ def _label(what: str, id: object, name: str, kind: str, style: str = "") -> Text
 
 
 def _node_json(node: NodeInfo) -> dict[str, Any]:
-    return {"node": node.id, "name": node.name, "components": [_component_json(each) for each in node.components]}
+    return {
+        "node": node.id,
+        "name": node.name,
+        "components": [_component_json(component) for component in node.components],
+    }
 
 
 def _component_json(component: ComponentInfo) -> dict[str, Any]:

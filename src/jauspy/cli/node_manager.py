@@ -224,7 +224,7 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
         loop.add_signal_handler(signal.SIGUSR1, console.print_counters, manager.counters)
         if read is not None:
             loop.add_signal_handler(signal.SIGHUP, reload, manager, read, services)
-        where = ", ".join(f"{each.address}:{manager.port_of(each.name)}" for each in config.all_networks)
+        where = ", ".join(f"{network.address}:{manager.port_of(network.name)}" for network in config.all_networks)
         ready = f"node manager ready: UDP {where}, local sockets in {config.local_root}"
         console.print_if_read(ready)
         try:
@@ -269,10 +269,16 @@ def _show(status: Mapping[str, Any]) -> None:
     uptime = _duration(status["uptime"])
     console.print_lines(f"node manager, process {status['pid']}, up {uptime}, sockets in {status['local_root']}")
     _table("networks", map(_network, status["networks"]))
-    _table("components", ((each["id"], each["path"], f"{each['waiting']} waiting") for each in status["components"]))
+    _table(
+        "components",
+        ((component["id"], component["path"], f"{component['waiting']} waiting") for component in status["components"]),
+    )
     _table("peers", map(_peer, status["peers"]))
     if refused := status.get("refused"):
-        rows = ((each["message"], f"from {each['network']}", each["why"], str(each["count"])) for each in refused)
+        rows = (
+            (refusal["message"], f"from {refusal['network']}", refusal["why"], str(refusal["count"]))
+            for refusal in refused
+        )
         _table("refused by the gateway", rows)
     _table("queues", ((name, str(count)) for name, count in status["queues"].items()))
     counters = status["counters"]

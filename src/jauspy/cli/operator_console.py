@@ -246,7 +246,7 @@ def ls(*, users: UsersFile = USERS_FILE, as_json: Json = False) -> None:
             console.print_json({"name": user.name, "role": user.role, "authority": user.authority})
         return
     console.print_table(
-        ("NAME", "ROLE", "AUTHORITY"), [(each.name, each.role, str(each.authority)) for each in Users(users)]
+        ("NAME", "ROLE", "AUTHORITY"), [(User.name, User.role, str(User.authority)) for User in Users(users)]
     )
 
 

@@ -105,7 +105,7 @@ def audit(
     """
     from jauspy.robot import audit as log, operators as file
 
-    anchors = [log.Head.parse(each) for each in head or ()]
+    anchors = [log.Head.parse(text) for text in head or ()]
     report = log.verify(path, anchors, file.load(operators) if operators is not None else (), heads)
     if as_json:
         console.print_json(_object(path, report))

@@ -83,12 +83,12 @@ def stoppable() -> Iterator[Callable[[], int]]:
             received.append((now, number))
             raise KeyboardInterrupt
 
-    before = {each: signal.signal(each, stop) for each in (signal.SIGINT, signal.SIGTERM, *_hangup())}
+    before = {number: signal.signal(number, stop) for number in (signal.SIGINT, signal.SIGTERM, *_hangup())}
     try:
         yield lambda: 128 + (received[-1][1] if received else signal.SIGINT)
     finally:
-        for each, handler in before.items():
-            signal.signal(each, handler)
+        for signal_number, handler in before.items():
+            signal.signal(signal_number, handler)
 
 
 def end_with_parent() -> None:

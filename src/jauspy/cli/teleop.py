@@ -275,9 +275,9 @@ def find_gamepad(path: str | None) -> Any | None:
             raise ConfigError("a gamepad needs evdev: pip install 'jauspy[teleop]'")
         return None
     evdev: Any = importlib.import_module("evdev")
-    for each in [path] if path is not None else evdev.list_devices():
+    for device_path in [path] if path is not None else evdev.list_devices():
         try:
-            device = evdev.InputDevice(each)
+            device = evdev.InputDevice(device_path)
         except OSError as error:
             if path is not None:
                 raise ConfigError(f"the gamepad {path} cannot be opened: {error.strerror}") from error

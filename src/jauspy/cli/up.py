@@ -206,8 +206,8 @@ def up(
         options = ["--address", address, "--multicast-group", multicast_group, "--socket-mode", socket_mode]
         for node_id in config.nodes:
             options += ["--own-ids", f"{config.subsystem}.{node_id}.*"]
-        for each in interface or ():
-            options += ["--interface", each]
+        for name in interface or ():
+            options += ["--interface", name]
     options += ["--verbose"] * verbose
     node = None if no_node_manager else node_manager(local_root, port, options)
     live = not (plain or verbose) and console.is_interactive()
@@ -249,14 +249,14 @@ def print_summary(runner: RobotRunner, where: str, root: Path, page: str = "") -
     first = runner.components[0].id
     pairs = runner.running
     discoverable = any(module.offers("Discovery") for module in config.modules)
-    driven = [each.id for each, module in pairs if module.offers("Discovery") and module.offers("PrimitiveDriver")]
+    driven = [pair.id for pair, module in pairs if module.offers("Discovery") and module.offers("PrimitiveDriver")]
     connect = "" if root == DEFAULT_ROOT else f" --connect local:{root}"
     sealed = " --operator-key NAME.key" if config.operators and config.require_operator else ""
     world = "" if config.backend == KINEMATIC else f", world {config.world}"
     faults = runner.faults.items()
     lines = [
         f"{config.name} {_is_up(runner.faults)}: subsystem {config.subsystem}, backend {config.backend}{world}",
-        *(f"  {each.id}  {module.type}{f' {module.part}' if module.part else ''}" for each, module in pairs),
+        *(f"  {pair.id}  {module.type}{f' {module.part}' if module.part else ''}" for pair, module in pairs),
         *(f"failed:    {id}: {printable(why)}; `jauspy send {id} Reset{connect}` tries again" for id, why in faults),
         f"  node manager: {where}",
         *([f"  audit log: {runner.audit.path}, head {runner.audit.head}"] if runner.audit else []),

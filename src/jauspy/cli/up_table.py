@@ -111,12 +111,12 @@ class StatusSampler:
         counted = {**counters, "time": snapshot.time, "routed": routed}
         self._before.append((now, counted))
         pairs = self.runner.running
-        shown = {module.camera: str(each.id) for each, module in pairs}
+        shown = {module.camera: str(pair.id) for pair, module in pairs}
         return RobotStatus(
             snapshot=snapshot,
             factor=self._rate("time"),
             timing={name: counters.get(f"realtime.{name}", 0) for name in ("steps", "late", "skipped")},
-            modules=tuple(self._module(each, module) for each, module in pairs),
+            modules=tuple(self._module(pair, module) for pair, module in pairs),
             cameras=tuple(self._camera(name, shown[name], camera) for name, camera in self.runner.videos.items()),
             node=None if status is None else _node_status(status, self._rate("routed")),
             faults=self.runner.faults,
@@ -137,7 +137,9 @@ class StatusSampler:
             status=host.status.name.lower() if host.status is not None else "",
             controller=f"{access.controller} ({access.authority})" if access and access.controller else "",
             events=len(subscriptions),
-            hertz=sum(each.confirmed for each in subscriptions if isinstance(each, EventSubscription)),
+            hertz=sum(
+                subscription.confirmed for subscription in subscriptions if isinstance(subscription, EventSubscription)
+            ),
             received=self._rate(f"{component.id}.endpoint.received"),
             sent=self._rate(f"{component.id}.endpoint.sent"),
             dropped={name: count for name, count in component.counters.items() if count and _is_loss(name)},
@@ -168,10 +170,10 @@ def _is_loss(name: str) -> bool:
 
 
 def _node_status(status: Mapping[str, Any], packets: float) -> NodeStatus:
-    kernel = sum(each["receive_buffer"]["dropped"] for each in status["networks"])
+    kernel = sum(network["receive_buffer"]["dropped"] for network in status["networks"])
     dropped = {name: n for name, n in status["counters"].items() if name.startswith("dropped.") and n}
     return NodeStatus(
-        tuple(each[key] for each in status["networks"] for key in ("address", "address6") if each.get(key)),
+        tuple(network[key] for network in status["networks"] for key in ("address", "address6") if network.get(key)),
         len(status["components"]),
         len(status["peers"]),
         packets,
@@ -260,27 +262,27 @@ def _node(node: NodeStatus | None) -> Text:
 
 def _modules(modules: Iterable[ModuleStatus]) -> Table:
     made = _columns(("module", "type", "state", "controller"), ("events", "in/s", "out/s", "lost"))
-    for each in modules:
-        events = f"{each.events} ({each.hertz:.3g} Hz)" if each.hertz else _count(each.events)
-        state = Text(each.status or "-", style=COLOURS.get(each.status, ""))
-        rates = (f"{each.received:.1f}", f"{each.sent:.1f}", _count(sum(each.dropped.values())))
-        made.add_row(each.id, each.type, state, each.controller or "-", events, *rates)
+    for module in modules:
+        events = f"{module.events} ({module.hertz:.3g} Hz)" if module.hertz else _count(module.events)
+        state = Text(module.status or "-", style=COLOURS.get(module.status, ""))
+        rates = (f"{module.received:.1f}", f"{module.sent:.1f}", _count(sum(module.dropped.values())))
+        made.add_row(module.id, module.type, state, module.controller or "-", events, *rates)
     return made
 
 
 def _cameras(cameras: Iterable[CameraStatus]) -> Table:
     made = _columns(("camera", "module", "size", "set to", "sent to"), ("pictures/s", "packets/s", "lost"))
-    for each in cameras:
-        size, rate = f"{each.size[0]}x{each.size[1]}", f"{each.rate} Hz, {each.bit_rate / 1e6:.3g} Mbit/s"
-        paused = f", {each.receivers - each.playing} paused" if each.receivers > each.playing else ""
-        rates = (f"{each.pictures:.1f}", f"{each.packets:.0f}", _count(each.dropped))
-        made.add_row(each.name, each.module, size, rate, f"{_count(each.receivers)}{paused}", *rates)
+    for camera in cameras:
+        size, rate = f"{camera.size[0]}x{camera.size[1]}", f"{camera.rate} Hz, {camera.bit_rate / 1e6:.3g} Mbit/s"
+        paused = f", {camera.receivers - camera.playing} paused" if camera.receivers > camera.playing else ""
+        rates = (f"{camera.pictures:.1f}", f"{camera.packets:.0f}", _count(camera.dropped))
+        made.add_row(camera.name, camera.module, size, rate, f"{_count(camera.receivers)}{paused}", *rates)
     return made
 
 
 def _losses(look: RobotStatus) -> list[Text]:
     """The reasons for losses, most frequent first."""
-    found = [(count, each.id, name) for each in look.modules for name, count in each.dropped.items()]
+    found = [(count, module.id, name) for module in look.modules for name, count in module.dropped.items()]
     if look.node is not None:
         found += [(count, "node manager", name) for name, count in look.node.dropped.items()]
     found.sort(reverse=True)

@@ -76,7 +76,7 @@ async def read_settings(component: ComponentClient, sensor: int = 1) -> tuple[li
     readers = ((VIDEO, _read_video), (ENCODING, _read_encoding), (LENS, _read_lens), (LIGHTS, _read_lights))
     offered = [(name, read) for name, read in readers if component.info.find(name)]
     found = await asyncio.gather(*(_tried(read(component.service(name), sensor)) for name, read in offered))
-    return [each for settings, _ in found for each in settings], [said for _, said in found if said]
+    return [setting for settings, _ in found for setting in settings], [said for _, said in found if said]
 
 
 async def _tried(reading: Awaitable[list[Setting]]) -> tuple[list[Setting], str]:
@@ -91,9 +91,9 @@ async def sensor_name(component: ComponentClient, sensor: int = 1) -> str:
     if component.info.find(LENS):
         record = QueryVisualSensorCapabilities.QueryVisualSensorCapabilitiesRec(sensor, 0)
         report = await component.service(LENS).query(QueryVisualSensorCapabilities([record]))
-        for each in report.visual_sensor_capabilities_list:
-            if str(each.sensor_name):
-                return str(each.sensor_name)
+        for capabilities in report.visual_sensor_capabilities_list:
+            if str(capabilities.sensor_name):
+                return str(capabilities.sensor_name)
     return component.info.name
 
 
@@ -131,15 +131,15 @@ def _request(setting: Setting, value: float, sensor: int) -> Any:
 
 async def _configure(service: ServiceClient, request: Any) -> None:
     answer = await service.query(request, expects=ConfirmSensorConfiguration)
-    for each in answer.confirm_sensor_list:
-        if (said := getattr(each, "error_message", None)) is not None:
+    for confirmation in answer.confirm_sensor_list:
+        if (said := getattr(confirmation, "error_message", None)) is not None:
             raise RequestError(f"{service.id} refuses that: {said}")
 
 
 async def _switch_light(service: ServiceClient, name: str, level: int) -> None:
     report = await service.query(QueryIlluminationState())
     kind = SetIlluminationState.Illumination
-    present = {each.name: getattr(report.illumination, each.name) for each in fields(kind)}
+    present = {field.name: getattr(report.illumination, field.name) for field in fields(kind)}
     await service.send(SetIlluminationState(kind(**{**present, name: level})), ack=True)
     for _ in range(LIGHT_CHECKS):
         report = await service.query(QueryIlluminationState())
@@ -153,14 +153,14 @@ async def _switch_light(service: ServiceClient, name: str, level: int) -> None:
 
 async def _rows(service: ServiceClient, *queries: Any) -> list[Any]:
     """The first record of the list in each report; None where it is empty."""
-    reports = await asyncio.gather(*(service.query(each) for each in queries))
+    reports = await asyncio.gather(*(service.query(query) for query in queries))
     lists = (next(value for value in _values(report) if isinstance(value, list)) for report in reports)
-    return [next(iter(each), None) for each in lists]
+    return [next(iter(sensors), None) for sensors in lists]
 
 
 def _values(report: Any) -> Iterable[Any]:
     """The values of the fields of a message."""
-    return (getattr(report, each.name) for each in fields(report))
+    return (getattr(report, field.name) for field in fields(report))
 
 
 async def _read_video(service: ServiceClient, sensor: int) -> list[Setting]:
@@ -206,7 +206,7 @@ async def _read_encoding(service: ServiceClient, sensor: int) -> list[Setting]:
         return []
     offered = [number for number, bit in enumerate(_bits(presets)) if bit]
     names = SetH264VideoEncodingConfiguration.Preset
-    known = {int(each): each.name.lower().replace("_", " ") for each in names} | _PRESETS
+    known = {int(name): name.name.lower().replace("_", " ") for name in names} | _PRESETS
     choices = {number: known[number] for number in offered if number in known}
     record = getattr(is_now, "h264_configuration_rec", is_now)
     return [Setting(ENCODING, "preset", "quality", record.preset, choices)]
@@ -225,7 +225,7 @@ async def _read_lens(service: ServiceClient, sensor: int) -> list[Setting]:
     for field, label, bits, numbers in _LENS_MODES:
         offered = getattr(can, bits, None)
         if offered is not None:
-            names = {int(each): each.name.lower().replace("_", " ") for each in numbers}
+            names = {int(number): number.name.lower().replace("_", " ") for number in numbers}
             able_to = dict(zip(names, _bits(offered), strict=False))
             choices = {number: name for number, name in names.items() if able_to.get(number)}
             found.append(Setting(LENS, field, label, getattr(is_now, field), choices))
@@ -259,7 +259,7 @@ async def _read_lens(service: ServiceClient, sensor: int) -> list[Setting]:
             found.append(
                 Setting(LENS, "aperture", "aperture", is_now.aperture, None, low=low, high=high, step=0.1, unit="f")
             )
-    return [each for each in found if each.choices is None or len(each.choices) > 1]
+    return [setting for setting in found if setting.choices is None or len(setting.choices) > 1]
 
 
 async def _read_lights(service: ServiceClient, _: int) -> list[Setting]:
@@ -268,18 +268,18 @@ async def _read_lights(service: ServiceClient, _: int) -> list[Setting]:
     )
     types, state = next(iter(_values(can))), is_now.illumination
     found = []
-    for each in fields(type(state)):
-        if each.name.startswith("reserved") or not getattr(types, each.name, 0):
+    for field in fields(type(state)):
+        if field.name.startswith("reserved") or not getattr(types, field.name, 0):
             continue
-        label = each.name.replace("_", " ").replace("light1", "light 1").replace("ir ", "infrared ")
-        value = int(getattr(state, each.name))
-        if each.name.startswith("variable"):
-            found.append(Setting(LIGHTS, each.name, label, value, None, low=0, high=VARIABLE_LEVELS))
+        label = field.name.replace("_", " ").replace("light1", "light 1").replace("ir ", "infrared ")
+        value = int(getattr(state, field.name))
+        if field.name.startswith("variable"):
+            found.append(Setting(LIGHTS, field.name, label, value, None, low=0, high=VARIABLE_LEVELS))
         else:
-            found.append(Setting(LIGHTS, each.name, label, value, {0: "off", 1: "on"}))
+            found.append(Setting(LIGHTS, field.name, label, value, {0: "off", 1: "on"}))
     return found
 
 
 def _bits(field: Any) -> list[int]:
     """The bits of a bit field in their order, without those that are reserved."""
-    return [int(getattr(field, each.name)) for each in fields(field) if not each.name.startswith("reserved")]
+    return [int(getattr(field, bit.name)) for bit in fields(field) if not bit.name.startswith("reserved")]

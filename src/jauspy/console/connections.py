@@ -146,7 +146,11 @@ class Connections:
         if connection is None:
             return
         if connection.session is None and not is_socket:
-            known = [each for each in self._open.values() if each.session is not None and not each.is_socket]
+            known = [
+                connection
+                for connection in self._open.values()
+                if connection.session is not None and not connection.is_socket
+            ]
             self._make_room(KNOWN, known, lambda each: each.session, session)
         connection.session = session
         connection.is_socket = connection.is_socket or is_socket
@@ -187,7 +191,7 @@ class Connections:
             self.closed["handshake"] += not isinstance(error, asyncio.CancelledError)
 
     def _strangers(self) -> list[_Connection]:
-        return [each for each in self._open.values() if each.session is None]
+        return [connection for connection in self._open.values() if connection.session is None]
 
     def _make_room(
         self,
@@ -197,13 +201,15 @@ class Connections:
         group: Hashable,
     ) -> None:
         """Close one connection if this group has its share of them already, or all groups have too many together."""
-        present = [each for each in members if each.counts]
+        present = [member for member in members if member.counts]
         sizes = Counter(map(group_of, present))
         if sizes[group] >= share.of_group:
-            self._close_oldest(share.reason, [each for each in present if group_of(each) == group])
+            self._close_oldest(share.reason, [connection for connection in present if group_of(connection) == group])
         elif len(present) >= share.in_all:
             largest = max(sizes.values())
-            self._close_oldest(share.reason, [each for each in present if sizes[group_of(each)] == largest])
+            self._close_oldest(
+                share.reason, [connection for connection in present if sizes[group_of(connection)] == largest]
+            )
 
     def _close_oldest(self, reason: str, found: list[_Connection]) -> None:
         """Close the connection that is idle for longest; if none is idle, the one whose request is oldest."""
@@ -233,7 +239,7 @@ class Connections:
             self._forget_gone()
 
     def _forget_gone(self) -> None:
-        self._open = {client: each for client, each in self._open.items() if not each.is_gone}
+        self._open = {client: connection for client, connection in self._open.items() if not connection.is_gone}
 
 
 def network_of(address: str) -> str:

@@ -85,15 +85,17 @@ class Fleet:
         missed: dict[int, int] = {}
         while True:
             with suppress(JausError):
-                found = {each.id: each for each in await self.ocu.discover_all(timeout=DISCOVERY_INTERVAL)}
-                robots = {id: each for id, each in found.items() if not self._is_console(each)}
+                found = {robot.id: robot for robot in await self.ocu.discover_all(timeout=DISCOVERY_INTERVAL)}
+                robots = {id: robot for id, robot in found.items() if not self._is_console(robot)}
                 missed = {id: missed.get(id, 0) + 1 for id in self.robots if id not in robots}
                 kept = {id: self.robots[id] for id, times in missed.items() if times < 2}
                 self._take({**kept, **robots})
             await asyncio.sleep(0.1)
 
     def _is_console(self, robot: Robot) -> bool:
-        return robot.id == self.ocu.id.subsystem or not any(each.find("Management") for each in robot.components)
+        return robot.id == self.ocu.id.subsystem or not any(
+            component.find("Management") for component in robot.components
+        )
 
     def _take(self, robots: dict[int, Robot]) -> None:
         for id in robots.keys() - self.robots.keys():
@@ -120,7 +122,7 @@ class Fleet:
         queries: tuple[Any, Any] = QueryStatus(), QueryControl()
         try:
             status, control = await asyncio.gather(
-                *(self.ocu.query(id, each, timeout=STATUS_INTERVAL, retries=0) for each in queries)
+                *(self.ocu.query(id, query, timeout=STATUS_INTERVAL, retries=0) for query in queries)
             )
         except JausError:
             return

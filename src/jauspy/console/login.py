@@ -194,7 +194,7 @@ class LoginMiddleware:
         users = self._users
         address = str((scope.get("client") or ("?",))[0])
         form = await _form(receive)
-        name, password = (form.get(each, [""])[0] for each in ("name", "password"))
+        name, password = (form.get(field, [""])[0] for field in ("name", "password"))
         device = self._device(name, scope)
         trusted = self._limit.trusts(device, _now())
         wait = self._limit.wait(address, name, device, _now())
@@ -263,15 +263,15 @@ class LoginMiddleware:
         finally:
             _count(session, -1, controls=controls)
             session.seen = _now()
-            for each in (serving, ending):
-                each.cancel()
+            for task in (serving, ending):
+                task.cancel()
 
     def _has_room(self, session: Session, *, controls: bool) -> bool:
         """True if this session may open one more socket."""
         if controls:
-            in_all = sum(each.control_sockets for each in self._sessions)
+            in_all = sum(other.control_sockets for other in self._sessions)
             return session.control_sockets < MAX_CONTROL_SOCKETS and in_all < MAX_CONTROL_SOCKETS_IN_ALL
-        in_all = sum(each.sockets for each in self._sessions)
+        in_all = sum(other.sockets for other in self._sessions)
         return session.sockets < MAX_SOCKETS and in_all < MAX_SOCKETS_IN_ALL
 
     async def _until_end(self, session: Session) -> None:

@@ -153,7 +153,7 @@ class StandardArm(Manipulator):
         speeds = {}
         if share < 1.0 and self.has_speed:
             limits = await self.arm.motion_limits()
-            speeds = {name: share * each.speed for name, each in limits.items() if math.isfinite(each.speed)}
+            speeds = {name: share * limit.speed for name, limit in limits.items() if math.isfinite(limit.speed)}
         await self.arm.move(positions, speed=speeds or None)
 
     async def follow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
@@ -175,11 +175,11 @@ class ModularArm(Manipulator):
 
     async def joints(self) -> tuple[JointInfo, ...]:
         """The joints that are attached now; they are continuous."""
-        names = [each.name for each in (await self._state()).joint_list]
+        names = [joint.name for joint in (await self._state()).joint_list]
         if not self._speeds.keys() >= set(names):
             report = await self._service.query(QueryModularArmSpecification())
             assert isinstance(report, ReportModularArmSpecification)
-            self._speeds = {each.name: each.max_speed for each in report.joint_list}
+            self._speeds = {joint.name: joint.max_speed for joint in report.joint_list}
         return tuple(
             JointInfo(name, True, -math.inf, math.inf, MotionLimits(self._speeds.get(name) or math.inf))
             for name in names
@@ -187,7 +187,7 @@ class ModularArm(Manipulator):
 
     async def positions(self) -> dict[str, float]:
         """The measured positions by joint."""
-        return {each.name: each.position for each in (await self._state()).joint_list}
+        return {joint.name: joint.position for joint in (await self._state()).joint_list}
 
     async def tool(self) -> str:
         """Position of the tip."""
@@ -203,7 +203,7 @@ class ModularArm(Manipulator):
 
     async def follow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
         """Move through rows, one motion after another."""
-        known = {each.name for each in await self.joints()}
+        known = {joint.name for joint in await self.joints()}
         for number, (_, positions) in enumerate(rows, 1):
             if missing := positions.keys() - known:
                 raise ConfigError(f"row {number}: there is no joint {sorted(missing)[0]!r} now")
@@ -225,7 +225,7 @@ class ModularArm(Manipulator):
         return report
 
     async def _move(self, positions: Mapping[str, float], duration: float) -> None:
-        names = [each.name for each in (await self._state()).joint_list]
+        names = [joint.name for joint in (await self._state()).joint_list]
         if missing := positions.keys() - set(names):
             raise ConfigError(f"there is no joint {sorted(missing)[0]!r} now")
         command = motion_command([positions.get(name, math.nan) for name in names], duration)
@@ -239,21 +239,22 @@ class ModularArm(Manipulator):
 def manipulators(robot: Robot) -> dict[str, Manipulator]:
     """The arms of a robot by the id of their components; those that move a tool first."""
     found: list[Manipulator] = [
-        StandardArm(robot, each)
-        for each in robot.components
-        if each.find(POSITION_DRIVER) and not each.find(MODULAR_ARM)
+        StandardArm(robot, component)
+        for component in robot.components
+        if component.find(POSITION_DRIVER) and not component.find(MODULAR_ARM)
     ]
-    found += [ModularArm(robot, each) for each in robot.components if each.find(MODULAR_ARM)]
-    return {str(each.info.id): each for each in sorted(found, key=lambda arm: not arm.has_tool)}
+    found += [ModularArm(robot, component) for component in robot.components if component.find(MODULAR_ARM)]
+    return {str(manipulator.info.id): manipulator for manipulator in sorted(found, key=lambda arm: not arm.has_tool)}
 
 
 def operated(robot: Robot) -> list[str]:
     """The components that an operator of the console controls: what moves the robot, a modular arm, and its gripper."""
-    arms = {each.id.node for each in robot.components if each.find(POSITION_DRIVER)}
+    arms = {component.id.node for component in robot.components if component.find(POSITION_DRIVER)}
     return [
-        str(each.id)
-        for each in robot.components
-        if any(each.find(name) for name in (*MOVING, MODULAR_ARM)) or (each.find(CONNECTOR) and each.id.node in arms)
+        str(component.id)
+        for component in robot.components
+        if any(component.find(name) for name in (*MOVING, MODULAR_ARM))
+        or (component.find(CONNECTOR) and component.id.node in arms)
     ]
 
 

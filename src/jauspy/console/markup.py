@@ -67,7 +67,7 @@ def call(function: str, *arguments: object) -> None:
     """Call a function of the page's own scripts, as `jauspy.plot`; the arguments arrive as data."""
     if not all(part.isidentifier() for part in function.split(".")):
         raise ValueError(f"{function} is not the name of a function")
-    ui.run_javascript(f"{function}({', '.join(json.dumps(_finite(each)) for each in arguments)})")
+    ui.run_javascript(f"{function}({', '.join(json.dumps(_finite(argument)) for argument in arguments)})")
 
 
 def page_files(styles: Iterable[str], scripts: Iterable[str], token: str) -> None:
@@ -83,7 +83,7 @@ def _finite(value: Any) -> Any:
     if isinstance(value, float):
         return value if math.isfinite(value) else None
     if isinstance(value, dict):
-        return {str(key): _finite(each) for key, each in value.items()}
+        return {str(key): _finite(entry) for key, entry in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_finite(each) for each in value]
+        return [_finite(entry) for entry in value]
     return value

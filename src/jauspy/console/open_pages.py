@@ -36,7 +36,7 @@ class OpenPages:
 
         `remove` is called when the page is given up because it has not connected and others need its place.
         """
-        own = {token: each for token, each in self._pages.items() if each.session == session}
+        own = {token: page for token, page in self._pages.items() if page.session == session}
         if len(own) >= MAX_PAGES_OF_SESSION and not self._give_up_oldest(own):
             return None
         if len(self._pages) >= MAX_PAGES and not self._give_up_oldest(self._of_largest_session()):
@@ -61,13 +61,13 @@ class OpenPages:
 
     def _of_largest_session(self) -> dict[str, _Page]:
         """The pages of the session with most that have not connected."""
-        waiting = Counter(each.session for each in self._pages.values() if not each.is_connected)
+        waiting = Counter(page.session for page in self._pages.values() if not page.is_connected)
         largest = max(waiting, key=lambda session: waiting[session], default=None)
-        return {token: each for token, each in self._pages.items() if each.session == largest}
+        return {token: page for token, page in self._pages.items() if page.session == largest}
 
     def _give_up_oldest(self, pages: dict[str, _Page]) -> bool:
         """Give up the oldest of these pages that has not connected; false if all have."""
-        token = next((token for token, each in pages.items() if not each.is_connected), None)
+        token = next((token for token, page in pages.items() if not page.is_connected), None)
         if token is None:
             return False
         self._pages.pop(token).remove()

@@ -181,13 +181,13 @@ class Operation:
         if control is None:
             self.robot = robot
             return
-        wanted = {JausID.parse(each) for each in operated(robot)}
+        wanted = {JausID.parse(component) for component in operated(robot)}
         missing = set(control.ids) - wanted
         gone, self._missing = missing & self._missing, missing
         self._refused &= wanted
         new = wanted - set(control.ids) - self._refused
         if self._following is None or self._following.done():
-            kept = {each.id: each for each in self.robot.components if each.id in missing - gone}
+            kept = {component.id: component for component in self.robot.components if component.id in missing - gone}
             if not kept:
                 self.robot.info = robot.info  # its driving and its motions go on
             if new or gone:
@@ -198,18 +198,18 @@ class Operation:
         async with self._busy:
             if self._control is not control:
                 return
-            for each in sorted(gone):
-                self._on_event(f"{each} has gone, and is not operated any more")
+            for component in sorted(gone):
+                self._on_event(f"{component} has gone, and is not operated any more")
             await control.exclude(gone)
-            for each in sorted(new):
+            for component in sorted(new):
                 try:
-                    await control.include([each])
+                    await control.include([component])
                 except JausError as error:
-                    self._refused.add(each)
-                    self.problem = f"{each} has appeared, and is not operated: {error}"
+                    self._refused.add(component)
+                    self.problem = f"{component} has appeared, and is not operated: {error}"
                     self._on_event(self.problem)
                 else:
-                    self._on_event(f"{each} has appeared, and is operated by {self.user.name} too")
+                    self._on_event(f"{component} has appeared, and is operated by {self.user.name} too")
             if self._watchdog is not None:
                 self._watchdog.hold(self.robot.id, control.ids)
 
@@ -314,7 +314,7 @@ class Operation:
     async def _brake(self) -> None:
         """Stop: a velocity of zero slows down within the robot's limits, an effort of zero brakes."""
         await self.robot.stop()
-        if any(each.find(WRENCH) for each in self.robot.components):
+        if any(component.find(WRENCH) for component in self.robot.components):
             await self.robot.service(WRENCH).send(SetWrenchEffort(), ack=True)
 
     def _stop_driving(self) -> None:
@@ -332,7 +332,7 @@ def modes_of(robot: Robot) -> list[str]:
     """The modes in which this robot can be driven manually; the usual one first."""
 
     def offers(*names: str) -> bool:
-        return all(any(each.find(name) for each in robot.components) for name in names)
+        return all(any(component.find(name) for component in robot.components) for name in names)
 
     by_velocity = offers(VELOCITY) or offers(WRENCH, "ugv:PlatformSpecifications")
     return [VELOCITY_MODE] * by_velocity + [EFFORT] * offers(WRENCH)

@@ -120,8 +120,8 @@ class _Page:
 
     def close(self) -> None:
         """Handle the end of the page."""
-        for each in (self._control, self._drive, self._arm, self._videos, self._world, self._trajectory, self._plots):
-            each.close()
+        for panel in (self._control, self._drive, self._arm, self._videos, self._world, self._trajectory, self._plots):
+            panel.close()
 
     def _build_bar(self, user: User) -> None:
         ui.label("jauspy").classes("brand")
@@ -183,9 +183,9 @@ class _Page:
             part.set_visibility(part in self._parts[name] and (has_robots or part in self._without_robots))
         self._empty.set_visibility(not has_robots and name != "Log")
         self._show_hint()
-        for each, button in self._tabs.items():
-            button.classes(add="chosen" if each == name else "", remove="" if each == name else "chosen")
-            attributes(button, aria_selected=each == name)
+        for tab, button in self._tabs.items():
+            button.classes(add="chosen" if tab == name else "", remove="" if tab == name else "chosen")
+            attributes(button, aria_selected=tab == name)
         self._messages.visible = name == "Log"
         self._world.visible = name == "World"
 
@@ -238,12 +238,12 @@ class _Page:
         call(
             "jauspy.selectRobot", 0 if robot is None else robot.id, self._choice.for_browser() if self._is_own else None
         )
-        for each in self._of_robot:
-            each.show(robot)
+        for panel in self._of_robot:
+            panel.show(robot)
         offered = [name for name in TABS if robot is None or name not in OFFERED or _offering(robot, OFFERED[name])]
         self._show_tab(self._wanted_tab if self._wanted_tab in offered else offered[0])
 
 
 def _offering(robot: Robot, services: tuple[str, ...]) -> set[JausID]:
     """The components with one of these services."""
-    return {each.id for each in robot.components if any(each.find(name) for name in services)}
+    return {component.id for component in robot.components if any(component.find(name) for name in services)}

@@ -199,10 +199,10 @@ class PageEvents:
 def _fits(event: _Event) -> bool | None:
     """True if an element can have caused this event; False if its element or listener has gone meanwhile."""
     try:
-        args = [None if each is None else from_json(each, allow_inf_nan=False) for each in event.args]
+        args = [None if arg is None else from_json(arg, allow_inf_nan=False) for arg in event.args]
     except ValueError:
         return None
-    if not all(_is_small(each) for each in args):
+    if not all(_is_small(arg) for arg in args):
         return None
     client = Client.instances.get(event.client_id)
     element = None if client is None else client.elements.get(event.id)
@@ -230,11 +230,11 @@ def _is_small(value: Any, depth: int = MAX_DEPTH) -> bool:
         if isinstance(part, int | float) and not abs(part) <= MAX_INTEGER:
             return False
         if isinstance(part, list):
-            left.extend((each, levels - 1) for each in part[: MAX_VALUES + 1])
+            left.extend((element, levels - 1) for element in part[: MAX_VALUES + 1])
         elif isinstance(part, dict):
             if any(len(key) > MAX_TEXT for key in part):
                 return False
-            left.extend((each, levels - 1) for each in list(part.values())[: MAX_VALUES + 1])
+            left.extend((element, levels - 1) for element in list(part.values())[: MAX_VALUES + 1])
     return True
 
 
@@ -274,5 +274,5 @@ def _is_index(value: Any, many: int) -> bool:
 def _is_choice(value: Any, many: int, *, several: bool) -> bool:
     if several:
         items = value or []
-        return isinstance(items, list) and all(_is_choice(each, many, several=False) and each for each in items)
+        return isinstance(items, list) and all(_is_choice(choice, many, several=False) and choice for choice in items)
     return value is None or (isinstance(value, dict) and _is_index(value.get("value"), many))

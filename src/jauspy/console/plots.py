@@ -82,7 +82,7 @@ class Recorder:
         if not 0 < rate <= MAX_RATE:
             raise ConfigError(f"a rate of {rate:g} Hz is outside 0..{MAX_RATE:g} Hz")
         source = (component.id, query.NAME)
-        same = next((each for each in self._of(source) if each.path == path), None)
+        same = next((trace for trace in self._of(source) if trace.path == path), None)
         if same is None and len(self.traces) >= MAX_TRACES:
             raise ConfigError(f"at most {MAX_TRACES} traces are shown; remove one first")
         trace = same or Trace(self._next, component.id, query, path, unit)
@@ -120,14 +120,14 @@ class Recorder:
                 rows.setdefault(at, {})[trace.number] = value
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
-        writer.writerow(["time"] + [f"{each.name} [{each.unit}]" if each.unit else each.name for each in traces])
+        writer.writerow(["time"] + [f"{trace.name} [{trace.unit}]" if trace.unit else trace.name for trace in traces])
         for at in sorted(rows):
             stamp = datetime.fromtimestamp(at, UTC).isoformat(timespec="milliseconds")
-            writer.writerow([stamp] + [rows[at].get(each.number, "") for each in traces])
+            writer.writerow([stamp] + [rows[at].get(trace.number, "") for trace in traces])
         return text.getvalue()
 
     def _of(self, source: Source) -> list[Trace]:
-        return [each for each in self.traces.values() if (each.component, each.query.NAME) == source]
+        return [trace for trace in self.traces.values() if (trace.component, trace.query.NAME) == source]
 
     def _end(self, source: Source) -> None:
         self._rates.pop(source, None)
@@ -195,9 +195,9 @@ class PlotsPanel:
     def show(self, robot: Robot | None) -> None:
         """Offer the components of this robot; traces of others stay."""
         components = robot.components if robot is not None else ()
-        self._components = {str(each.id): each for each in components if queries_of(each, registry)}
+        self._components = {str(component.id): component for component in components if queries_of(component, registry)}
         self._component.set_options(
-            {id: f"{id}  {printable(each.name)}" for id, each in self._components.items()},
+            {id: f"{id}  {printable(component.name)}" for id, component in self._components.items()},
             value=next(iter(self._components), None),
         )
 
@@ -228,9 +228,9 @@ class PlotsPanel:
             return
         if (component, query.NAME) != (self._component.value, self._message.value):
             return  # another one was chosen meanwhile
-        self._fields = {each.path: each for each in fields_of(report) if each.number is not None}
+        self._fields = {field.path: field for field in fields_of(report) if field.number is not None}
         self._field.set_options(
-            {path: f"{path}  = {each.text} {each.unit}".rstrip() for path, each in self._fields.items()}, value=[]
+            {path: f"{path}  = {field.text} {field.unit}".rstrip() for path, field in self._fields.items()}, value=[]
         )
         if not self._fields:
             self._problem.set_text(f"{report.NAME} has no numbers now")
@@ -253,13 +253,13 @@ class PlotsPanel:
     def _update(self) -> None:
         """Send the values that are new to the browser, which keeps as many as the recorder."""
         traces = list(self.recorder.traces.values())
-        listed = tuple((each.number, each.problem) for each in traces)
+        listed = tuple((trace.number, trace.problem) for trace in traces)
         if listed != self._listed:
             self._listed = listed
             self._show_chips(traces)
         if traces or self._sent:
-            parts = [self._part(each) for each in traces]
-            self._sent = {each.number: each.total for each in traces}
+            parts = [self._part(trace) for trace in traces]
+            self._sent = {trace.number: trace.total for trace in traces}
             span = int(self._span.value or 0)
             call("jauspy.plot", self._chart.id, parts, span, self._paused)
 

@@ -42,24 +42,24 @@ class Field:
 def fields_of(message: Message) -> list[Field]:
     """The first `MAX_FIELDS` fields of a message; a last one tells if there are more."""
     found: list[Field] = []
-    for each in _walk(message.layout(), message, ""):
+    for field in _walk(message.layout(), message, ""):
         if len(found) == MAX_FIELDS:
             return [*found, Field("\u2026", f"only the first {MAX_FIELDS} fields are shown")]
-        found.append(each)
+        found.append(field)
     return found
 
 
 def numbers_of(message: Message) -> dict[str, float]:
     """The numeric fields by their path."""
-    return {each.path: each.number for each in fields_of(message) if each.number is not None}
+    return {field.path: field.number for field in fields_of(message) if field.number is not None}
 
 
 def queries_of(component: ComponentInfo, registry: Registry) -> dict[str, Message]:
     """The queries that a component answers by its services, by name; by default each requests all fields."""
     found: dict[str, Message] = {}
     for service in sorted(component.services, key=lambda each: each.version, reverse=True):
-        for each in _queries(registry, service.urn, service.version):
-            found.setdefault(each.NAME, each)
+        for query in _queries(registry, service.urn, service.version):
+            found.setdefault(query.NAME, query)
     return dict(sorted(found.items()))
 
 

@@ -67,20 +67,20 @@ class RobotGeometry:
     @property
     def links(self) -> set[str]:
         """The names of all links."""
-        return {self.root, *(each["child"] for each in self.joints)}
+        return {self.root, *(joint["child"] for joint in self.joints)}
 
     @property
     def moving(self) -> list[str]:
         """The joints whose positions the browser is sent, in this order."""
-        return [each["name"] for each in self.joints if each["kind"] != JointKind.FIXED.value]
+        return [joint["name"] for joint in self.joints if joint["kind"] != JointKind.FIXED.value]
 
     def for_browser(self, mesh_url: str) -> dict[str, Any]:
         """As JSON; the URL of a mesh is `mesh_url` and its number."""
         shapes = [
-            each | {"url": f"{mesh_url}{each['mesh']}", "format": self.meshes[each["mesh"]].suffix.lower()[1:]}
-            if each["kind"] == "mesh"
-            else each
-            for each in self.shapes
+            shape | {"url": f"{mesh_url}{shape['mesh']}", "format": self.meshes[shape["mesh"]].suffix.lower()[1:]}
+            if shape["kind"] == "mesh"
+            else shape
+            for shape in self.shapes
         ]
         return {"source": self.source, "root": self.root, "joints": self.joints, "shapes": shapes}
 
@@ -88,9 +88,11 @@ class RobotGeometry:
 def described(description: RobotDescription, source: str) -> RobotGeometry:
     """The links, joints and visual shapes of a description; of a link without visual shapes, those that collide."""
     tree = FrameTree(description)
-    found = RobotGeometry(source, tree.root, [_joint(each) for each in tree.joints])
+    found = RobotGeometry(source, tree.root, [_joint(joint) for joint in tree.joints])
     root = parse_tree(description.urdf)
-    colours = {str(each.get("name")): colour for each in root.findall("material") if (colour := _colour(each))}
+    colours = {
+        str(material.get("name")): colour for material in root.findall("material") if (colour := _colour(material))
+    }
     for link in root.findall("link"):
         shapes = link.findall("visual") or link.findall("collision")
         for shape in shapes:
@@ -106,7 +108,7 @@ def _joint(joint: Joint) -> dict[str, Any]:
         "child": joint.child,
         "kind": kind.value,
         "origin": _pose(Transform.from_pose(joint.origin)),
-        "axis": [round(each, 6) for each in joint.axis],
+        "axis": [round(axi, 6) for axi in joint.axis],
     }
 
 
@@ -163,10 +165,10 @@ def _add_arm(found: RobotGeometry, id: JausID, report: ReportManipulatorSpecific
     rows: list[tuple[bool, float, float, float]] = [
         (turns, 0.0, 0.0, first.joint1_offset if turns else first.joint1_angle)
     ]
-    for each in report.joint_specification_list:
-        turns = hasattr(each, "joint_offset")
-        fixed = getattr(each, "joint_offset", None) if turns else getattr(each, "joint_angle", None)
-        rows.append((turns, each.link_length, each.twist_angle, float(fixed or 0.0)))
+    for specification in report.joint_specification_list:
+        turns = hasattr(specification, "joint_offset")
+        fixed = getattr(specification, "joint_offset", None) if turns else getattr(specification, "joint_angle", None)
+        rows.append((turns, specification.link_length, specification.twist_angle, float(fixed or 0.0)))
     parent = BASE
     for number, (turns, length, twist, fixed) in enumerate(rows, 1):
         link = Transform(rotation_about(X, twist), (length, 0.0, 0.0))
@@ -191,7 +193,7 @@ def _add_arm(found: RobotGeometry, id: JausID, report: ReportManipulatorSpecific
 
 def add_surroundings(found: RobotGeometry, cell: CellSetup) -> None:
     """Add the equipment of a cell that no sensor observes, in the frame of its world, which is that of the root."""
-    seen = {each["name"] for each in found.joints}
+    seen = {joint["name"] for joint in found.joints}
     for bin in cell.bins:
         _add_solids(found, found.root, bin.solids(), BIN, Transform.from_pose(bin.pose))
     for fixture in cell.fixtures:
@@ -262,12 +264,12 @@ def _add_solids(
     colour: Sequence[float],
     place: Transform = IDENTITY,
 ) -> None:
-    for each in solids:
-        shape: dict[str, Any] = {"link": link, "origin": _pose(place @ each.pose), "colour": list(colour)}
-        if each.shape is Shape.CUBOID:
-            shape |= {"kind": "box", "size": list(each.size)}
+    for solid in solids:
+        shape: dict[str, Any] = {"link": link, "origin": _pose(place @ solid.pose), "colour": list(colour)}
+        if solid.shape is Shape.CUBOID:
+            shape |= {"kind": "box", "size": list(solid.size)}
         else:
-            shape |= {"kind": "cylinder", "radius": each.size[0], "length": each.size[2]}
+            shape |= {"kind": "cylinder", "radius": solid.size[0], "length": solid.size[2]}
         found.shapes.append(shape)
 
 
@@ -288,7 +290,7 @@ def _coordinate_system(record: ManipulatorCoordinateSystemRec) -> Transform:
 
 def _pose(frame: Transform) -> list[float]:
     d, a, b, c = quaternion(frame.rotation)
-    return [round(each, 6) + 0.0 for each in (*frame.position, a, b, c, d)]
+    return [round(number, 6) + 0.0 for number in (*frame.position, a, b, c, d)]
 
 
 def positions_of(
@@ -300,10 +302,10 @@ def positions_of(
     """Positions of the joints in `moving`; those that follow others are computed, those not known are at zero."""
     described = {} if description is None else description.joints
     found: list[float | Sequence[float] | None] = []
-    for each in geometry.joints:
-        name = each["name"]
-        if each["kind"] == FREE:
+    for joint in geometry.joints:
+        name = joint["name"]
+        if joint["kind"] == FREE:
             found.append(poses.get(name))
-        elif each["kind"] != JointKind.FIXED.value:
+        elif joint["kind"] != JointKind.FIXED.value:
             found.append(round(described[name].position(known) if name in described else known.get(name, 0.0), 4))
     return found

@@ -93,7 +93,7 @@ class Route:
     def is_offered(self) -> bool:
         """True for a robot that takes a list of local waypoints."""
         robot = self._robot()
-        return robot is not None and any(each.find(LIST_DRIVER) for each in robot.components)
+        return robot is not None and any(component.find(LIST_DRIVER) for component in robot.components)
 
     @property
     def is_paused(self) -> bool:
@@ -120,7 +120,7 @@ class Route:
             self._ocu.query(service.id, QueryElementList(), expects=ReportElementList),
             _speed(service),
         )
-        uids = [each.element_uid for each in listed.element_list]
+        uids = [element.element_uid for element in listed.element_list]
         if uids != self._uids or now - self._read_at > READ_INTERVAL:
             if len(uids) > MAX_WAYPOINTS:
                 raise ConfigError(f"the robot holds {len(uids)} waypoints; {MAX_WAYPOINTS} can be shown")
@@ -154,7 +154,7 @@ class Route:
         if waypoints is not None:
             if len(waypoints) > MAX_WAYPOINTS:
                 raise ConfigError(f"{len(waypoints)} waypoints are too many; {MAX_WAYPOINTS} are possible")
-            await elements.upload([each.message() for each in waypoints])
+            await elements.upload([waypoint.message() for waypoint in waypoints])
         else:
             await elements.read()
         if not len(elements):

@@ -99,8 +99,8 @@ class Traffic:
 
         With `total`, only lines of the first `total` ones that are still kept.
         """
-        wanted = [each for each in words.casefold().split() if not each.startswith("-")]
-        unwanted = [each[1:] for each in words.casefold().split() if each.startswith("-") and len(each) > 1]
+        wanted = [word for word in words.casefold().split() if not word.startswith("-")]
+        unwanted = [word[1:] for word in words.casefold().split() if word.startswith("-") and len(word) > 1]
 
         def fits(line: Line) -> bool:
             if total is not None and line.number >= total:
@@ -108,7 +108,7 @@ class Traffic:
             if (kind and line.kind not in kind.split()) or (not routine and line.name in ROUTINE):
                 return False
             text = line.text.casefold()
-            return all(each in text for each in wanted) and not any(each in text for each in unwanted)
+            return all(word in text for word in wanted) and not any(word in text for word in unwanted)
 
         kept: Iterable[Line] = (line for lines in self._kept.values() for line in lines)
         newest = sorted(kept, key=lambda line: line.number, reverse=True)
@@ -116,7 +116,7 @@ class Traffic:
 
     def find(self, number: int) -> Line | None:
         """The line of this number, if it is still kept."""
-        return next((each for lines in self._kept.values() for each in lines if each.number == number), None)
+        return next((line for lines in self._kept.values() for line in lines if line.number == number), None)
 
     def decoded(self, line: Line) -> Message | str:
         """The message of a line, or why there is none."""

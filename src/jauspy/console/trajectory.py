@@ -89,7 +89,7 @@ class Trajectory:
 
     def problem(self, joints: Sequence[JointInfo], now: dict[str, float], first: int = 1) -> str:
         """Why an arm with these joints cannot follow the rows, the first of which has this number; empty if it can."""
-        known = {each.name: each for each in joints}
+        known = {joint.name: joint for joint in joints}
         if not self.rows:
             return "there are no rows: add the present positions first"
         if missing := [name for name in self.joints if name not in known]:

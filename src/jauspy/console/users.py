@@ -99,16 +99,16 @@ class Users:
         config = _parsed(path, read_file(path, MAX_FILE))
         roles = {**DEFAULT_ROLES, **config.roles}
         self._found: dict[str, tuple[User, str]] = {}
-        for name, each in config.users.items():
-            if each.role not in roles:
+        for name, user in config.users.items():
+            if user.role not in roles:
                 raise ConfigError(
-                    f"{path}: users.{name}.role = {each.role[:40]!r}; the roles are: {', '.join([*roles][:20])}"
+                    f"{path}: users.{name}.role = {user.role[:40]!r}; the roles are: {', '.join([*roles][:20])}"
                 )
-            if not _is_hash(each.password):
+            if not _is_hash(user.password):
                 raise ConfigError(
                     f"{path}: users.{name}.password is not a hash (Argon2id); make one: jauspy console user add {name}"
                 )
-            self._found[name] = (User(name, each.role, roles[each.role]), each.password)
+            self._found[name] = (User(name, user.role, roles[user.role]), user.password)
         self._nobody = hashed("nobody has this password")
 
     def __len__(self) -> int:
@@ -197,7 +197,7 @@ def _parsed(path: Path, data: bytes) -> _UsersConfig:
         config = _UsersConfig.model_validate(parse_toml(data, str(path)))
     except ValidationError as error:
         errors = error.errors(include_url=False)[:MAX_SHOWN]
-        problems = "\n".join(f"  {printable(explain(each, _UsersConfig))[:MAX_PROBLEM]}" for each in errors)
+        problems = "\n".join(f"  {printable(explain(problem, _UsersConfig))[:MAX_PROBLEM]}" for problem in errors)
         raise ConfigError(f"{path}: is not a file of users of the console:\n{problems}") from error
     for kind, names in (("user", config.users), ("role", config.roles)):
         if wrong := next((name for name in names if not NAME.fullmatch(name)), None):
@@ -282,7 +282,7 @@ class Sessions:
     def begin(self, user: User, address: str, now: float) -> Session | None:
         """A new session; None when there are too many."""
         self.expire(now)
-        own = [each for each in self._open.values() if each.user.name == user.name]
+        own = [session for session in self._open.values() if session.user.name == user.name]
         if len(own) >= (MAX_SESSIONS if self._lasting else MAX_SESSIONS_OF_USER):
             self.end(min(own, key=lambda each: (self._lasting and each.has_sockets, each.began)))
         if len(self._open) >= MAX_SESSIONS:
@@ -306,8 +306,8 @@ class Sessions:
 
     def expire(self, now: float) -> None:
         """End those that are too old or idle."""
-        for each in list(self._open.values()):
-            if each.has_sockets:
-                each.seen = now
-            if not self._lasting and (now - each.began >= LIFETIME or now - each.seen >= IDLE_TIME):
-                self.end(each)
+        for session in list(self._open.values()):
+            if session.has_sockets:
+                session.seen = now
+            if not self._lasting and (now - session.began >= LIFETIME or now - session.seen >= IDLE_TIME):
+                self.end(session)

@@ -83,7 +83,7 @@ class AttitudeFeed:
     def _start(self) -> None:
         followed: set[str] = set()
         for service, query, names in ATTITUDE_SOURCES:
-            component = next((each for each in self._robot.components if each.find(service)), None)
+            component = next((candidate for candidate in self._robot.components if candidate.find(service)), None)
             if component is None or followed & set(names):
                 continue
             followed |= set(names)
@@ -331,7 +331,7 @@ class SharedCamera:
                 if reason:
                     watcher.tell(reason=reason)
             now = asyncio.get_running_loop().time()
-            if now - self._key_at >= KEY_INTERVAL and any(each.choice == "keys" for each in self._watchers):
+            if now - self._key_at >= KEY_INTERVAL and any(watcher.choice == "keys" for watcher in self._watchers):
                 self.camera.refresh()
             if self.recording is not None and self.recording.ended:
                 self._stop_if_unused()
@@ -341,7 +341,7 @@ class SharedCamera:
         if asyncio.get_running_loop().time() - self._picture_at < QUIET_TIME:
             return ""
         state = "" if self._has_begun else self._state()
-        return "; ".join(each for each in (self._problem or self.camera.waiting, state) if each)
+        return "; ".join(line for line in (self._problem or self.camera.waiting, state) if line)
 
     def _hand_out(self, picture: Picture) -> None:
         self._picture_at = asyncio.get_running_loop().time()

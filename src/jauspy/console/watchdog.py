@@ -57,14 +57,14 @@ class Watchdog:
 
     def hold(self, robot: int, components: Iterable[JausID]) -> None:
         """Set the components of a robot that are controlled now; empty after its release."""
-        self._held[robot] = [str(each) for each in components]
+        self._held[robot] = [str(component) for component in components]
         process = self._process
         if process is None or process.stdin is None:
             return
         if process.returncode is not None:
             _LOG.warning("the console's watchdog has ended: robots would not be stopped if the console were killed")
             return
-        held = [each for components in self._held.values() for each in components]
+        held = [component for components in self._held.values() for component in components]
         process.stdin.write(json.dumps(held).encode() + b"\n")
 
 
@@ -79,7 +79,7 @@ async def release(id: str, connect: str | None, operator: str | None, components
                 _LOG.warning("%s was not released when the console was killed: %s", component, error)
 
     async with OCU(id, connect, operator=operator) as ocu:
-        await asyncio.gather(*(one(ocu, each) for each in components))
+        await asyncio.gather(*(one(ocu, component) for component in components))
 
 
 def main(id: str, connect: str, operator: str) -> None:
@@ -87,8 +87,8 @@ def main(id: str, connect: str, operator: str) -> None:
 
     It is empty after an orderly end.
     """
-    for each in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(each, signal.SIG_IGN)
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)
     held: list[str] = []
     for line in sys.stdin:
         held = json.loads(line)

@@ -93,7 +93,7 @@ _CLOUD_HEADER: Final = struct.Struct("<BBHI")
 
 def is_cell(robot: Robot) -> bool:
     """True for a robot in a cell with a sensor of parts; a robot there that reports a pose is a car made of parts."""
-    return any(each.find(PART_SENSOR) for each in robot.components)
+    return any(component.find(PART_SENSOR) for component in robot.components)
 
 
 class World:
@@ -150,20 +150,23 @@ class World:
             if not is_cell(self._found()):
                 self._following = [self._start("pose", self._follow_pose), self._start("map", self._follow_map)]
             self._following += [
-                self._start(f"cloud {each}", partial(self._follow_cloud, each)) for each in self._cloud_addresses
+                self._start(f"cloud {cloud_address}", partial(self._follow_cloud, cloud_address))
+                for cloud_address in self._cloud_addresses
             ]
         if not self._reading_joints:
-            for each in self._found().components:
-                if each.find(POSITION_SENSOR) or each.find(PAN_TILT_SENSOR):
-                    following = self._start(f"joints of {each.id}", partial(self._follow_joints, each))
+            for component in self._found().components:
+                if component.find(POSITION_SENSOR) or component.find(PAN_TILT_SENSOR):
+                    following = self._start(f"joints of {component.id}", partial(self._follow_joints, component))
                     self._reading_joints.append(following)
                 for service, query, take in (
                     (PART_SENSOR, QueryPartObservations(), self._take_parts),
                     (MODULAR_ARM, QueryModularArmState(), self._take_modular_arm),
                 ):
-                    if each.find(service):
-                        what = f"{service.partition(':')[2]} {each.id}"
-                        self._reading_joints.append(self._start(what, partial(self._follow, what, each, query, take)))
+                    if component.find(service):
+                        what = f"{service.partition(':')[2]} {component.id}"
+                        self._reading_joints.append(
+                            self._start(what, partial(self._follow, what, component, query, take))
+                        )
         return geometry
 
     def unwatched_by(self, watcher: object) -> None:
@@ -215,7 +218,7 @@ class World:
                     self._description = found.description
                     self._geometry = described(found.description, found.source)
                     self.positions = found.start | self.positions
-                    self._cloud_addresses += [each for each in found.clouds if each not in self._cloud_addresses]
+                    self._cloud_addresses += [cloud for cloud in found.clouds if cloud not in self._cloud_addresses]
                     self._part_types = found.cell.types if found.cell is not None else {}
                 else:
                     self._geometry = reported(await self._read_specifications(robot))
@@ -226,17 +229,17 @@ class World:
 
     async def _read_parts(self, robot: Robot) -> None:
         """Query the observed parts once, so that the browser builds them together."""
-        for each in robot.components:
-            if each.find(PART_SENSOR):
+        for component in robot.components:
+            if component.find(PART_SENSOR):
                 with contextlib.suppress(JausError):  # it is followed later
-                    self._take_parts(await self._ocu.query(each.id, QueryPartObservations()))
+                    self._take_parts(await self._ocu.query(component.id, QueryPartObservations()))
 
     async def _read_tables(self, robot: Robot) -> dict[JausID, JointTable]:
         found = {}
-        for each in robot.components:
+        for component in robot.components:
             with contextlib.suppress(JausError):  # its joints are read later, or not shown
-                if (table := await self._read_table(each)) is not None:
-                    found[each.id] = table
+                if (table := await self._read_table(component)) is not None:
+                    found[component.id] = table
         return found
 
     async def _read_table(self, component: ComponentInfo) -> JointTable | None:
@@ -248,11 +251,13 @@ class World:
 
     async def _read_specifications(self, robot: Robot) -> dict[JausID, ReportManipulatorSpecifications]:
         found = {}
-        for each in robot.components:
-            if each.find(SPECIFICATION):
+        for component in robot.components:
+            if component.find(SPECIFICATION):
                 with contextlib.suppress(JausError):
                     query = QueryManipulatorSpecifications()
-                    found[each.id] = await self._ocu.query(each.id, query, expects=ReportManipulatorSpecifications)
+                    found[component.id] = await self._ocu.query(
+                        component.id, query, expects=ReportManipulatorSpecifications
+                    )
         return found
 
     # --- following --------------------------------------------------------------------------------------------------
@@ -275,7 +280,7 @@ class World:
 
     async def _follow_pose(self) -> None:
         sensor = "mobility:LocalPoseSensor"
-        component = next((each for each in self._found().components if each.find(sensor)), None)
+        component = next((component for component in self._found().components if component.find(sensor)), None)
         if component is None:
             self.problems["pose"] = f"this robot does not report its pose: it offers no {sensor}"
             return
@@ -307,7 +312,7 @@ class World:
 
     def _take_joints(self, id: JausID, report: Message) -> None:
         if isinstance(report, ReportJointPositions):
-            values = [float(each.joint_position.value) for each in report.joint_position_list]
+            values = [float(joint.joint_position.value) for joint in report.joint_position_list]
         else:
             assert isinstance(report, ReportPanTiltJointPositions)
             values = [report.joint1_position, report.joint2_position]
@@ -320,26 +325,26 @@ class World:
         """Take observations of parts; new parts change the geometry."""
         assert isinstance(report, ReportPartObservations)
         assert self._geometry is not None
-        known = {each["name"] for each in self._geometry.joints}
-        if new := [each for each in report.part_list if part_joint(each.name) not in known]:
+        known = {joint["name"] for joint in self._geometry.joints}
+        if new := [part for part in report.part_list if part_joint(part.name) not in known]:
             geometry = self._geometry
             self._geometry = replace(geometry, joints=[*geometry.joints], shapes=[*geometry.shapes])
-            for each in new:
-                add_part(self._geometry, each.name, each.type, self._part_types.get(each.type))
+            for part in new:
+                add_part(self._geometry, part.name, part.type, self._part_types.get(part.type))
         before, self.part_poses = self.part_poses, {}
-        for each in report.part_list:
-            quaternion = (each.orientation_x, each.orientation_y, each.orientation_z, each.orientation_w)
-            pose = [round(value, 4) + 0.0 for value in (each.x, each.y, each.z, *quaternion)]
-            old = before.get(part_joint(each.name))
-            self.part_poses[part_joint(each.name)] = old if old is not None and _is_near(old, pose) else pose
+        for part in report.part_list:
+            quaternion = (part.orientation_x, part.orientation_y, part.orientation_z, part.orientation_w)
+            pose = [round(value, 4) + 0.0 for value in (part.x, part.y, part.z, *quaternion)]
+            old = before.get(part_joint(part.name))
+            self.part_poses[part_joint(part.name)] = old if old is not None and _is_near(old, pose) else pose
 
     def _take_modular_arm(self, report: Message) -> None:
         assert isinstance(report, ReportModularArmState)
-        self.positions.update({output_joint(each.name): each.position for each in report.joint_list})
+        self.positions.update({output_joint(joint.name): joint.position for joint in report.joint_list})
 
     async def _follow_map(self) -> None:
         """Map while the robot is known; one robot without a lidar has no map."""
-        if not any(each.find("environmentSensing:RangeSensor") for each in self._found().components):
+        if not any(component.find("environmentSensing:RangeSensor") for component in self._found().components):
             self.problems["map"] = "this robot has no range sensor, so there is no map"
             return
         if find_spec("numpy") is None:
@@ -397,16 +402,18 @@ class World:
         pose = self.pose
         state: dict[str, Any] = {
             "joints": positions_of(self._geometry, self._description, self.positions, self.part_poses),
-            "track": [[round(each, 2) for each in point] for point in list(self.track)[-new:]] if new else [],
+            "track": [[round(coordinate, 2) for coordinate in point] for point in list(self.track)[-new:]]
+            if new
+            else [],
         }
         if pose is not None:
-            state["pose"] = [round(each, 4) for each in (pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw)]
+            state["pose"] = [round(number, 4) for number in (pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw)]
             age = asyncio.get_running_loop().time() - self.pose_time
             if age > 1.0:
                 state["age"] = round(age)
         if self.mapping is not None and self.mapping.mapper.path:
             drift = self.mapping.mapper.correction.inverse()
-            state["map"] = [round(each, 4) for each in drift]
+            state["map"] = [round(number, 4) for number in drift]
         return state
 
     def notes(self) -> list[str]:
@@ -448,9 +455,9 @@ def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
     """The robot of this name, if it has these joints; None for an unknown robot."""
     from jauspy.robot import robot_files  # noqa: PLC0415 - it takes a second
 
-    for each in (*files, *(known for known in robot_files.known() if known == name)):
+    for file in (*files, *(known for known in robot_files.known() if known == name)):
         try:
-            config = robot_files.load(each)
+            config = robot_files.load(file)
             if config.name != name:
                 continue
             model = robot_files.robot_model(config)
@@ -460,7 +467,7 @@ def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
             groups = model.groups.values()
             start = {joint: at for group in groups for joint, at in zip(group.joints, group.start, strict=True)}
             addresses = [cloud.address for cloud in config.clouds]
-            return _Known(model.description, f"description of {printable(each)}", start, addresses, model.cell)
+            return _Known(model.description, f"description of {printable(file)}", start, addresses, model.cell)
     return None
 
 

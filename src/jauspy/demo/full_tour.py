@@ -232,9 +232,9 @@ def plot_joints(state: DemoState, file: Path) -> None:
     figure = Figure(figsize=(11, 9), layout="constrained")
     axes = figure.subplots(len(JOINT_NAMES), 1, sharex=True)
     for joint, (axis, name) in enumerate(zip(axes, JOINT_NAMES, strict=True)):
-        commanded = [math.degrees(each[joint]) for each in commands]
+        commanded = [math.degrees(command[joint]) for command in commands]
         axis.step([*at, end], [*commanded, commanded[-1]], where="post", color="0.45", linestyle="--", linewidth=1.2)
-        axis.plot(times, [math.degrees(each[joint]) for each in positions], color="C0", linewidth=1.6)
+        axis.plot(times, [math.degrees(position[joint]) for position in positions], color="C0", linewidth=1.6)
         axis.set_ylabel(f"{name}\ndegrees")
         axis.grid(alpha=0.3)
         low, high = axis.get_ylim()
@@ -324,7 +324,7 @@ class FullTour(Tour):
 
     async def _aim(self, stack: AsyncExitStack, robot: Robot) -> None:
         self._step("aim", "Point the camera on the chassis to it")
-        mount = next(each.component for each in self._config.modules if each.camera == CHASSIS_CAMERA)
+        mount = next(module.component for module in self._config.modules if module.camera == CHASSIS_CAMERA)
         self._add(await aim(stack, robot, mount, self._plan.aim))
 
     def _draw(self) -> None:

@@ -63,14 +63,14 @@ class Report:
     @property
     def reached(self) -> bool:
         """True if every goal was reached."""
-        return all(each.reached is not False for each in self.results)
+        return all(stage.reached is not False for stage in self.results)
 
     @property
     def verdict(self) -> str:
         """The sentence about all goals."""
         if not self.reached:
             return "not all goals were reached"
-        reduced = [each.stage for each in self.results if each.reduced]
+        reduced = [stage.stage for stage in self.results if stage.reduced]
         if reduced:
             return (
                 f"the goals were reached, but for what is reduced, since this machine is too slow: {', '.join(reduced)}"
@@ -79,7 +79,7 @@ class Report:
 
     def save(self, folder: Path) -> None:
         """Write `summary.json`."""
-        stages = [asdict(each) for each in self.results]
+        stages = [asdict(stage) for stage in self.results]
         text = json.dumps({"reached": self.reached, "results": stages}, indent=2)
         (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
 
@@ -89,12 +89,12 @@ class Report:
         grid.add_column(width=1)
         grid.add_column(style="bold", no_wrap=True)
         grid.add_column()
-        for each in self.results:
-            mark, style = each.mark
-            grid.add_row(Text(mark, style=style), each.stage, each.measured)
+        for stage in self.results:
+            mark, style = stage.mark
+            grid.add_row(Text(mark, style=style), stage.stage, stage.measured)
         if self.files:
             grid.add_row("", Text("files", style="dim"), Text(f"{folder}/: {', '.join(self.files)}", style="dim"))
-        colour = "yellow" if any(each.reduced for each in self.results) else "green"
+        colour = "yellow" if any(stage.reduced for stage in self.results) else "green"
         return Panel(grid, title=self.verdict, expand=False, border_style=colour if self.reached else "red")
 
 
@@ -169,7 +169,7 @@ class View:
 
     def discovered(self, robot: SubsystemInfo) -> None:
         """Show the discovered robot."""
-        services = sum(len(each.services) for each in robot.components)
+        services = sum(len(component.services) for component in robot.components)
         line = f"subsystem {robot.id} {robot.name}: {len(robot.components)} components with {services} services"
         self._line(Text(f"  {line}"))
 

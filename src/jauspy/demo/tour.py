@@ -86,7 +86,7 @@ class Tour:
 
     async def _begin(self, stack: AsyncExitStack, robot: Robot) -> tuple[RobotControl, Arm]:
         """Take control of the moving modules until `stack` closes."""
-        ids = [self._modules[each] for each in CONTROLLED_MODULES]
+        ids = [self._modules[module] for module in CONTROLLED_MODULES]
         self._view.step(f"Take control of {', '.join(map(str, ids))} with authority {plan.AUTHORITY}; Resume")
         control = robot.control(*map(str, ids), authority=plan.AUTHORITY)
         await stack.enter_async_context(control)

@@ -383,7 +383,7 @@ class Arm:
         query = QueryCommandedJointPositions()
         report = await self._connection.query(id, query, expects=ReportCommandedJointPositions)
         assert isinstance(report, ReportCommandedJointPositions)
-        return [float(each.joint_position.value) for each in report.joint_position_list]
+        return [float(position.joint_position.value) for position in report.joint_position_list]
 
     async def _message(self, values: Sequence[float]) -> Message:
         """The command to these positions of all joints."""
@@ -571,8 +571,8 @@ def _vector(values: Sequence[float], name: str) -> Vector:
     numbers = list(values) if not isinstance(values, int | float | str) else []
     if len(numbers) != 3:
         raise TypeError(f"{name} is three numbers, as in (0.6, 0.0, 0.3), not {described(values)}")
-    for each in numbers:
-        check_number(each, name)
+    for number in numbers:
+        check_number(number, name)
     x, y, z = map(float, numbers)
     return x, y, z
 

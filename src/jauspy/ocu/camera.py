@@ -262,7 +262,7 @@ class Camera:
         report = await self._connection.query(component.id, query, expects=ReportVisualSensorCapabilities)
         assert isinstance(report, ReportVisualSensorCapabilities)
         rows = report.visual_sensor_capabilities_list
-        return [(int(each.sensor_id), str(getattr(each, "sensor_name", ""))) for each in rows]
+        return [(int(row.sensor_id), str(getattr(row, "sensor_name", ""))) for row in rows]
 
     async def _own_address(self, component: ComponentInfo) -> str:
         found = await self._connection.address_towards(component.id)

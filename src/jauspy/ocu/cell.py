@@ -61,11 +61,11 @@ class ModularArm:
         )
         tip = Transform(rotation_from_quaternion(*orientation), (motion.tip_x, motion.tip_y, motion.tip_z))
         return ModularArmState(
-            joints=tuple(each.name for each in joints),
-            positions=tuple(each.position for each in joints),
-            velocities=tuple(each.velocity for each in joints),
-            efforts=tuple(each.effort for each in joints),
-            targets=tuple(each.target for each in joints),
+            joints=tuple(joint.name for joint in joints),
+            positions=tuple(joint.position for joint in joints),
+            velocities=tuple(joint.velocity for joint in joints),
+            efforts=tuple(joint.effort for joint in joints),
+            targets=tuple(joint.target for joint in joints),
             moving=bool(motion.moving),
             controller=ArmController.MODEL if motion.controller else ArmController.PID,
             payload=motion.payload,
@@ -79,9 +79,11 @@ class ModularArm:
         With 0 seconds it is as fast as the joints' limits allow. `state().error` says why the robot refused it.
         """
         check_number(duration, "duration")
-        for number, each in enumerate(positions, 1):
-            check_number(each, f"joint {number}")
-        rows = [MoveModularArm.JointPositionRec(None if math.isnan(each) else float(each)) for each in positions]
+        for number, position in enumerate(positions, 1):
+            check_number(position, f"joint {number}")
+        rows = [
+            MoveModularArm.JointPositionRec(None if math.isnan(position) else float(position)) for position in positions
+        ]
         await self._service.send(MoveModularArm(MoveModularArm.MotionDurationRec(float(duration)), rows), ack=True)
 
     async def move(

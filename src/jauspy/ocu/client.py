@@ -206,7 +206,7 @@ class OCU:
 
         Without `timeout` this takes 1 s if all that answered have described themselves completely, else 2 s.
         """
-        return tuple(Robot(self._connection, each) for each in await discover_all(self._connection, timeout))
+        return tuple(Robot(self._connection, subsystem) for subsystem in await discover_all(self._connection, timeout))
 
     async def watch(
         self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0, parts: bool = False

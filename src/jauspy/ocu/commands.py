@@ -120,7 +120,9 @@ class _PendingCommand:
         retry = self._connection.retry
         while not waiter.reply.done():
             self._connection.controls.check(self._id, self._command)
-            self._outlasted = self._outlasted or any(each > self.deadline for each in self._other_deadlines())
+            self._outlasted = self._outlasted or any(
+                other_deadline > self.deadline for other_deadline in self._other_deadlines()
+            )
             left = self.deadline + (retry.timeout if self._outlasted else retry.total) - self._clock()
             if left <= 0:
                 raise self._too_long()
@@ -131,7 +133,7 @@ class _PendingCommand:
 
     def _other_deadlines(self) -> list[float]:
         users = self._connection.events.users(self._id, self._encoded) - {self}
-        return [each.deadline for each in users if isinstance(each, _PendingCommand)]
+        return [pending.deadline for pending in users if isinstance(pending, _PendingCommand)]
 
     def _too_long(self) -> RequestError:
         name, within = self._command.NAME, f"{self._within:g} s"
@@ -281,7 +283,7 @@ def neutral(command: Message) -> Message | None:
 
 def _zeroed(value: Any) -> Any:
     if isinstance(value, dict):
-        return {name: _zeroed(each) for name, each in value.items()}
+        return {name: _zeroed(entry) for name, entry in value.items()}
     if isinstance(value, list):
-        return [_zeroed(each) for each in value]
+        return [_zeroed(entry) for entry in value]
     return 0.0 if isinstance(value, float) else value

@@ -60,8 +60,8 @@ MAX_ROUND_TRIPS: Final = 10_000
 _LIST_DRIVER: Final = "urn:jaus:jss:manipulator:ManipulatorListDriver"
 """Since manipulator 2.0 this service has the messages that execute a list; drivers of elements inherit them."""
 COMMANDS_WITHOUT_CONTROL: Final = frozenset(
-    each.CODE
-    for each in (RequestControl, ReleaseControl, SetEmergency, ClearEmergency, CreateEvent, UpdateEvent, CancelEvent)
+    message.CODE
+    for message in (RequestControl, ReleaseControl, SetEmergency, ClearEmergency, CreateEvent, UpdateEvent, CancelEvent)
 )
 """Message ids of commands that need no control."""
 
@@ -275,9 +275,9 @@ class Connection:
     async def run_on_close(self) -> None:
         """Await all `on_close` callbacks; raises the first of their errors."""
         results = await asyncio.gather(*(callback() for callback in self._on_close), return_exceptions=True)
-        for each in results:
-            if isinstance(each, BaseException):
-                raise each
+        for result in results:
+            if isinstance(result, BaseException):
+                raise result
 
     def detach(self) -> None:
         """End every wait with `TransportError`: the OCU is closed."""
@@ -289,7 +289,7 @@ class Connection:
     def service_info(self, name: str) -> ServiceInfo:
         """The newest known definition of a service, by its URN or the end of it; `ConfigError` unless there is one."""
         check_text(name, "a service's name")
-        versions = {each.service: each.version for each in self.registry.entries if is_called(each.service, name)}
+        versions = {entry.service: entry.version for entry in self.registry.entries if is_called(entry.service, name)}
         if len(versions) == 1:
             return ServiceInfo(*versions.popitem())
         if versions:
@@ -329,7 +329,7 @@ class Connection:
             self._on_reject(packet.payload, packet.source)
             return True
         known = self.registry.by_code(code)
-        if any(each.IS_COMMAND or each.IS_QUERY for each in known):
+        if any(kind.IS_COMMAND or kind.IS_QUERY for kind in known):
             return False
         self.stats.unexpected += 1
         name = known[0].NAME if known else f"{code:04X}h, which is not known here,"

@@ -63,7 +63,7 @@ REMEDIES: Final[Mapping[int, str]] = {
 }
 """What ends the states in which a component gives control to nobody (AS5710), apart from initialization."""
 
-_LEAVES_READY: Final = tuple(each.CODE for each in (Standby, SetEmergency, Reset, Shutdown))
+_LEAVES_READY: Final = tuple(command.CODE for command in (Standby, SetEmergency, Reset, Shutdown))
 """After one of these from this OCU the component is expected to leave Ready."""
 
 
@@ -217,9 +217,9 @@ class Control:
         left = asyncio.Event()
         self._stack.enter_context(self._connection.on_close(left.wait))  # closing the OCU waits for what follows
         try:
-            tasks = {each for each in (renewal, self._holder_query) if each is not None}
-            for each in tasks:
-                each.cancel()
+            tasks = {task for task in (renewal, self._holder_query) if task is not None}
+            for task in tasks:
+                task.cancel()
             if not self._taken and not self._returned:
                 await self._release()
         finally:

@@ -108,7 +108,7 @@ async def discover(connection: Connection, subsystem: int, timeout: float) -> Su
     if not 0 < subsystem < ANY_SUBSYSTEM:
         raise ConfigError(f"subsystem {subsystem} is outside 1..{ANY_SUBSYSTEM - 1}")
     tree = await _search(connection, subsystem, timeout)
-    found = next((each for each in tree.subsystems() if each.id == subsystem), None)
+    found = next((found for found in tree.subsystems() if found.id == subsystem), None)
     if found is None:
         others = await _search(connection, None, OTHERS_TIME)
         clash = await connection.id_clash()
@@ -169,7 +169,7 @@ async def _completed(tree: SubsystemTree, subsystem: int | None, end: float, con
 
 def _is_complete(tree: SubsystemTree) -> bool:
     """True when something has answered, and all of it is known."""
-    numbers = {each.subsystem for each in tree}
+    numbers = {member.subsystem for member in tree}
     return bool(numbers) and all(map(tree.is_complete, numbers))
 
 
@@ -189,7 +189,7 @@ def _query_missing(connection: Connection, tree: SubsystemTree, subsystem: int |
 
 
 def _no_such_subsystem(subsystem: int, tree: SubsystemTree, timeout: float) -> str:
-    others = ", ".join(map(str, sorted({each.subsystem for each in tree})))
+    others = ", ".join(map(str, sorted({member.subsystem for member in tree})))
     answered = f"of the others, {others} did answer" if others else "no other one answers either"
     return (
         f"subsystem {subsystem} did not answer QueryIdentification and QueryServices, sent to "
@@ -244,8 +244,8 @@ async def watch(
                 tree.expire(clock() - silence)
             if parts:
                 now = _parts(tree.subsystems(clock()))
-                for each in _differences(before, now):
-                    yield each
+                for appearance in _differences(before, now):
+                    yield appearance
                 before = now
             else:
                 for difference in robots.update(tree.subsystems(clock()), tree.is_complete, clock()):
@@ -374,7 +374,7 @@ class RobotNews:
         self, robots: tuple[SubsystemInfo, ...], is_complete: Callable[[int], bool], now: float
     ) -> Iterator[Difference]:
         """What is due now."""
-        current = {each.id: each for each in robots}
+        current = {robot.id: robot for robot in robots}
         for id in sorted(self._reported.keys() | current.keys()):
             before, found = self._reported.get(id), current.get(id)
             if found == before:
@@ -389,7 +389,7 @@ class RobotNews:
 
     def next_at(self) -> float | None:
         """When to call `update` again; None when nothing is pending."""
-        return min((each.due for each in self._pending.values()), default=None)
+        return min((pending.due for pending in self._pending.values()), default=None)
 
     def _is_settled(self, id: int, found: SubsystemInfo | None, complete: bool, now: float) -> bool:
         pending = self._pending.setdefault(id, _Pending(found, now, now, now))
@@ -406,6 +406,8 @@ class RobotNews:
         before = self._reported.get(id)
         if found is None:
             return 0.0
-        if before is None or {each.id for each in before.components} <= {each.id for each in found.components}:
+        if before is None or {component.id for component in before.components} <= {
+            component.id for component in found.components
+        }:
             return ROBOT_QUIET_TIME
         return self._silence

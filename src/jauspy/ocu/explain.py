@@ -127,10 +127,10 @@ async def _not_offered(connection: Connection, id: JausID, command: Message, ret
     except ResponseTimeout:
         return ""
     assert isinstance(report, ReportServices)
-    offered = sorted(each for each in offered_services(report, id).get(id, ()))
-    if not offered or any(_has(connection, each.urn, command) for each in offered):
+    offered = sorted(service for service in offered_services(report, id).get(id, ()))
+    if not offered or any(_has(connection, service.urn, command) for service in offered):
         return ""
-    names = ", ".join(str(each) for each in offered if ":core:" not in each.urn)
+    names = ", ".join(str(service) for service in offered if ":core:" not in service.urn)
     return f"{id} does not offer {command.NAME} of {command.SERVICE.removeprefix('urn:jaus:jss:')}; it offers {names}"
 
 
@@ -139,7 +139,7 @@ def _has(connection: Connection, urn: str, command: Message) -> bool:
     if urn == command.SERVICE or (urn.endswith("ListDriver") and command.SERVICE.endswith("ListDriver")):
         return True
     known = connection.registry.by_code(command.CODE)
-    return any(urn == each.SERVICE for each in known)
+    return any(urn == kind.SERVICE for kind in known)
 
 
 # --- values -----------------------------------------------------------------------------------------------------------
@@ -159,7 +159,7 @@ async def _wrong_values(connection: Connection, id: JausID, command: Message, re
 async def _wrong_joints(connection: Connection, id: JausID, command: Message, retry: RetryPolicy) -> str:
     report = await connection.query(id, QueryJointPositions(), expects=ReportJointPositions, retry=retry)
     assert isinstance(report, ReportJointPositions)
-    own = [int(each.joint_position.choice) for each in report.joint_position_list]
+    own = [int(position.joint_position.choice) for position in report.joint_position_list]
     given: list[Any] = getattr(command, _JOINT_LISTS[command.NAME])
     if len(given) != len(own):
         return (
@@ -167,8 +167,8 @@ async def _wrong_joints(connection: Connection, id: JausID, command: Message, re
             f"{len(given)}; give one value for each, base to tip"
         )
     field = _LISTS_WITH_TYPES.get(command.NAME)
-    for number, (each, kind) in enumerate(zip(given, own, strict=True), 1):
-        if field is not None and int(getattr(each, field).choice) != kind:
+    for number, (pair, kind) in enumerate(zip(given, own, strict=True), 1):
+        if field is not None and int(getattr(pair, field).choice) != kind:
             right, wrong = ("an angle", "a distance") if kind == 1 else ("a distance", "an angle")
             return f"{id} ignores {command.NAME}: joint {number} takes {right}, and the message has {wrong}"
     return ""
@@ -183,7 +183,7 @@ async def _too_fast(connection: Connection, id: JausID, command: SetVelocityComm
         assert isinstance(report, ReportVelocityCommand)
         limits.append(report)
     for name, unit in (("velocity_x", "m/s"), ("yaw_rate", "rad/s")):
-        value, low, high = (getattr(each, name) for each in (command, *limits))
+        value, low, high = (getattr(record, name) for record in (command, *limits))
         if None not in (value, low, high) and not low - 0.01 <= value <= high + 0.01:
             return f"{id} ignores {command.NAME}: {name} {value:g} {unit} is outside {low:.4g}..{high:.4g} {unit}"
     return ""

@@ -128,8 +128,8 @@ class RobotFrames:
         reported = asyncio.gather(*(reader.read() for reader in self._readers))
         base, groups = await asyncio.gather(self._base(), reported)
         positions = self._start_positions()
-        for each in groups:
-            positions |= each
+        for group in groups:
+            positions |= group
         return self._tree.frames(base, positions, LOCAL)
 
     @property
@@ -138,12 +138,12 @@ class RobotFrames:
         tracks = self._model.tracks
         belts = {*tracks.left, *tracks.right} if tracks else set()
         reported = {joint for reader in self._readers or () for joint in reader.joints}
-        moving = (each for each in self._tree.joints if each.is_independent)
+        moving = (joint for joint in self._tree.joints if joint.is_independent)
         return [joint.name for joint in moving if joint.name not in reported | belts]
 
     def assumed_between(self, frame: str, within: str) -> list[str]:
         """The assumed joints between one frame and another one."""
-        links = [self._tree.root if each == LOCAL else each for each in (frame, within)]
+        links = [self._tree.root if name == LOCAL else name for name in (frame, within)]
         joints = {joint.mimics or joint.name for joint in self._tree.between(*links)}
         return [joint for joint in self.assumed if joint in joints]
 

@@ -139,7 +139,7 @@ def positions_query(component: ComponentInfo) -> QueryJointPositions | QueryPanT
 def positions_in(report: Message) -> list[float]:
     """The positions in an answer to `positions_query`, base to tip, with the signs of the component (AS6057)."""
     if isinstance(report, ReportJointPositions):
-        return [float(each.joint_position.value) for each in report.joint_position_list]
+        return [float(joint.joint_position.value) for joint in report.joint_position_list]
     assert isinstance(report, ReportPanTiltJointPositions)
     return [report.joint1_position, report.joint2_position]
 
@@ -156,17 +156,17 @@ def table_of(report: ReportJointDescription) -> JointTable:
     types = ReportJointDescription.JointType
     joints = tuple(
         DescribedJoint(
-            each.joint_name,
-            is_revolute=each.joint_type != types.PRISMATIC,
-            sign=-1.0 if each.direction == ReportJointDescription.Direction.REVERSED else 1.0,
-            zero=each.zero_position,
-            lower=-math.inf if each.joint_type == types.CONTINUOUS else each.lower_limit,
-            upper=math.inf if each.joint_type == types.CONTINUOUS else each.upper_limit,
-            max_effort=each.max_effort,
-            max_speed=each.max_speed,
-            width_rate=each.width_rate,
+            joint.joint_name,
+            is_revolute=joint.joint_type != types.PRISMATIC,
+            sign=-1.0 if joint.direction == ReportJointDescription.Direction.REVERSED else 1.0,
+            zero=joint.zero_position,
+            lower=-math.inf if joint.joint_type == types.CONTINUOUS else joint.lower_limit,
+            upper=math.inf if joint.joint_type == types.CONTINUOUS else joint.upper_limit,
+            max_effort=joint.max_effort,
+            max_speed=joint.max_speed,
+            width_rate=joint.width_rate,
         )
-        for each in report.joint_list
+        for joint in report.joint_list
     )
     parts = (group.tool_d, group.tool_a, group.tool_b, group.tool_c)
     has_tool = math.isclose(math.hypot(*parts), 1.0, abs_tol=0.01)
@@ -175,15 +175,15 @@ def table_of(report: ReportJointDescription) -> JointTable:
 
 
 def _specified(report: ReportManipulatorSpecifications) -> JointTable:
-    names = [each.description for each in report.joint_names_list or ()]
+    names = [record.description for record in report.joint_names_list or ()]
     first = report.first_joint_parameters
     limits: list[tuple[bool, float | None, float | None, float | None]]
     limits = [
         (hasattr(first, "joint1_max_torque"), first.joint1_min_value, first.joint1_max_value, first.joint1_max_speed)
     ]
     limits += [
-        (hasattr(each, "max_torque"), each.min_value, each.max_value, each.max_speed)
-        for each in report.joint_specification_list
+        (hasattr(joint, "max_torque"), joint.min_value, joint.max_value, joint.max_speed)
+        for joint in report.joint_specification_list
     ]
     names += [f"joint{number}" for number in range(len(names) + 1, len(limits) + 1)]
     rows = zip(names, limits, strict=False)
@@ -219,14 +219,14 @@ def joint_velocities(*velocities: float) -> SetJointVelocity:
 
 def joint_efforts(*percent: float) -> SetJointEffort:
     """One effort for each joint, base to tip, in percent."""
-    return SetJointEffort([JointEffortRec(float(each)) for each in _checked(percent)])
+    return SetJointEffort([JointEffortRec(float(effort)) for effort in _checked(percent)])
 
 
 def _checked(values: tuple[float, ...]) -> tuple[float, ...]:
-    for number, each in enumerate(values, 1):
-        check_number(each, f"joint {number}")
+    for number, value in enumerate(values, 1):
+        check_number(value, f"joint {number}")
     return values
 
 
 def _typed(values: tuple[float, ...]) -> list[DescribedJoint]:
-    return [DescribedJoint("", not isinstance(each, metres)) for each in values]
+    return [DescribedJoint("", not isinstance(entry, metres)) for entry in values]

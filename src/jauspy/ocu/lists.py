@@ -394,7 +394,7 @@ class ListClient:
         """The UIDs of the elements, first to last."""
         report = await self._connection.query(self._id, QueryElementList())
         assert isinstance(report, ReportElementList)
-        return [each.element_uid for each in report.element_list]
+        return [element.element_uid for element in report.element_list]
 
     async def becomes(self, condition: Callable[[list[int]], bool]) -> bool:
         """True when the UIDs fulfil `condition`; queried again if not, as a report may answer an earlier query late."""
@@ -452,9 +452,9 @@ def _checked(elements: Any) -> list[Element]:
     if isinstance(elements, Message | bytes | type) or not isinstance(elements, Iterable):
         raise TypeError(f"a list is made of several elements, as in [{EXAMPLE_ELEMENT}], not {described(elements)}")
     found = list(elements)
-    for each in found:
-        if not isinstance(each, bytes):
-            check_message(each, "a list", EXAMPLE_ELEMENT)
+    for element in found:
+        if not isinstance(element, bytes):
+            check_message(element, "a list", EXAMPLE_ELEMENT)
     return found
 
 

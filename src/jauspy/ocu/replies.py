@@ -42,9 +42,9 @@ def report_of(registry: Registry, query: Message) -> type[Message]:
         return report  # type: ignore[no-any-return]  # set on queries whose report is of the same service
     code = query.CODE + REPORT_OFFSET
     found = registry.by_code(code) if code in REPORT_CODES else _report_by_name(registry, query)
-    for each in found:
-        if (each.SERVICE, each.VERSION) == (query.SERVICE, query.VERSION):
-            return each
+    for reply in found:
+        if (reply.SERVICE, reply.VERSION) == (query.SERVICE, query.VERSION):
+            return reply
     if not found:
         what = f"with id {code:04X}" if code in REPORT_CODES else f"called {report_name(query)} of {query.SERVICE}"
         raise ConfigError(f"no message {what} is known to answer {query.NAME}; name its class with `expects`")
@@ -129,7 +129,7 @@ class ReplyDispatcher:
 
     def dispatch(self, payload: bytes, source: JausID) -> bool:
         """Hand out one message; false when nobody takes it. Malformed messages are reported and count as taken."""
-        heard = [each for each in tuple(self._listeners) if self._notify(each, payload, source)]
+        heard = [listener for listener in tuple(self._listeners) if self._notify(listener, payload, source)]
         for waiter in self._waiters:
             try:
                 if waiter.take(payload, source, self.registry):
@@ -198,7 +198,7 @@ class ReplyDispatcher:
 def _kind_of(payload: bytes, kinds: tuple[type[Message], ...]) -> type[Message] | None:
     """The class of these that has the message id of this payload."""
     code = message_id(payload)
-    return next((each for each in kinds if code == each.CODE), None)
+    return next((kind for kind in kinds if code == kind.CODE), None)
 
 
 # --- queries whose answers look alike ---------------------------------------------------------------------------------

@@ -137,7 +137,7 @@ class Robot:
         """The client of a component by number (102) or by id ("101.1.102"); `ConfigError` lists the components."""
         if isinstance(which, str):
             which = JausID.parse(which)
-        found = [each for each in self.components if which in (each.id, each.id.component)]
+        found = [component for component in self.components if which in (component.id, component.id.component)]
         if len(found) == 1:
             return ComponentClient(self._connection, found[0])
         if found:
@@ -159,7 +159,7 @@ class Robot:
                 f"several components of subsystem {self.id} offer {name}: {_ids(offering)}; choose one, as in "
                 f"robot.component({first}).service({name!r})"
             )
-        offers = "; ".join(f"{each.id}: {_listed(each)}" for each in self.components) or "nothing"
+        offers = "; ".join(f"{component.id}: {_listed(component)}" for component in self.components) or "nothing"
         raise ConfigError(f"subsystem {self.id} does not offer {name}; it offers {offers}")
 
     # --- what it does ---------------------------------------------------------------------------------------------
@@ -225,7 +225,11 @@ class Robot:
 
     async def joints(self) -> Joints:
         """Positions of all joints that are reported, in radians or metres by their names in the description (URDF)."""
-        offering = [each for each in self.components if each.find(POSITION_SENSOR) or each.find(PAN_TILT_SENSOR)]
+        offering = [
+            component
+            for component in self.components
+            if component.find(POSITION_SENSOR) or component.find(PAN_TILT_SENSOR)
+        ]
         if not offering:
             raise ConfigError(f"subsystem {self.id} does not report its joints: it offers no {POSITION_SENSOR}")
         groups = await asyncio.gather(*map(self._joints_of, offering))
@@ -241,10 +245,10 @@ class Robot:
         client = self.service(FORCE_TORQUE)
         record = QueryForceTorque.QueryForceTorqueRec(sensor, QueryForceTorque.CoordinateSystem.VEHICLE, ALL_FIELDS)
         report = await client.query(QueryForceTorque([record]), expects=ReportForceTorque)
-        for each in report.report_force_torque_list:
+        for measured in report.report_force_torque_list:
             # JAUS's axes: y to the right, z down
-            force = each.force_x or 0.0, -(each.force_y or 0.0), -(each.force_z or 0.0)
-            torque = each.torque_x or 0.0, -(each.torque_y or 0.0), -(each.torque_z or 0.0)
+            force = measured.force_x or 0.0, -(measured.force_y or 0.0), -(measured.force_z or 0.0)
+            torque = measured.torque_x or 0.0, -(measured.torque_y or 0.0), -(measured.torque_z or 0.0)
             return ForceTorque(force, torque, datetime.now(UTC))
         raise RequestError(f"{client.id} has no force-torque sensor {sensor}")
 
@@ -285,7 +289,7 @@ class Robot:
 
     def _of_the_driver(self, name: str, offering: list[ComponentInfo]) -> ServiceClient:
         """Of several components, the one that this program controls, if that is one."""
-        controlled = [each for each in offering if each.id in self._connection.controls]
+        controlled = [component for component in offering if component.id in self._connection.controls]
         return (
             self.service(name)
             if len(controlled) != 1
@@ -293,7 +297,7 @@ class Robot:
         )
 
     def _moving(self) -> list[JausID]:
-        return [each.id for each in self.components if any(each.find(name) for name in MOVING)]
+        return [component.id for component in self.components if any(component.find(name) for name in MOVING)]
 
     def _part(self, part: str | int) -> list[JausID]:
         if part == "drive":
@@ -326,7 +330,7 @@ class Robot:
 
 
 def _ids(components: list[ComponentInfo] | tuple[ComponentInfo, ...]) -> str:
-    return ", ".join(str(each.id) for each in components) or "none"
+    return ", ".join(str(component.id) for component in components) or "none"
 
 
 def _listed(component: ComponentInfo) -> str:
@@ -360,17 +364,17 @@ class RobotControl:
     @property
     def held(self) -> bool:
         """True while all components are controlled."""
-        return bool(self._controls) and all(each.held for each in self._controls)
+        return bool(self._controls) and all(control.held for control in self._controls)
 
     @property
     def lost(self) -> str:
         """Why control of a component was lost; empty while all are held."""
-        return next((each.lost for each in self._controls if each.lost), "")
+        return next((control.lost for control in self._controls if control.lost), "")
 
     def check(self) -> None:
         """Raise `ControlRejected` when control of a component was lost."""
-        for each in self._controls:
-            each.check()
+        for control in self._controls:
+            control.check()
 
     async def resume(self) -> None:
         """Resume the components again, as after a lost link, an emergency, or a Standby of another client.
@@ -378,7 +382,7 @@ class RobotControl:
         They accept new commands; interrupted motions are not continued.
         """
         self.check()
-        await _together(self._resume(each) for each in self._controls)
+        await _together(self._resume(control) for control in self._controls)
 
     async def include(self, ids: Iterable[JausID]) -> None:
         """Control further components, too, and resume them.
@@ -388,38 +392,38 @@ class RobotControl:
         connection = self._connection
         new = [Control(connection, id, self._authority, connection.retry) for id in ids if id not in self.ids]
         try:
-            await _together(self._enter(each) for each in new)
+            await _together(self._enter(component) for component in new)
         except BaseException as error:
-            await self._drop({each.id for each in new}, error)
+            await self._drop({component.id for component in new}, error)
             raise
-        self.ids += tuple(each.id for each in new)
+        self.ids += tuple(component.id for component in new)
 
     async def exclude(self, ids: Iterable[JausID]) -> None:
         """End control of these components: they are put in Standby and released, if they still answer."""
         gone = set(ids)
-        self.ids = tuple(each for each in self.ids if each not in gone)
+        self.ids = tuple(component_id for component_id in self.ids if component_id not in gone)
         await self._drop(gone, None)
 
     async def _drop(self, ids: set[JausID], error: BaseException | None) -> None:
-        dropped = [each for each in self._controls if each.id in ids]
-        self._controls = [each for each in self._controls if each.id not in ids]
+        dropped = [control for control in self._controls if control.id in ids]
+        self._controls = [control for control in self._controls if control.id not in ids]
         kind = None if error is None else type(error)
-        await _together(each.__aexit__(kind, error, None) for each in dropped)
+        await _together(control.__aexit__(kind, error, None) for control in dropped)
 
     async def until_lost(self) -> None:
         """Wait until control of a component is lost, or until the block is left."""
-        waiting = [asyncio.ensure_future(each.until_lost()) for each in self._controls]
+        waiting = [asyncio.ensure_future(control.until_lost()) for control in self._controls]
         try:
             await asyncio.wait(waiting, return_when=asyncio.FIRST_COMPLETED)
         finally:
-            for each in waiting:
-                each.cancel()
+            for task in waiting:
+                task.cancel()
 
     async def __aenter__(self) -> Self:
         connection = self._connection
         controls = [Control(connection, id, self._authority, connection.retry) for id in self.ids]
         try:
-            await _together(self._enter(each) for each in controls)
+            await _together(self._enter(control) for control in controls)
         except BaseException as error:
             await self._exit(error)
             raise
@@ -442,7 +446,7 @@ class RobotControl:
             await self._exit(error)
 
     async def _exit(self, error: BaseException | None) -> None:
-        await self._drop({each.id for each in self._controls}, error)
+        await self._drop({control.id for control in self._controls}, error)
 
     if not TYPE_CHECKING:
         __enter__ = __exit__ = async_only("`async with`")
@@ -454,6 +458,6 @@ _MANAGEMENT: Final = ServiceInfo("urn:jaus:jss:core:Management", "1.1")
 async def _together(work: Iterable[Coroutine[Any, Any, None]]) -> None:
     """Run all to their ends, then raise the first error: a component that fails must not leave others half way."""
     results = await asyncio.gather(*work, return_exceptions=True)
-    for each in results:
-        if isinstance(each, BaseException):
-            raise each
+    for result in results:
+        if isinstance(result, BaseException):
+            raise result

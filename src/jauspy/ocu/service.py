@@ -106,8 +106,8 @@ class ServiceClient:
         `what` names the settings in the error. Needs control.
         """
         answer = await self.query(settings, expects=ConfirmSensorConfiguration)
-        for each in answer.confirm_sensor_list:
-            if text := getattr(each, "error_message", ""):
+        for sensor in answer.confirm_sensor_list:
+            if text := getattr(sensor, "error_message", ""):
                 raise RequestError(f"{self.id} refused {what}: {text}")
 
     async def perform(self, command: Message, *, within: float) -> None:

@@ -92,9 +92,9 @@ async def _configure(connection: Connection, id: JausID, wanted: Configuration) 
     record = kind.StillImageSensorConfigurationRec(wanted.sensor_id, wanted.frame_size, wanted.still_image_format)
     answer = await connection.query(id, kind(kind.RequestIdRec(1), [record]), expects=ConfirmSensorConfiguration)
     assert isinstance(answer, ConfirmSensorConfiguration)
-    for each in answer.confirm_sensor_list:
-        if isinstance(each, StillImageSensorErrorRec):
-            raise RequestError(f"{id} refuses that for sensor {each.sensor_id}: {each.error_message}")
+    for confirmation in answer.confirm_sensor_list:
+        if isinstance(confirmation, StillImageSensorErrorRec):
+            raise RequestError(f"{id} refuses that for sensor {confirmation.sensor_id}: {confirmation.error_message}")
 
 
 async def _query_image(connection: Connection, id: JausID, sensor: int, timeout: float) -> Photo:
@@ -126,9 +126,9 @@ async def _query_image(connection: Connection, id: JausID, sensor: int, timeout:
 
 
 def _photo(report: ReportStillImageDataExt) -> Photo | None:
-    for each in report.still_image_data_list:
-        if each.image_frame is not None:
-            number = each.image_frame.format
-            taken = None if each.time_stamp is None else datetime_of(each.time_stamp, datetime.now(UTC))
-            return Photo(each.image_frame.data, getattr(number, "name", str(number)), each.sensor_id, taken)
+    for picture in report.still_image_data_list:
+        if picture.image_frame is not None:
+            number = picture.image_frame.format
+            taken = None if picture.time_stamp is None else datetime_of(picture.time_stamp, datetime.now(UTC))
+            return Photo(picture.image_frame.data, getattr(number, "name", str(number)), picture.sensor_id, taken)
     return None

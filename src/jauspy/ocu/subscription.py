@@ -348,9 +348,9 @@ class Subscription(Generic[R]):
                 # The component was restarted and counts events from the start; the other's event no longer exists.
                 events.remove(id, message.event_id, other)
                 other.event_id = None
-        for each in self._unconfirmed:
-            if each.event_id == self.event_id:
-                self._on_event(each)
+        for subscription in self._unconfirmed:
+            if subscription.event_id == self.event_id:
+                self._on_event(subscription)
         self._unconfirmed.clear()
 
     def _rejects_confirmed_request(self, message: RejectEventRequest) -> bool:
@@ -471,7 +471,7 @@ class Subscription(Generic[R]):
 
     def _abandon(self) -> None:
         """As `_end`, without waiting; an event of unconfirmed reports may be this one, so it is cancelled too."""
-        own, unconfirmed = self._detach(), {each.event_id for each in self._unconfirmed}
+        own, unconfirmed = self._detach(), {subscription.event_id for subscription in self._unconfirmed}
         with suppress(JausError):  # not open, or too many messages under way: the event ends by its timeout
             for event in unconfirmed if own is None else (own,):
                 if not self._connection.events.is_used(self.request.id, event):

@@ -62,7 +62,7 @@ class ComponentInfo:
 
     def find(self, name: str) -> ServiceInfo | None:
         """The newest version of the service of this name; None when the component does not offer it."""
-        return max((each for each in self.services if each.is_called(name)), default=None)
+        return max((service for service in self.services if service.is_called(name)), default=None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,18 +92,18 @@ class SubsystemInfo:
     @property
     def components(self) -> tuple[ComponentInfo, ...]:
         """The components of all nodes, in the order of their ids."""
-        return tuple(each for node in self.nodes for each in node.components)
+        return tuple(component for node in self.nodes for component in node.components)
 
     def offering(self, name: str) -> Iterator[ComponentInfo]:
         """The components that offer a service of this name."""
-        return (each for each in self.components if each.find(name))
+        return (component for component in self.components if component.find(name))
 
 
 def kind_of(type: int) -> str:
     """The meaning of a type number of ReportIdentification; a number between two named types is of the lower kind."""
     if type <= 0:
         return "unknown"
-    named = max((each for each in ReportIdentification.Type if each <= type), default=None)
+    named = max((kind for kind in ReportIdentification.Type if kind <= type), default=None)
     if not named:
         return f"type {type}"
     return "OCU" if named is ReportIdentification.Type.OCU else named.name.lower().replace("_", " ")
@@ -151,7 +151,7 @@ class SubsystemTree:
     @property
     def size(self) -> int:
         """The number of known facts: components, responses, services and names. It grows with every new fact."""
-        return len(self._names) + sum(1 + each.responds + len(each.offered) for each in self._entries.values())
+        return len(self._names) + sum(1 + entry.responds + len(entry.offered) for entry in self._entries.values())
 
     def add(self, message: Message, source: JausID, now: float) -> None:
         """Merge a message from `source`; a message that is no report only shows that the component is alive."""
@@ -266,14 +266,14 @@ def offered_services(report: ReportServices, source: JausID) -> dict[JausID, fro
     """The services that a report lists, by component."""
     found: dict[JausID, frozenset[ServiceInfo]] = {}
     for node in report.node_list:
-        for each in node.component_list:
+        for record in node.component_list:
             # Some small robots report the ids 0: these stand for the sender's own.
-            numbers = (node.node_rec.node_id or source.node, each.component_rec.component_id or source.component)
+            numbers = (node.node_rec.node_id or source.node, record.component_rec.component_id or source.component)
             id = JausID(source.subsystem, *numbers)
             if not id.is_wildcard:
                 found[id] = found.get(id, frozenset()) | {
                     ServiceInfo(service.uri, f"{service.major_version_number}.{service.minor_version_number}")
-                    for service in each.service_list
+                    for service in record.service_list
                 }
     return found
 

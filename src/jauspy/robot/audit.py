@@ -179,7 +179,9 @@ class AuditLog:
                 while len(records) < MAX_WAITING:
                     records.append(self._waiting.get_nowait())
             closing = None in records
-            entries = [each if isinstance(each, dict) else _line_of(each) for each in records if each is not None]
+            entries = [
+                record if isinstance(record, dict) else _line_of(record) for record in records if record is not None
+            ]
             counted = self.counters.copy()
             is_due = counted != reported and (closing or not entries)
             if is_due:
@@ -194,7 +196,7 @@ class AuditLog:
         try:
             self._append(entries)
         except OSError as error:
-            self.counters["not_written"] += sum("message" in each for each in entries)
+            self.counters["not_written"] += sum("message" in entry for entry in entries)
             if not self._failed:
                 _LOG.error("%s cannot be written: %s; commands are not recorded", self.path, error.strerror)
             self._failed = True
@@ -205,8 +207,8 @@ class AuditLog:
     def _append(self, entries: list[dict[str, Any]]) -> None:
         """Write lines and the head; `OSError` when they cannot be written as a whole."""
         head, lines = self.head, bytearray()
-        for each in entries:
-            entry = {"n": head.number + 1, "time": datetime.now(UTC).isoformat(), **each, "previous": head.hash}
+        for fields in entries:
+            entry = {"n": head.number + 1, "time": datetime.now(UTC).isoformat(), **fields, "previous": head.hash}
             line = json.dumps(entry).encode("ascii")
             head = Head(head.number + 1, _hash(line))
             self._first = self._first or head.hash
@@ -270,12 +272,12 @@ def verify(
     `heads`: a file with the heads that another machine has collected. Raises `ConfigError` for files that cannot be
     read.
     """
-    path, anchors, by_name = path.resolve(), list(anchors), {each.name: each for each in operators}
+    path, anchors, by_name = path.resolve(), list(anchors), {operator.name: operator for operator in operators}
     try:
         if heads is not None:
             with path.open("rb") as stream:
                 first = _hash(stream.readline(MAX_LINE).removesuffix(b"\n"))
-            anchors += [Head(*each) for each in collected_heads(heads, first)]
+            anchors += [Head(*collected_head) for collected_head in collected_heads(heads, first)]
         for attempt in range(ATTEMPTS):
             before = _saved_head(path)
             with path.open("rb") as stream:
@@ -303,9 +305,9 @@ def _verify(stream: BinaryIO, head: str, anchors: list[Head], operators: Mapping
     report = AuditReport()
     wanted = [*anchors, *([Head.parse(head)] if head else [])]
     hashes: dict[int, str] = {}
-    for each in wanted:
-        if hashes.setdefault(each.number, each.hash) != each.hash:
-            report.problem = f"the heads of line {each.number} differ: one of them is of other lines"
+    for expected in wanted:
+        if hashes.setdefault(expected.number, expected.hash) != expected.hash:
+            report.problem = f"the heads of line {expected.number} differ: one of them is of other lines"
             return report
     lines: Iterator[bytes | None] = chain(_lines(stream), [None])
     for line, following in pairwise(lines):
@@ -318,9 +320,9 @@ def _verify(stream: BinaryIO, head: str, anchors: list[Head], operators: Mapping
             return report
         report.head = Head(report.head.number + 1, _hash(line))
         report.size += len(line) + 1
-    for each in wanted:
-        if each.number > report.head.number:
-            report.problem = f"lines {report.head.number + 1} to {each.number} were cut off at the end"
+    for expected in wanted:
+        if expected.number > report.head.number:
+            report.problem = f"lines {report.head.number + 1} to {expected.number} were cut off at the end"
     if report.problem:
         return report
     if not report.head.number:
@@ -389,7 +391,7 @@ def _beyond(head: int, last: int) -> str:
 
 def _count(entry: dict[str, Any], report: AuditReport, operators: Mapping[str, Operator]) -> str:
     if entry.get("event") == "not recorded":
-        report.not_recorded += sum(each for each in entry.values() if isinstance(each, int)) - entry["n"]
+        report.not_recorded += sum(number for number in entry.values() if isinstance(number, int)) - entry["n"]
     if "message" not in entry:
         return ""
     name = entry.get("operator")
@@ -421,7 +423,7 @@ def _sealed_as_recorded(entry: dict[str, Any], operator: Operator) -> SealedComm
     except (ValueError, TypeError, DecodeError):
         return None
     inside = sealed.command.NAME if isinstance(sealed.command, Message) else entry["message"]
-    ids = [str(JausID.from_int(each)) for each in (sealed.destination, sealed.source)]
+    ids = [str(JausID.from_int(number)) for number in (sealed.destination, sealed.source)]
     recorded = [entry["message"], entry.get("component"), entry.get("source")]
     return sealed if operator.key.has_signed(payload) and [inside, *ids] == recorded else None
 

@@ -50,9 +50,9 @@ class Clouds:
     """
 
     def __init__(self, config: RobotConfig, requested: Iterable[str]) -> None:
-        asked = [_name_and_address(each) for each in requested]
+        asked = [_name_and_address(text) for text in requested]
         named = {name for name, _ in asked}
-        pairs = [*asked, *((each.source, each.address) for each in config.clouds if each.source not in named)]
+        pairs = [*asked, *((cloud.source, cloud.address) for cloud in config.clouds if cloud.source not in named)]
         for name, address in pairs:
             if [other for _, other in pairs].count(address) > 1:
                 raise ConfigError(f"--cloud: {address} is there twice; each stream needs its own address")
@@ -60,10 +60,10 @@ class Clouds:
                 raise ConfigError(f"--cloud: {name or 'the lidars'} would be published twice; one address is enough")
         self._addresses = dict(pairs)
         self._settings = {camera.name: camera.depth for camera in config.cameras if camera.depth is not None}
-        self._lidars = frozenset(each.name for each in config.lidars)
+        self._lidars = frozenset(lidar.name for lidar in config.lidars)
         for name in self._addresses:
             if name and name not in self._settings and name not in self._lidars:
-                lidars, cameras = (", ".join(sorted(each)) or "none" for each in (self._lidars, self._settings))
+                lidars, cameras = (", ".join(sorted(known)) or "none" for known in (self._lidars, self._settings))
                 raise ConfigError(
                     f"--cloud: {name!r} is no lidar ({lidars}) and no camera with `depth` ({cameras}) in its file"
                 )

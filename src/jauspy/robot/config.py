@@ -180,10 +180,10 @@ CommandTimeout: TypeAlias = Annotated[float, Field(gt=0.0, le=3600.0)] | Literal
 
 def _check_command_timeout(value: object) -> object:
     """Raise one error instead of one for each permitted type."""
-    for each in value.values() if isinstance(value, Mapping) else (value,):
-        is_number = isinstance(each, int | float) and not isinstance(each, bool) and 0.0 < each <= 3600.0
-        if each != "off" and not is_number:
-            raise ValueError(f'{each!r} is neither seconds (above 0, up to 3600) nor "off"; or write a table of these')
+    for entry in value.values() if isinstance(value, Mapping) else (value,):
+        is_number = isinstance(entry, int | float) and not isinstance(entry, bool) and 0.0 < entry <= 3600.0
+        if entry != "off" and not is_number:
+            raise ValueError(f'{entry!r} is neither seconds (above 0, up to 3600) nor "off"; or write a table of these')
     return value
 
 

@@ -44,22 +44,22 @@ def load(path: str | Path) -> list[Operator]:
     except OSError as error:
         raise ConfigError(f"operators: {path}: cannot be read: {error.strerror}") from error
     except ValidationError as error:
-        problems = "\n".join(f"  {explain(each, _OperatorsConfig)}" for each in error.errors(include_url=False))
+        problems = "\n".join(f"  {explain(problem, _OperatorsConfig)}" for problem in error.errors(include_url=False))
         raise ConfigError(f"{path}: is not a file of operators:\n{problems}") from error
     roles = {**DEFAULT_ROLES, **config.roles}
     found: dict[int, Operator] = {}
-    for name, each in config.operators.items():
-        if each.role not in roles:
-            raise ConfigError(f"{path}: operators.{name}.role = {each.role!r}; the roles are: {', '.join(roles)}")
+    for name, operator in config.operators.items():
+        if operator.role not in roles:
+            raise ConfigError(f"{path}: operators.{name}.role = {operator.role!r}; the roles are: {', '.join(roles)}")
         try:
-            key = PublicKey.parse(each.key)
+            key = PublicKey.parse(operator.key)
         except ConfigError as error:
             raise ConfigError(f"{path}: operators.{name}.key: {error}") from error
         if key.id in found:
             raise ConfigError(
                 f"{path}: operators.{name}.key: is also that of {found[key.id].name}; give each operator another key"
             )
-        found[key.id] = Operator(name, each.role, roles[each.role], key)
+        found[key.id] = Operator(name, operator.role, roles[operator.role], key)
     return list(found.values())
 
 

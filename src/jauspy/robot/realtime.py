@@ -259,7 +259,7 @@ class RealTime:
     def retry(self, part: PartId) -> None:
         """Use a failed part again: it is stopped first, and fails again if that raises an exception."""
         with self._lock:
-            self._faults = {each: why for each, why in self._faults.items() if each != part}
+            self._faults = {fault: why for fault, why in self._faults.items() if fault != part}
             self._retried.add(part)
 
     @property
@@ -390,7 +390,7 @@ class RealTime:
     def _stop_all(self) -> None:
         """Stop each part, whether or not others can be stopped."""
         joints = (PartId(JointGroup, name) for name in self._robot.groups)
-        for part in (CHASSIS, *joints, *(each.id for each in self._robot.optional_parts)):
+        for part in (CHASSIS, *joints, *(optional_part.id for optional_part in self._robot.optional_parts)):
             try:
                 _stop_part(self._robot, part)
             except Exception as error:  # noqa: BLE001 - whatever a backend raises
@@ -425,6 +425,6 @@ def _stop_part(robot: Robot, part: PartId) -> None:
         robot.drive.stop()
     elif part.kind is JointGroup:
         robot.groups[part.name].hold()
-    for each in robot.optional_parts:
-        if each.id == part:
-            each.stop()
+    for optional_part in robot.optional_parts:
+        if optional_part.id == part:
+            optional_part.stop()

@@ -44,7 +44,7 @@ MAX_EXTENSIONS: Final = 8
 
 def known() -> list[str]:
     """Return the names of the robots that come with jauspy, sorted."""
-    names = [each.name for each in _FOLDER.iterdir()]
+    names = [path.name for path in _FOLDER.iterdir()]
     return sorted(name.removesuffix(SUFFIX) for name in names if name.endswith(SUFFIX) and not name.endswith(PARTS))
 
 
@@ -60,8 +60,8 @@ def load(name_or_path: str | Path) -> RobotConfig:
     except ValidationError as error:
         text = source.read_text()
         problems = "\n".join(
-            f"  {line_prefix(text, each['loc'])}{explain(each, RobotConfig)}"
-            for each in _causes(error.errors(include_url=False))
+            f"  {line_prefix(text, cause['loc'])}{explain(cause, RobotConfig)}"
+            for cause in _causes(error.errors(include_url=False))
         )
         raise ConfigError(f"{source}: is not a description of a robot:\n{problems}") from error
     config.set_file(str(source))
@@ -90,7 +90,7 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
         data["world"] = str(folder / Path(world).expanduser())
     for key in PATHS:
         if isinstance(paths := data.get(key), list):
-            data[key] = [str(folder / Path(each).expanduser()) if isinstance(each, str) else each for each in paths]
+            data[key] = [str(folder / Path(path).expanduser()) if isinstance(path, str) else path for path in paths]
     _read_part_types(data.get("cell"), folder)
     _place_eds_files(data.get("can"), folder)
     other = data.pop("extends", None)
@@ -203,7 +203,7 @@ def _with_limits(description: RobotDescription, limits: Mapping[str, JointLimits
     joints = dict(description.joints)
     for name, given in limits.items():
         if name not in joints or joints[name].kind is JointKind.FIXED:
-            moving = ", ".join(each.name for each in joints.values() if each.kind is not JointKind.FIXED)
+            moving = ", ".join(joint.name for joint in joints.values() if joint.kind is not JointKind.FIXED)
             raise ConfigError(f"joint_limits: the URDF has no joint {name!r} that moves; it has: {moving or 'none'}")
         changed = {key: value for key, value in given.model_dump().items() if value is not None}
         joints[name] = joint = replace(joints[name], **changed)
@@ -227,7 +227,7 @@ def _check_tracks(tracks: TrackSetup, description: RobotDescription) -> None:
     for key, name in ((key, name) for key, names in sides for name in names):
         joint = description.joints.get(name)
         if joint is None or joint.kind is not JointKind.PRISMATIC:
-            known = [each.name for each in description.joints.values() if each.kind is JointKind.PRISMATIC]
+            known = [joint.name for joint in description.joints.values() if joint.kind is JointKind.PRISMATIC]
             raise ConfigError(
                 f"tracks.{key}: {name!r} is not a prismatic joint of the URDF; those are: {', '.join(known)}"
             )

@@ -228,7 +228,7 @@ class RobotRunner:
         """Descriptions of faults, by the id of the component that is in Failure because of it."""
         if self._realtime is None or not self._realtime.faults:
             return {}
-        found = {str(each.id): reason(module, self._realtime.faults) for each, module in self.running}
+        found = {str(component.id): reason(module, self._realtime.faults) for component, module in self.running}
         return {id: why for id, why in found.items() if why}
 
     @property
@@ -242,11 +242,11 @@ class RobotRunner:
         joints = {name: group.joints for name, group in self._realtime.groups.items()}
         snapshot = self._realtime.snapshot
         loads = {
-            f"{each.id} {name}": text
-            for each, module in self.running
+            f"{component.id} {name}": text
+            for component, module in self.running
             for name, text in overloads(module, joints, snapshot).items()
         }
-        tilts = {f"{each.id} tilt": tilt_problem(each.host) for each, _ in self.running}
+        tilts = {f"{component.id} tilt": tilt_problem(component.host) for component, _ in self.running}
         return loads | {where: text for where, text in tilts.items() if text}
 
     @property
@@ -328,7 +328,7 @@ class RobotRunner:
     ) -> Component:
         host = _host(self.config, module, model, realtime, videos, more=seals())
         if (video := host.service(DigitalResourceDiscovery)) is not None:  # whoever controls a module comes first
-            video.operators = lambda: [each.controller for each in self._modules.hosts()] if self._modules else []
+            video.operators = lambda: [host.controller for host in self._modules.hosts()] if self._modules else []
         delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
         return Component.of_host(
             host,
@@ -375,7 +375,7 @@ class RobotRunner:
     async def _open_cameras(self, stack: AsyncExitStack, realtime: RealTime) -> dict[str, CameraProcess]:
         streamed = {module.camera for module in self.config.modules}
         videos = {}
-        for camera in (each for each in self.config.cameras if each.name in streamed):
+        for camera in (camera for camera in self.config.cameras if camera.name in streamed):
             source = realtime.cameras.get(camera.name)
             if source is None:
                 raise ConfigError(f"cameras: the backend {self.config.backend!r} has no camera {camera.name!r}")

@@ -95,10 +95,10 @@ class PackagePaths:
 
     def _of_ros(self) -> Iterator[Path]:
         environment = os.environ if self.environment is None else self.environment
-        for each in _entries(environment.get("ROS_PACKAGE_PATH", "")):
-            yield each
-        for each in _entries(environment.get("AMENT_PREFIX_PATH", "")):
-            yield each / "share"
+        for entry in _entries(environment.get("ROS_PACKAGE_PATH", "")):
+            yield entry
+        for entry in _entries(environment.get("AMENT_PREFIX_PATH", "")):
+            yield entry / "share"
 
 
 def _entries(text: str) -> Iterable[Path]:
@@ -126,8 +126,10 @@ def _below(place: Path, name: str) -> Path | None:
         if _is_package(folder / name, name):
             return folder / name
         if depth < MAX_DEPTH and not (depth and (folder / MANIFEST).is_file()):
-            directories += [(each, depth + 1) for each in _subdirectories(folder)]
-            match = next((each for each in _subdirectories(folder) if _has_manifest(each, name)), None)
+            directories += [(subdirectory, depth + 1) for subdirectory in _subdirectories(folder)]
+            match = next(
+                (subdirectory for subdirectory in _subdirectories(folder) if _has_manifest(subdirectory, name)), None
+            )
             if match is not None:
                 return match
     return None
@@ -135,7 +137,7 @@ def _below(place: Path, name: str) -> Path | None:
 
 def _subdirectories(folder: Path) -> list[Path]:
     try:
-        return sorted(each for each in folder.iterdir() if each.is_dir() and each.name not in SKIPPED)
+        return sorted(child for child in folder.iterdir() if child.is_dir() and child.name not in SKIPPED)
     except OSError:
         return []
 

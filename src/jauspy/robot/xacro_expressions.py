@@ -78,7 +78,7 @@ def _rounded(value: float, digits: int | None = None) -> float:
 
 def _sum(values: Any) -> Any:
     """The sum of numbers only; Python's `sum` also joins lists, which takes quadratic time."""
-    if not all(isinstance(each, int | float) for each in _sequence(values)):
+    if not all(isinstance(entry, int | float) for entry in _sequence(values)):
         raise ExpressionError("sum is not evaluated for texts and lists")
     return sum(values)
 
@@ -140,8 +140,11 @@ MATH: Final = {
     for name, value in vars(math).items()
     if not name.startswith("_") and name not in ("comb", "factorial", "perm", "prod")  # whose results take for ever
 }
-BUILTIN: Final = {**{each.__name__: each for each in (bool, float, int, len, max, min, str)}, "round": _rounded}
-PYTHON: Final = {**BUILTIN, **{each.__name__: each for each in (abs, all, any, sorted)}, "sum": _sum}
+BUILTIN: Final = {
+    **{function.__name__: function for function in (bool, float, int, len, max, min, str)},
+    "round": _rounded,
+}
+PYTHON: Final = {**BUILTIN, **{function.__name__: function for function in (abs, all, any, sorted)}, "sum": _sum}
 
 
 class Costs:
@@ -210,7 +213,7 @@ class Evaluator:
             case ast.BoolOp(op=op, values=parts):
                 return self._either(parts, names, until=isinstance(op, ast.Or))
             case ast.Compare(left=left, ops=ops, comparators=others) if all(type(op) in _OPERATORS for op in ops):
-                values = [value(each) for each in (left, *others)]
+                values = [value(operand) for operand in (left, *others)]
                 return all(_OPERATORS[type(op)](*pair) for op, pair in zip(ops, pairwise(values), strict=True))
             case ast.IfExp(test=test, body=body, orelse=other):
                 return value(body if value(test) else other)
@@ -220,7 +223,7 @@ class Evaluator:
                 return self.bounded(_TEXT_METHODS[name](text, *map(value, arguments)))
             case ast.Call(func=function, args=arguments, keywords=[]):
                 called = value(function)
-                if any(called is each for each in self._functions):
+                if any(called is function for function in self._functions):
                     return self.bounded(called(*map(value, arguments)))
         raise ExpressionError(
             f"{ast.unparse(node)!r} is not evaluated: only numbers, texts, lists, and functions of math"

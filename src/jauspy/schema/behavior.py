@@ -106,8 +106,8 @@ def _transition(element: Element, inputs: Collection[str]) -> Transition:
         Parameter(required(part, "type"), required(part, "value")) for part in element.iterchildren("parameter")
     )
     if trigger in inputs:
-        message = next((each for each in parameters if each.type == trigger), Parameter(trigger, "msg"))
-        trigger, parameters = _RECEIVE, (message, *(each for each in parameters if each is not message))
+        message = next((parameter for parameter in parameters if parameter.type == trigger), Parameter(trigger, "msg"))
+        trigger, parameters = _RECEIVE, (message, *(parameter for parameter in parameters if parameter is not message))
     return Transition(
         trigger=trigger,
         kind=_KINDS[str(kind.tag)],

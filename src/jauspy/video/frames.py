@@ -43,10 +43,10 @@ class FrameReader:
     def take(self) -> Frame | None:
         """The newest of the frames that have arrived; the others are decoded, and dropped."""
         newest, picture = None, None
-        for each in self.receiver.take():
-            image = self._decoder.decode(each)
+        for packet in self.receiver.take():
+            image = self._decoder.decode(packet)
             if image is not None:
-                newest, picture = image, each
+                newest, picture = image, packet
         if newest is None or picture is None:
             return None
         return Frame(np.asarray(newest, np.uint8)[:, :, ::-1], self._taken(picture))

@@ -193,7 +193,7 @@ def _parameters(sets: Sequence[bytes]) -> str:
     """The rest of the format parameters; the profile and level are the three bytes after the SPS's header."""
     if not sets:
         return ""
-    encoded = ",".join(b64encode(each).decode() for each in sets)
+    encoded = ",".join(b64encode(parameter_set).decode() for parameter_set in sets)
     return f";profile-level-id={sets[0][1:4].hex()};sprop-parameter-sets={encoded}"
 
 

@@ -129,7 +129,7 @@ def add_decals(spec: mujoco.MjSpec, robot: RobotModel) -> None:
             Rectangle(start + 0.2 * bar, start + 0.75 * bar, -0.5 * width, 0.5 * width)
             for start in np.arange(BARS) * bar - 0.5 * MARK_LENGTH
         ]
-        sheets = [(_corners(whole), 0.0), *((_corners(each), LAYER_GAP) for each in bars)]
+        sheets = [(_corners(whole), 0.0), *((_corners(bar), LAYER_GAP) for bar in bars)]
         mesh = _Mesh()
         for outline, height in sheets:
             mesh.add_sheet(outline, height)
@@ -226,6 +226,6 @@ class _Mesh:
             )
 
     def _add(self, outline: Floats, height: float) -> int:
-        first = sum(len(each) for each in self._points)
+        first = sum(len(point) for point in self._points)
         self._points.append(np.column_stack([outline, np.full(len(outline), height)]))
         return first

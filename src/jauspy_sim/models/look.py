@@ -83,7 +83,11 @@ def show_solids(spec: mujoco.MjSpec, description: RobotDescription) -> None:
     for geom in spec.geoms:
         geom.group = VISUAL
     root = parse_tree(description.urdf)
-    known = {str(each.get("name")): colour for each in root.findall("material") if (colour := material_colour(each))}
+    known = {
+        str(material.get("name")): colour
+        for material in root.findall("material")
+        if (colour := material_colour(material))
+    }
     for link in root.findall("link"):
         body, visual = spec.body(str(link.get("name"))), link.find("visual")
         if body is None or visual is None:

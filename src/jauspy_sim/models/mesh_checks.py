@@ -51,8 +51,10 @@ def _of_lines(data: bytes) -> str:
 
 def _of_gltf(text: bytes) -> str:
     content = json.loads(text)
-    numbers = sum(int(each["count"]) * _COMPONENTS.get(each.get("type"), 16) for each in content.get("accessors", ()))
-    if numbers > MAX_NUMBERS or any(each["count"] < 0 for each in content.get("accessors", ())):
+    numbers = sum(
+        int(accessor["count"]) * _COMPONENTS.get(accessor.get("type"), 16) for accessor in content.get("accessors", ())
+    )
+    if numbers > MAX_NUMBERS or any(accessor["count"] < 0 for accessor in content.get("accessors", ())):
         return f"its arrays have more than {MAX_NUMBERS} numbers"
     nodes = len(content.get("nodes", ()))
     return f"it has more than {MAX_INSTANCES} nodes" if nodes > MAX_INSTANCES else ""
@@ -69,7 +71,7 @@ def _of_collada(data: bytes) -> str:
             return MAX_INSTANCES + 1
         if name not in sizes and name in nodes:
             inner = nodes[name].iter("{*}instance_node")
-            sizes[name] = 1 + sum(size(str(each.get("url")).lstrip("#"), (*around, name)) for each in inner)
+            sizes[name] = 1 + sum(size(str(instance.get("url")).lstrip("#"), (*around, name)) for instance in inner)
         return sizes.get(name, 1)
 
     number = 0

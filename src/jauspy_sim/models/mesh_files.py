@@ -104,7 +104,7 @@ def _of_file(path: Path, kind: str) -> list[MeshPart]:
     try:
         nodes = [(str(node), *scene.graph[node]) for node in scene.graph.nodes_geometry]
         meshes = [(node, _metres(scene, frame, kind), scene.geometry[name]) for node, frame, name in nodes]
-        return [_of_scene(*each) for each in meshes if hasattr(each[2], "faces")]  # others are lines and points
+        return [_of_scene(*mesh) for mesh in meshes if hasattr(mesh[2], "faces")]  # others are lines and points
     except (ValueError, IndexError, TypeError, ArithmeticError) as error:  # what the file has is of no use
         raise ConfigError(f"{path}: is not read as a mesh: {' '.join(str(error).split())[:200]}") from error
 
@@ -115,7 +115,7 @@ def by_look(parts: tuple[MeshPart, ...]) -> tuple[MeshPart, ...]:
     for part in parts:
         key = part.colour, id(part.texture), part.texcoords is None, part.normals is None
         groups.setdefault(key, []).append(part)
-    return tuple(joined(tuple(each)) if len(each) > 1 else each[0] for each in groups.values())
+    return tuple(joined(tuple(group)) if len(group) > 1 else group[0] for group in groups.values())
 
 
 def joined(parts: tuple[MeshPart, ...]) -> MeshPart:
@@ -388,7 +388,7 @@ def _colour(mesh: Any) -> tuple[float, float, float, float] | None:
         found = visual.main_color
     else:
         return None
-    red, green, blue, alpha = (float(each) / 255.0 for each in np.asarray(found)[:4])
+    red, green, blue, alpha = (float(channel) / 255.0 for channel in np.asarray(found)[:4])
     return red, green, blue, alpha if alpha > 0.0 else 1.0
 
 

@@ -70,7 +70,9 @@ class _Reader:
         self._spec.compiler.degree = False
         self._shapes = ShapeBuilder(self._spec, visual=VISUAL, collision=COLLISION)
         self._materials = {
-            str(each.get("name")): self._material_of(each) for each in self._root.findall("material") if len(each)
+            str(material.get("name")): self._material_of(material)
+            for material in self._root.findall("material")
+            if len(material)
         }
         self._below: dict[str, list[Joint]] = {}
         for joint in description.joints.values():
@@ -209,7 +211,7 @@ class _Reader:
                 )
 
     def _has_mass(self, link: str) -> bool:
-        fixed = [each.child for each in self._below.get(link, []) if each.kind is JointKind.FIXED]
+        fixed = [joint.child for joint in self._below.get(link, []) if joint.kind is JointKind.FIXED]
         return self._spec.body(body_name(link)).explicitinertial or any(map(self._has_mass, fixed))
 
 
@@ -252,4 +254,4 @@ def _sizes(shape: Element, key: str, count: int) -> tuple[float, ...]:
     found = numbers(shape, key, count, "")
     if min(found) < 0.0:
         raise ConfigError(f'{place(shape)}: <{shape.tag} {key}="{shape.get(key)}">: a size is negative')
-    return tuple(max(each, 1e-4) for each in found)
+    return tuple(max(length, 1e-4) for length in found)

@@ -47,7 +47,7 @@ def mark_whip(geom: mujoco.MjsGeom, visual: Element) -> None:
         raise ConfigError(f"{place(visual)}: whip_frequency and whip_length: must be 0.1..20 Hz and 0.01..10 m")
     foot = Transform.from_pose(origin(visual))
     up = foot.rotate((0.0, 0.0, 1.0))
-    geom.userdata = [WHIP, frequency, *foot.position, *(length * each for each in up)]
+    geom.userdata = [WHIP, frequency, *foot.position, *(length * coordinate for coordinate in up)]
 
 
 class Whips:
@@ -114,7 +114,7 @@ def _applied(rotations: Floats, vectors: Floats) -> Floats:
 
 def _turns(first: Floats, second: Floats) -> Floats:
     """The smallest rotations from the directions of the first vectors to those of the second ones, shape (n, 3, 3)."""
-    a, b = (each / np.linalg.norm(each, axis=1)[:, None] for each in (first, second))
+    a, b = (side / np.linalg.norm(side, axis=1)[:, None] for side in (first, second))
     x, y, z = np.cross(a, b).T
     zero = np.zeros_like(x)
     cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)

@@ -112,8 +112,8 @@ def _followers(
     model: mujoco.MjModel, prefix: str, description: RobotDescription, joint: Joint
 ) -> tuple[tuple[float, int], ...]:
     """Multipliers and degrees of freedom of the joints that mimic a joint, whose motor carries them, too."""
-    found = (each for each in description.joints.values() if each.mimics == joint.name)
-    return tuple((each.multiplier, int(model.joint(f"{prefix}{each.name}").dofadr[0])) for each in found)
+    found = (follower for follower in description.joints.values() if follower.mimics == joint.name)
+    return tuple((follower.multiplier, int(model.joint(f"{prefix}{follower.name}").dofadr[0])) for follower in found)
 
 
 def _set_initial_positions(

@@ -24,7 +24,7 @@ class SimulatedWheels(WheelDrive):
         names = [f"{prefix}{wheel.joint.name}" for wheel in wheels.wheels]
         self._dofs = [int(model.joint(name).dofadr[0]) for name in names]
         self._motors = [int(model.actuator(name).id) for name in names]
-        self._steering = [int(model.actuator(f"{prefix}{each.joint.name}").id) for each in wheels.steering]
+        self._steering = [int(model.actuator(f"{prefix}{steered.joint.name}").id) for steered in wheels.steering]
         self._rollers = (
             [int(model.joint(f"{name}/rollers").qposadr[0]) for name in names]
             if wheels.kind is WheelKind.MECANUM
@@ -65,7 +65,7 @@ class SimulatedWheels(WheelDrive):
         for position in self._rollers:
             self._qpos[position] = 0.0
         if self._angle != self._wanted_angle:
-            change = min(each.joint.velocity for each in self.wheels.steering) * dt
+            change = min(steered.joint.velocity for steered in self.wheels.steering) * dt
             self._angle += min(change, max(-change, self._wanted_angle - self._angle))
             for motor, angle in zip(self._steering, self.wheels.steering_angles(self._angle), strict=True):
                 self._data.ctrl[motor] = angle

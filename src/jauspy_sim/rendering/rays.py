@@ -227,7 +227,9 @@ def _base_colour(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:
 def _pattern(model: mujoco.MjModel, geom: int) -> NDArray[np.float64] | None:
     """The texture of a shape's material as rows of pixels, 0..1."""
     material = int(model.geom_matid[geom])
-    textures = [int(each) for each in np.ravel(model.mat_texid[material]) if each >= 0] if material >= 0 else []
+    textures = (
+        [int(texture) for texture in np.ravel(model.mat_texid[material]) if texture >= 0] if material >= 0 else []
+    )
     if not textures:
         return None
     rows, columns = int(model.tex_height[textures[0]]), int(model.tex_width[textures[0]])

@@ -69,8 +69,8 @@ class Viewer:
     def close(self) -> None:
         """Close the window, and wait for its thread, amid which Python must not end. May be called twice."""
         self._window.close()
-        for each in self._drawing:
-            each.join(CLOSING_TIME)
+        for drawn in self._drawing:
+            drawn.join(CLOSING_TIME)
 
     def _copy(self) -> None:
         model, data, source = self._model, self._data, self._source

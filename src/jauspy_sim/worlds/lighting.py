@@ -51,9 +51,9 @@ def add_sun(
     """Add a sun; angles in degrees, the azimuth from x towards y."""
     up, around = math.radians(elevation), math.radians(azimuth)
     towards = (math.cos(up) * math.cos(around), math.cos(up) * math.sin(around), math.sin(up))
-    light = spec.worldbody.add_light(name="sun", pos=[50.0 * each for each in towards])
+    light = spec.worldbody.add_light(name="sun", pos=[50.0 * coordinate for coordinate in towards])
     light.type = mujoco.mjtLightType.mjLIGHT_DIRECTIONAL
-    light.dir = [-each for each in towards]
+    light.dir = [-coordinate for coordinate in towards]
     light.castshadow = shadows
     light.diffuse = (brightness,) * 3
     light.ambient = (0.0,) * 3
@@ -87,7 +87,7 @@ def draw_floors_as_meshes(spec: mujoco.MjSpec) -> None:
     """
     sides = np.concatenate([np.arange(0.0, 24.0, 4.0), np.geomspace(24.0, FLOOR_SIZE, 8)])
     steps = np.concatenate([-sides[:0:-1], sides])
-    x, y = (each.ravel() for each in np.meshgrid(steps, steps))
+    x, y = (axis.ravel() for axis in np.meshgrid(steps, steps))
     count = len(steps)
     first = (np.arange(count - 1)[:, None] * count + np.arange(count - 1)).ravel()
     corners = (first, first + 1, first + count + 1, first + count)

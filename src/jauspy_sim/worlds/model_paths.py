@@ -145,7 +145,7 @@ def sdf_of_model(folder: Path) -> Path:
             root = etree.fromstring(read_file(config), etree.XMLParser(resolve_entities=False, no_network=True))
         except etree.XMLSyntaxError as error:
             raise ConfigError(f"{config}:{error.lineno}: is not XML: {error.msg}") from error
-        named = [(each.get("version", "0"), (each.text or "").strip()) for each in root.findall("sdf")]
+        named = [(element.get("version", "0"), (element.text or "").strip()) for element in root.findall("sdf")]
         files = [(version, folder / name) for version, name in named if name and "/" not in name]
         found = [path for _, path in sorted(files, key=lambda each: _version(each[0])) if path.is_file()]
         if found:

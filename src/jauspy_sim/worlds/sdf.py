@@ -177,24 +177,24 @@ class _Reader:
             raise ConfigError(f"line {line_of(element)}: more than {MAX_DEPTH} models in each other")
         scope, static = Scope(), is_true(element.find("static")) is True
         nested: list[tuple[Element, Path, str]] = []
-        for each in element.iterchildren("link", "frame", "joint", "model", "include"):
-            name, inner, file = str(each.get("name")), each, near
-            pose, relative_to = raw_pose(each)
-            if each.tag == "include":
-                found = self._included(each, near)
+        for child in element.iterchildren("link", "frame", "joint", "model", "include"):
+            name, inner, file = str(child.get("name")), child, near
+            pose, relative_to = raw_pose(child)
+            if child.tag == "include":
+                found = self._included(child, near)
                 if found is None:
                     continue
                 inner, file = found
                 if file == near or file in place.outer:
-                    raise ConfigError(f"line {line_of(each)}: <include>: {file} includes itself")
-                name = " ".join(words(each.find("name"))) or str(inner.get("name"))
-                if each.find("pose") is None:
+                    raise ConfigError(f"line {line_of(child)}: <include>: {file} includes itself")
+                name = " ".join(words(child.find("name"))) or str(inner.get("name"))
+                if child.find("pose") is None:
                     pose, relative_to = raw_pose(inner)
-            if each.tag == "joint":
-                relative_to = relative_to or " ".join(words(each.find("child")))
-            if each.tag in ("model", "include"):
+            if child.tag == "joint":
+                relative_to = relative_to or " ".join(words(child.find("child")))
+            if child.tag in ("model", "include"):
                 nested.append((inner, file, name))
-            scope.add(name, pose, relative_to or each.get("attached_to", ""), line_of(each))
+            scope.add(name, pose, relative_to or child.get("attached_to", ""), line_of(child))
         for inner, file, name in nested:
             before = set(model.links)
             inside = frame @ scope.pose(name, line_of(inner))
@@ -204,20 +204,20 @@ class _Reader:
             for added in set(model.links) - before:
                 pose = frame.inverse() @ model.links[added].pose
                 scope.add(added.removeprefix(prefix), pose, MODEL, line_of(inner))
-        for each in element.iterchildren("*"):
-            line = line_of(each)
-            match each.tag:
+        for child in element.iterchildren("*"):
+            line = line_of(child)
+            match child.tag:
                 case "link":
-                    self._count(each)
-                    name = f"{prefix}{each.get('name')}"
-                    pose = frame @ scope.pose(str(each.get("name")), line)
-                    model.links.setdefault(name, SdfLink(name, each, pose, near))
+                    self._count(child)
+                    name = f"{prefix}{child.get('name')}"
+                    pose = frame @ scope.pose(str(child.get("name")), line)
+                    model.links.setdefault(name, SdfLink(name, child, pose, near))
                 case "joint":
-                    self._collect_joint(each, scope, place, model)
+                    self._collect_joint(child, scope, place, model)
                 case "frame" | "model" | "include":
                     pass
                 case _:
-                    self._skipped.add(each, near)
+                    self._skipped.add(child, near)
         return static
 
     def _collect_joint(self, joint: Element, scope: Scope, place: _Place, model: _Model) -> None:

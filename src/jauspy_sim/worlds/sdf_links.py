@@ -256,7 +256,7 @@ class LinkBuilder:
         )
         added.castshadow = is_true(light.find("cast_shadows")) is True
         diffuse = [float(word) for word in words(light.find("diffuse"))[:3]] or [1.0, 1.0, 1.0]
-        added.diffuse = [min(1.0, 0.7 * each) for each in diffuse]
+        added.diffuse = [min(1.0, 0.7 * channel) for channel in diffuse]
         added.ambient, added.specular = (0.0,) * 3, (0.2,) * 3
         if kind != "directional":
             terms = [words(light.find(f"attenuation/{term}")) for term in ("constant", "linear", "quadratic")]
@@ -269,7 +269,9 @@ class LinkBuilder:
 def _shape_of(owner: Element) -> Element | None:
     geometry = owner.find("geometry")
     return (
-        None if geometry is None else next((each for each in geometry.iterchildren("*") if each.tag != "empty"), None)
+        None
+        if geometry is None
+        else next((child for child in geometry.iterchildren("*") if child.tag != "empty"), None)
     )
 
 
@@ -286,7 +288,7 @@ def _primitive(shape: Element) -> tuple[mujoco.mjtGeom, list[float], Transform] 
     kinds = mujoco.mjtGeom
     match shape.tag:
         case "box":
-            return kinds.mjGEOM_BOX, [each / 2.0 for each in lengths("size", 3, (1.0, 1.0, 1.0))], Transform()
+            return kinds.mjGEOM_BOX, [length / 2.0 for length in lengths("size", 3, (1.0, 1.0, 1.0))], Transform()
         case "sphere":
             return kinds.mjGEOM_SPHERE, [*lengths("radius", 1, (1.0,))], Transform()
         case "cylinder" | "capsule":
@@ -314,7 +316,7 @@ def _turn_to(normal: Vector) -> Transform:
     length = math.hypot(*normal)
     if not length:
         return Transform()
-    x, y, z = (each / length for each in normal)
+    x, y, z = (coordinate / length for coordinate in normal)
     pitch, yaw = math.acos(max(-1.0, min(1.0, z))), math.atan2(y, x)
     return Transform.from_pose(Pose(pitch=pitch)) if not yaw else Transform.from_pose(Pose(pitch=pitch, yaw=yaw))
 

@@ -116,7 +116,7 @@ def _of_script(name: str, places: tuple[Path, ...]) -> Look | None:
         file = None
         if texture is not None:
             folders = (*places, script.parent, script.parent.parent / "textures", script.parent)
-            file = next((each for each in _files(folders, "") if each.name == texture.group(1)), None)
+            file = next((path for path in _files(folders, "") if path.name == texture.group(1)), None)
         return Look(colour, file)
     return None
 
@@ -125,5 +125,5 @@ def _files(places: Iterable[Path], suffix: str) -> list[Path]:
     found: list[Path] = []
     for place in places:
         folder = [place] if place.is_file() else sorted(place.iterdir()) if place.is_dir() else []
-        found += [each for each in folder if each.is_file() and each.name.endswith(suffix)]
+        found += [path for path in folder if path.is_file() and path.name.endswith(suffix)]
     return found

@@ -125,7 +125,7 @@ class WorldConfig(_Table):
 
     @model_validator(mode="after")
     def _check_names(self) -> Self:
-        names = [each.name for each in self.objects]
+        names = [item.name for item in self.objects]
         if twice := sorted({name for name in names if names.count(name) > 1}):
             raise ValueError(f"objects: {', '.join(twice)} is there twice; give each its own name")
         return self
@@ -138,7 +138,8 @@ def objects_world(path: Path) -> mujoco.MjSpec:
     except ValidationError as error:
         text = read_file(path).decode()
         problems = "; ".join(
-            line_prefix(text, each["loc"]) + explain(each, WorldConfig) for each in error.errors(include_url=False)
+            line_prefix(text, problem["loc"]) + explain(problem, WorldConfig)
+            for problem in error.errors(include_url=False)
         )
         raise ConfigError(f"{path}: {problems}") from error
     return _Builder(path, config).build()
@@ -213,8 +214,8 @@ class _Builder:
         kinds = mujoco.mjtGeom
         radius, half = item.radius or 0.0, (item.length or 0.0) / 2.0
         kind, size = {
-            "box": (kinds.mjGEOM_BOX, [each / 2.0 for each in item.size]),
-            "ellipsoid": (kinds.mjGEOM_ELLIPSOID, [each / 2.0 for each in item.size]),
+            "box": (kinds.mjGEOM_BOX, [length / 2.0 for length in item.size]),
+            "ellipsoid": (kinds.mjGEOM_ELLIPSOID, [length / 2.0 for length in item.size]),
             "sphere": (kinds.mjGEOM_SPHERE, [radius]),
             "cylinder": (kinds.mjGEOM_CYLINDER, [radius, half]),
             "capsule": (kinds.mjGEOM_CAPSULE, [radius, half]),

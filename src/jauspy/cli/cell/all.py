@@ -66,11 +66,11 @@ def all_tasks(
     sections.append(section)
     text = page("The modular factory cell", "Everything below was measured by `jauspy cell all`.", promises, sections)
     (out / "index.html").write_text(text, encoding="utf-8")
-    for each in promises:
-        mark = "kept    " if each.kept else "NOT KEPT"
-        console.print_lines(f"{mark}  {each.what}: {each.measured} (promised: {each.wanted})")
+    for item in promises:
+        mark = "kept    " if item.kept else "NOT KEPT"
+        console.print_lines(f"{mark}  {item.what}: {item.measured} (promised: {item.wanted})")
     console.print_lines(str(out / "index.html"))
-    if not all(each.kept for each in promises):
+    if not all(item.kept for item in promises):
         raise typer.Exit(1)
 
 
@@ -109,7 +109,7 @@ def _trials(task: str, count: int, need: float, jobs: int | None, out: Path) -> 
     console.note(f"{count} runs of {task}")
     results = run_trials(task, range(count), jobs=jobs)
     found = sorted(with_progress(task, count, results), key=lambda each: each.seed)
-    (out / f"trials-{task}.json").write_text(json.dumps([asdict(each) for each in found], indent=1))
+    (out / f"trials-{task}.json").write_text(json.dumps([asdict(run) for run in found], indent=1))
     summary = summarised(found)
     plot = out / f"trials-{task}.svg"
     plot_trials(found, summary, plot)
@@ -179,10 +179,10 @@ def _kitting(out: Path, seeds: int, jobs: int | None) -> tuple[Promise, Section]
     results: dict[str, list[Measured]] = {}
     for task, way in WAYS.items():
         results[task] = found = list(with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)))
-        (out / f"{task}.json").write_text(json.dumps([asdict(each) for each in found], indent=1))
+        (out / f"{task}.json").write_text(json.dumps([asdict(run) for run in found], indent=1))
         figures = [f"{mean_of(found, name):.2f}" for name in ("score", "most_points", "order_time", "build_time")]
         table.append((way, str(len(found)), *figures))
-    done = all(each.success for found in results.values() for each in found)
+    done = all(run.success for found in results.values() for run in found)
     conclusion = break_even(results["kitting"], results["kitting-arm"])
     promise = Promise("kitting orders, with and without a modular arm", "measured both ways", f"{seeds} each", done)
     return promise, Section("Kitting", f"Orders in the style of ARIAC 2018, scored by its rules. {conclusion}", table)

@@ -75,8 +75,8 @@ def trials_table(summary: Summary, results: Sequence[Measured]) -> Table:
     )
     table.add_row("time of a run", f"median {summary.duration:.1f} s, longest {summary.longest:.1f} s")
     table.add_row("simulated time", f"{summary.speed:.1f} times real time in each process")
-    for name in sorted({name for each in results for name in each.values}):
-        values = [each.values[name] for each in results if name in each.values]
+    for name in sorted({name for result in results for name in result.values}):
+        values = [result.values[name] for result in results if name in result.values]
         mean, most = figure_text(name, mean_of(results, name)), figure_text(name, max(values))
         table.add_row(name.replace("_", " "), f"mean {mean}, most {most}")
     for seed, reason in summary.failures:

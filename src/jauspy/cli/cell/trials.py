@@ -25,10 +25,10 @@ def with_progress(what: str, total: int, results: Iterable[Measured]) -> Iterato
     failed = 0
     with Progress(console=console.stderr()) as progress:
         bar = progress.add_task(what, total=total)
-        for each in results:
-            failed += not each.success
+        for run in results:
+            failed += not run.success
             progress.update(bar, advance=1, description=f"{what}, {failed} failed" if failed else what)
-            yield each
+            yield run
 
 
 def trials(
@@ -69,12 +69,12 @@ def trials(
     path = out / f"trials-{task}.json"
     disturbances = NONE if exact else None
     results = run_trials(task, range(first, first + seeds), disturbances, jobs=jobs, cluster=cluster)
-    for each in with_progress(task, seeds, results):
-        found.append(each)
+    for run in with_progress(task, seeds, results):
+        found.append(run)
         path.write_text(json.dumps([asdict(every) for every in found], indent=1))
     found.sort(key=lambda each: each.seed)
     summary = summarised(found)
-    path.write_text(json.dumps([asdict(each) for each in found], indent=1))
+    path.write_text(json.dumps([asdict(run) for run in found], indent=1))
     plot_trials(found, summary, out / f"trials-{task}.svg")
     if as_json:
         console.print_json(asdict(summary))
@@ -100,14 +100,14 @@ def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT, as_json:
     results: dict[str, list[Measured]] = {}
     for task, way in WAYS.items():
         results[task] = []
-        for each in with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)):
-            results[task].append(each)
+        for run in with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)):
+            results[task].append(run)
             (out / f"{task}.json").write_text(json.dumps([asdict(every) for every in results[task]], indent=1))
     if as_json:
-        console.print_json({task: [asdict(each) for each in found] for task, found in results.items()})
+        console.print_json({task: [asdict(run) for run in found] for task, found in results.items()})
     else:
         _print_orders(seeds, results)
-    if not all(each.success for found in results.values() for each in found):
+    if not all(run.success for found in results.values() for run in found):
         raise typer.Exit(1)
 
 
@@ -120,7 +120,7 @@ def _print_orders(seeds: int, results: dict[str, list[Measured]]) -> None:
     for heading in ("way", "runs", "score", "of", "time of an order, s", "building, s", "largest error, mm"):
         table.add_column(heading)
     for task, way in WAYS.items():
-        found = [each for each in results[task] if each.success]
+        found = [run for run in results[task] if run.success]
         figures = [f"{mean_of(found, name):.2f}" for name in ("score", "most_points", "order_time", "build_time")]
         table.add_row(way, f"{len(found)} of {seeds}", *figures, f"{1000 * mean_of(found, 'largest_error'):.1f}")
     console.stdout(140).print(table)

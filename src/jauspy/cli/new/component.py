@@ -81,7 +81,7 @@ def _check(name: str) -> None:
 
 def _is_installed(name: str) -> bool:
     """True if a module of this name is found outside of the current directory."""
-    elsewhere = [each for each in sys.path if Path(each).resolve() != Path.cwd()]
+    elsewhere = [folder for folder in sys.path if Path(folder).resolve() != Path.cwd()]
     known = {*sys.stdlib_module_names, "pytest", "pytest_asyncio", "conftest"}  # the tests need these, installed or not
     return name in known or PathFinder.find_spec(name, elsewhere) is not None
 
@@ -100,18 +100,20 @@ def _find(schema: Schema, name: str, version: str | None, source: Path | None) -
     """The definition with this name or end of a name; raises `ConfigError` with similar names."""
     wanted = name.casefold()
     urns = {
-        each.id for each in schema.services if each.id.casefold() == wanted or each.id.casefold().endswith(f":{wanted}")
+        service.id
+        for service in schema.services
+        if service.id.casefold() == wanted or service.id.casefold().endswith(f":{wanted}")
     }
     if len(urns) > 1:
         raise ConfigError(f"several services are called {name}: {', '.join(sorted(urns))}; give the whole URN")
     if not urns:
-        known = sorted({each.id for each in schema.services})
-        close = get_close_matches(name.rpartition(":")[2], [each.rpartition(":")[2] for each in known], 3)
+        known = sorted({service.id for service in schema.services})
+        close = get_close_matches(name.rpartition(":")[2], [urn.rpartition(":")[2] for urn in known], 3)
         more = "--schemas reads your own" if source is None else f"{source} does not define it"
         hint = f"did you mean {' or '.join(close)}?" if close else f"`jauspy schema ls` lists them; {more}"
         raise ConfigError(f"no service {name!r} is known; {hint}")
     (urn,) = urns
-    versions = [each.version for each in schema.services if each.id == urn]
+    versions = [service.version for service in schema.services if service.id == urn]
     if version is not None and version not in versions:
         raise ConfigError(f"{urn} has no version {version}; it has {', '.join(versions)}")
     return schema.service(urn, version)
@@ -121,7 +123,7 @@ def _only_service(source: Path | None) -> str:
     """The URN of the one service that the user's files define; raises `ConfigError`, which lists several."""
     if source is None:
         raise ConfigError("name the service with --service; `jauspy schema ls` lists those that are built in")
-    (first, *more) = sorted({each.id for each in load_own([source]).services}) or [""]
+    (first, *more) = sorted({service.id for service in load_own([source]).services}) or [""]
     if more or not first:
         listed = f"{source} defines {', '.join((first, *more))}" if first else f"{source} defines no service"
         raise ConfigError(f"{listed}; name one with --service")
@@ -148,14 +150,14 @@ def package(
         raise ConfigError(
             f"jauspy provides {definition.id} in every component; to change its behaviour, subclass {theirs}"
         )
-    mine = [each for each in line if each.id not in core]
+    mine = [service for service in line if service.id not in core]
     beside = "" if source is None else FOLDER if source.is_dir() else source.name
     definitions = Schema(services=()) if source is None else load_own([source])
     stubs = make_stubs(definitions, [beside])
-    own = _OwnDefinitions(f"{name}.{MESSAGES}", {each.key for each in definitions.services}, stubs.names)
+    own = _OwnDefinitions(f"{name}.{MESSAGES}", {service.key for service in definitions.services}, stubs.names)
     writer = _Writer(mine, line, core, own)
     whole = JausID(me.subsystem or 101, me.node or 1, me.component)  # the tests need an id even if it is assigned later
-    urns = "".join(f"            {quote(each.id)},\n" for each in mine)
+    urns = "".join(f"            {quote(service.id)},\n" for service in mine)
     files: dict[str, str | bytes] = {
         "__init__.py": "\n".join([*docstring(f"A JAUS component that offers {definition.id}."), ""]),
         "__main__.py": _MAIN.format(name=name, id=me),
@@ -167,14 +169,14 @@ def package(
         files |= {f"{MESSAGES}.py": stubs.module, f"{MESSAGES}.pyi": stubs.stub}
         if source.name in files:
             raise ConfigError(f"{source} has the name of a file of the package; rename it, as in {name}.xml")
-        for each in _files(source):
-            files[f"{FOLDER}/{each.relative_to(source)}" if source.is_dir() else source.name] = each.read_bytes()
+        for file in _files(source):
+            files[f"{FOLDER}/{file.relative_to(source)}" if source.is_dir() else source.name] = file.read_bytes()
     return files
 
 
 def core_services() -> dict[str, type[Service]]:
     """The classes of the core services, which are added to every component, and of base services."""
-    given = {each.urn: type(each) for each in with_core_services([], "")}
+    given = {service.urn: type(service) for service in with_core_services([], "")}
     return given | {urn: type(make()) for urn, make in INHERITED_DEFAULTS.items()}
 
 
@@ -197,15 +199,19 @@ class _Writer:
     ) -> None:
         self._mine, self._line, self._core, self._own = mine, line, core, own
         self._imports: dict[str, set[str]] = {}
-        taken = {"registry", *own.messages.values(), *(message.name for each in line for message in each.messages)}
+        taken = {
+            "registry",
+            *own.messages.values(),
+            *(message.name for service in line for message in service.messages),
+        }
         self._names: dict[str, str] = {}
-        for each in mine:
-            taken.add(self._names.setdefault(each.id, unique(class_name(each.name), taken.__contains__)))
+        for service in mine:
+            taken.add(self._names.setdefault(service.id, unique(class_name(service.name), taken.__contains__)))
 
     def module(self) -> str:
         """The source of the module."""
-        classes = "\n\n".join(self._class(each) for each in reversed(self._mine))
-        names = ", ".join(f"{self._names[each.id]}()" for each in self._mine)
+        classes = "\n\n".join(self._class(service) for service in reversed(self._mine))
+        names = ", ".join(f"{self._names[service.id]}()" for service in self._mine)
         own = self._imports.pop(self._own.module, None)
         imports = "import jauspy\n" + "".join(starmap(_import, sorted(self._imports.items())))
         if own is not None:
@@ -218,9 +224,9 @@ class _Writer:
         if definition.key in self._own.services:
             more = "definitions=registry"
             self._imports.setdefault(self._own.module, set()).add("registry")
-        needs = {each.method: each for each in reversed(required_methods(definition))}  # the first of each name
+        needs = {method.method: method for method in reversed(required_methods(definition))}  # the first of each name
         methods = [
-            self._method(definition, each) for each in reversed(needs.values()) if not self._inherits(definition, each)
+            self._method(definition, need) for need in reversed(needs.values()) if not self._inherits(definition, need)
         ]
         lines = [
             f"class {self._names[definition.id]}(jauspy.Service, urn={quote(definition.id)}, {more}):",
@@ -233,7 +239,7 @@ class _Writer:
         for parent in self._line[self._line.index(definition) + 1 :]:
             kind = self._core.get(parent.id)
             if kind is None:
-                if any(each.method == need.method for each in required_methods(parent)):
+                if any(method.method == need.method for method in required_methods(parent)):
                     return True
             elif not kind.private and callable(getattr(kind, need.method, None)):
                 return True
@@ -242,16 +248,16 @@ class _Writer:
     def _method(self, definition: Definition, need: RequiredMethod) -> str:
         parameters = ["self"]
         if need.takes_message:
-            word = "query" if all(each.startswith("Query") for each in need.messages) else "msg"
+            word = "query" if all(message.startswith("Query") for message in need.messages) else "msg"
             parameters.append(
-                f"{word}: {' | '.join(dict.fromkeys(self._type(definition, each) for each in need.messages))}"
+                f"{word}: {' | '.join(dict.fromkeys(self._type(definition, message) for message in need.messages))}"
             )
         if need.literals:
             parameters.append("code: str")
         reports = need.kind == "report" or bool(need.reports)
         kind = "report" if reports else need.kind
         result = {"action": "None", "predicate": "bool"}.get(kind) or self._optional(definition, need.reports)
-        when = ", ".join([*need.messages, *need.events, *(f"state {each}" for each in need.in_states)])
+        when = ", ".join([*need.messages, *need.events, *(f"state {state}" for state in need.in_states)])
         purpose = {"action": "Action on", "predicate": "Guard of", "report": "The answer to"}[kind]
         body = [*docstring(f"{purpose} {_short(when)}{_ENDS[kind]}."), *_RESULTS[kind]]
         return "\n".join(["", _signature(need.method, ", ".join(parameters), result), *indent(body, 2)])
@@ -261,16 +267,16 @@ class _Writer:
 
     def _type(self, definition: Definition, name: str) -> str:
         line = self._line[self._line.index(definition) :]
-        owner = next((each for each in line if any(m.name == name for m in each.messages)), definition)
+        owner = next((service for service in line if any(m.name == name for m in service.messages)), definition)
         own = self._own.messages.get(MessageKey(owner.id, owner.version, name))
         if own is not None:
             self._imports.setdefault(self._own.module, set()).add(own)
             return own
         code = next(message.code for message in owner.messages if message.name == name)
         entry = next(
-            each
-            for each in registry.entries_of(code)
-            if (each.service, each.version, each.name) == (owner.id, owner.version, name)
+            entry
+            for entry in registry.entries_of(code)
+            if (entry.service, entry.version, entry.name) == (owner.id, owner.version, name)
         )
         self._imports.setdefault(entry.module, set()).add(entry.cls)
         return entry.cls

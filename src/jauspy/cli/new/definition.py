@@ -153,7 +153,7 @@ def _name(urn: str) -> str:
             "as in urn:example:Battery",
             param_hint="URN",
         )
-    if any(each.service == urn for each in registry.entries):
+    if any(entry.service == urn for entry in registry.entries):
         raise typer.BadParameter(f"{urn} is a public service; choose another name", param_hint="URN")
     return class_name(match[2])
 

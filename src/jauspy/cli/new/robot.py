@@ -242,9 +242,9 @@ def _arm_joints(description: RobotDescription) -> set[str]:
         while link in parents:
             above.append(parents[link])
             link = parents[link].parent
-        guided = [each for each in above if _has_limits(each)]
+        guided = [joint for joint in above if _has_limits(joint)]
         if _has_limits(joint):
-            found |= {each.name for each in above if each.kind is JointKind.CONTINUOUS}
+            found |= {joint.name for joint in above if joint.kind is JointKind.CONTINUOUS}
         elif joint.kind is JointKind.CONTINUOUS and len(guided) > 1:
             found.add(joint.name)
     return found
@@ -335,7 +335,7 @@ class _Masses:
     """Masses that joints carry, to guess gains."""
 
     def __init__(self, description: RobotDescription) -> None:
-        known = {each.link: each.mass for each in inertials(description.urdf)}
+        known = {inertial.link: inertial.mass for inertial in inertials(description.urdf)}
         self._mass = {link: known.get(link, 0.0) for link in description.links()}
         if not any(self._mass.values()):
             self._mass = dict.fromkeys(self._mass, GUESSED_MASS)
@@ -386,7 +386,7 @@ def _value(value: object) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{_key(str(key))} = {_value(each)}" for key, each in value.items()) + " }"
+        return "{ " + ", ".join(f"{_key(str(key))} = {_value(entry)}" for key, entry in value.items()) + " }"
     if isinstance(value, tuple | list):
         return "[" + ", ".join(map(_value, value)) + "]"
     return str(value) if isinstance(value, float | int) else _text(str(value))
@@ -446,7 +446,7 @@ def robot(
       jauspy new robot husky.urdf.xacro --arg laser_enabled:=true
       jauspy new robot husky.urdf.xacro --skip-missing-packages --placeholder-meshes
     """
-    arguments = dict(_argument(each) for each in argument or ())
+    arguments = dict(_argument(assignment) for assignment in argument or ())
     given = tuple(package_path or ())
     policy = MissingPolicy(skip_missing_packages, placeholder_meshes)
     if expand_only:
@@ -457,7 +457,7 @@ def robot(
     description = read_urdf(str(urdf), PackagePaths(given), arguments, policy, tell=lambda _: None)
     extra: dict[str, object] = {}
     if given:
-        extra["package_path"] = [relative(each, path.parent) for each in given]
+        extra["package_path"] = [relative(folder, path.parent) for folder in given]
     if arguments:
         extra["xacro_arguments"] = arguments
     chosen = {"skip_missing_packages": skip_missing_packages, "placeholder_meshes": placeholder_meshes}
@@ -510,9 +510,9 @@ def _report_trial(model: RobotModel, wheels: WheelSetup) -> None:
 def _passed_over(urdf: str) -> str:
     """A note on elements of other programs, and on joints that are treated as fixed."""
     root = parse_tree(urdf)
-    tags = Counter(str(each.tag) for each in root.iterchildren("gazebo", "transmission", "ros2_control"))
+    tags = Counter(str(element.tag) for element in root.iterchildren("gazebo", "transmission", "ros2_control"))
     parts = [f"{count} <{tag}>" for tag, count in tags.items()]
-    unguided = [str(each.get("name")) for each in root.iterchildren("joint") if each.get("type") in UNGUIDED]
+    unguided = [str(joint.get("name")) for joint in root.iterchildren("joint") if joint.get("type") in UNGUIDED]
     return ", ".join(parts + [f"joint {name} moves freely in the URDF, and is fixed here" for name in unguided])
 
 

@@ -36,7 +36,9 @@ def colliding_names(context: LintContext) -> Iterator[Problem]:
         members = (part for part in element if part.tag not in _NO_MEMBERS)
         yield from _collisions(members, "name", attribute, f"in '{element.get('name')}'")
     for element, _ in context.elements("value_set"):
-        holder = next((each.get("name") for each in (element, *element.iterancestors()) if each.get("name")), "")
+        holder = next(
+            (ancestor.get("name") for ancestor in (element, *element.iterancestors()) if ancestor.get("name")), ""
+        )
         yield from _collisions(element.iterchildren("value_enum"), "enum_const", constant, f"in '{holder}'")
     for service in context.services():
         seen: dict[str, Element] = {}

@@ -43,7 +43,7 @@ def set_of(service: ServiceDefinition) -> str:
 def is_set(service: ServiceDefinition, name: str) -> bool:
     """True for the set's name, its Python package, and the part of the URN before the service's name."""
     parts = service.id.split(":")
-    return name.casefold() in {each.casefold() for each in (set_of(service), set_package(service.id), *parts[-2:-1])}
+    return name.casefold() in {word.casefold() for word in (set_of(service), set_package(service.id), *parts[-2:-1])}
 
 
 def ls(
@@ -165,7 +165,9 @@ def _messages(newest: dict[str, list[ServiceDefinition]], name: str) -> Iterator
     code = _CODE.fullmatch(name)
     groups: list[list[tuple[ServiceDefinition, MessageDefinition]]] = []
     for versions in newest.values():
-        holder = next((each for each in versions for message in each.messages if _is(message, name, code)), None)
+        holder = next(
+            (version for version in versions for message in version.messages if _is(message, name, code)), None
+        )
         for message in holder.messages if holder else ():
             if holder is not None and _is(message, name, code):
                 _group(groups, holder, message)

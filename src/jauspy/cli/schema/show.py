@@ -117,7 +117,7 @@ def _show_message(match: Match, message: MessageDefinition, *, docs: bool) -> No
 
 def _show_example(match: Match, message: MessageDefinition, sources: list[str] | None) -> None:
     """The command line that sends it, for messages that components take."""
-    if not any(each.code == message.code for each in match.service.inputs):
+    if not any(received.code == message.code for received in match.service.inputs):
         return
     registry = message_definitions(sources).registry
     with suppress(ConfigError):
@@ -127,14 +127,14 @@ def _show_example(match: Match, message: MessageDefinition, sources: list[str] |
             return
         out, text = console.stdout(), f"example:  {shlex.join(words)}"
         if len(text) > out.width:  # lines within quotes may be broken at spaces
-            text = f"example:  {shlex.join(words[:4])}" + "".join(f" \\\n  {shlex.quote(each)}" for each in words[4:])
+            text = f"example:  {shlex.join(words[:4])}" + "".join(f" \\\n  {shlex.quote(word)}" for word in words[4:])
         out.print()
         out.print(Text(text), soft_wrap=False)
 
 
 def _direction(service: ServiceDefinition, message: MessageDefinition) -> str:
-    goes_in = any(each.code == message.code for each in service.inputs)
-    goes_out = any(each.code == message.code for each in service.outputs)
+    goes_in = any(received.code == message.code for received in service.inputs)
+    goes_out = any(output.code == message.code for output in service.outputs)
     return "input and output of" if goes_in and goes_out else "input of" if goes_in else "output of"
 
 
@@ -197,9 +197,12 @@ def _relations(service: ServiceDefinition, schema: Schema) -> Iterator[tuple[str
 
     ancestors = lineage(service, parents_among((*load_builtin().services, *schema.services)))[1:]
     if ancestors:
-        yield "inherits from", ", ".join(f"{each.id.rpartition(':')[2]} {each.version}" for each in ancestors)
+        yield (
+            "inherits from",
+            ", ".join(f"{ancestor.id.rpartition(':')[2]} {ancestor.version}" for ancestor in ancestors),
+        )
     if service.client_of:
-        yield "client of", ", ".join(f"{each.id.rpartition(':')[2]} {each.version}" for each in service.client_of)
+        yield "client of", ", ".join(f"{server.id.rpartition(':')[2]} {server.version}" for server in service.client_of)
 
 
 def _print_messages(what: str, messages: tuple[MessageDefinition, ...]) -> None:

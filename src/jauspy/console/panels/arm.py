@@ -122,7 +122,7 @@ class ArmPanel:
         self._problem.set_text(printable(self._motion.problem))
         try:
             positions = await arm.positions()
-            if positions.keys() != {each.name for each in self._joints} or not self._joints:
+            if positions.keys() != {joint.name for joint in self._joints} or not self._joints:
                 joints = await arm.joints()
                 if arm is self._arm:
                     self._show_joints(joints, positions)
@@ -141,7 +141,7 @@ class ArmPanel:
         self._joints = joints
         self._sliders.clear()
         with self._sliders:
-            self._rows = {each.name: _JointRow(each, positions.get(each.name, 0.0)) for each in joints}
+            self._rows = {joint.name: _JointRow(joint, positions.get(joint.name, 0.0)) for joint in joints}
             if not joints:
                 ui.label("no joints now").classes("hint")
         self._show_poses()
@@ -237,7 +237,7 @@ class ArmPanel:
 
     def _given_poses(self) -> dict[str, dict[str, float]]:
         """Those of the file with a joint of this arm; a joint that it does not have is an error when it is to move."""
-        joints = {each.name for each in self._joints}
+        joints = {joint.name for joint in self._joints}
         return {name: to for name, to in self._console.poses.get(self._robot_name, {}).items() if joints & to.keys()}
 
     def _add_go(self, name: str, positions: dict[str, float], shown: Pose | None = None) -> None:

@@ -75,8 +75,8 @@ class ControlPanel:
         self._asked.set_visibility(mine and request is not None)
         if operation is None:
             self._state.set_text("")
-            for each in (self._take, self._ask):
-                each.set_enabled(False)
+            for button in (self._take, self._ask):
+                button.set_enabled(False)
             return
         if mine and request is not None:
             self._question.set_text(f"{_name(request.user)} asks for control, with authority {request.authority}.")

@@ -48,8 +48,8 @@ class DriveModes:
         self._robot, self._shown = robot, ""
         if robot is None:
             return
-        offered = modes_of(robot) + [WAYPOINTS] * any(each.find(LIST_DRIVER) for each in robot.components)
-        self._toggle.set_options({each: NAMES[each] for each in offered}, value=None)
+        offered = modes_of(robot) + [WAYPOINTS] * any(component.find(LIST_DRIVER) for component in robot.components)
+        self._toggle.set_options({way: NAMES[way] for way in offered}, value=None)
         self._toggle.set_visibility(len(offered) > 1)
         self._update()
 
@@ -128,7 +128,7 @@ class DrivePanel:
         self._robot = robot
         for text in (self._position, self._heading, self._attitude):
             text.set_text("")
-        drives = robot is not None and any(each.find(name) for each in robot.components for name in DRIVERS)
+        drives = robot is not None and any(component.find(name) for component in robot.components for name in DRIVERS)
         self._panel.set_visibility(drives)
         self._modes.show(robot)
 

@@ -53,7 +53,7 @@ class FleetPanel:
 
     def _update(self) -> None:
         robots = self._console.fleet.robots
-        listed = tuple((each.id, each.name, each.components) for each in robots.values())
+        listed = tuple((robot.id, robot.name, robot.components) for robot in robots.values())
         if listed != self._listed:
             self._listed = listed
             self._empty.set_visibility(not robots)
@@ -144,10 +144,10 @@ class _Row:
             return
         with self._details:
             self._heard = ui.label("").classes("hint")
-            for each in self.component.services:
+            for service in self.component.services:
                 with ui.element("div").classes("service"):
-                    breakable(_words(each.short.rpartition(":")[2])).tooltip(printable(each.short))
-                    ui.label(printable(each.version)).classes("hint")
+                    breakable(_words(service.short.rpartition(":")[2])).tooltip(printable(service.short))
+                    ui.label(printable(service.version)).classes("hint")
             refusals = self._refusals()
             ui.label("refused" if refusals else "nothing was refused").classes("hint")
             for text in refusals:
@@ -176,15 +176,15 @@ class _Row:
     def _refusals(self) -> list[str]:
         """Commands that the component refused, with reasons, the newest first."""
         id = str(self.component.id)
-        lines = [each for each in self._console.traffic.lines(id, "refused") if each.source == id]
-        return [self._refusal(each) for each in lines[:MAX_REFUSALS]]
+        lines = [line for line in self._console.traffic.lines(id, "refused") if line.source == id]
+        return [self._refusal(line) for line in lines[:MAX_REFUSALS]]
 
     def _refusal(self, line: Line) -> str:
         decoded = self._console.traffic.decoded(line)
         if isinstance(decoded, str):
             why = decoded
         else:
-            why = ", ".join(f"{each.path.replace('_', ' ')}: {each.text}" for each in fields_of(decoded))
+            why = ", ".join(f"{field.path.replace('_', ' ')}: {field.text}" for field in fields_of(decoded))
         return printable(f"{line.time:%H:%M:%S} {line.name}: {why}")
 
 

@@ -64,7 +64,9 @@ class GripperPanel:
             self._gripper = robot.gripper
         elif robot is not None:
             ids = set(operated(robot))
-            found = [each for each in robot.components if each.find(CONNECTOR) and str(each.id) in ids]
+            found = [
+                component for component in robot.components if component.find(CONNECTOR) and str(component.id) in ids
+            ]
             if len(found) == 1:
                 self._connector = robot.component(str(found[0].id)).service(CONNECTOR)
         self._panel.set_visibility(self._gripper is not None or self._connector is not None)

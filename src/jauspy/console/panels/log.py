@@ -75,8 +75,8 @@ class LogPanel:
         words, routine = str(self._words.value or ""), bool(self._routine.value)
         kind = str(self._kind.value or "")
         lines = self._traffic.lines(words, kind, routine=routine, limit=MAX_ROWS, total=total)
-        self._lines = {each.number: each for each in lines}
-        rows = [_row(each) for each in lines]
+        self._lines = {line.number: line for line in lines}
+        rows = [_row(line) for line in lines]
         if rows != self._table.rows:
             self._table.rows = rows
         self._count.set_text(f"{len(lines)} newest shown of {total} so far; the latest 200 of each kind are kept")
@@ -101,9 +101,9 @@ class LogPanel:
             if isinstance(decoded, str):
                 ui.label(printable(decoded)).classes("whole")
             else:
-                for each in fields_of(decoded):
-                    breakable(_path(each.path)).classes("path")
-                    ui.label(f"{printable(each.text)} {each.unit}".rstrip()).classes("value")
+                for field in fields_of(decoded):
+                    breakable(_path(field.path)).classes("path")
+                    ui.label(f"{printable(field.text)} {field.unit}".rstrip()).classes("value")
         more = " \u2026" if len(line.payload) > MAX_HEX else ""
         self._hex.set_text(line.payload[:MAX_HEX].hex(" ") + more)
 

@@ -98,8 +98,8 @@ class TrajectoryPanel:
             self._joints = await arm.joints() if arm is not None else ()
         except JausError as error:
             self._joints, self._problem_here = (), str(error)
-        if self.trajectory.joints != tuple(each.name for each in self._joints):
-            self._take(Trajectory(tuple(each.name for each in self._joints)))
+        if self.trajectory.joints != tuple(joint.name for joint in self._joints):
+            self._take(Trajectory(tuple(joint.name for joint in self._joints)))
 
     # --- rows -------------------------------------------------------------------------------------------------------
 
@@ -113,7 +113,7 @@ class TrajectoryPanel:
     def _render(self) -> None:
         self._table.clear()
         self._rows = []
-        joints, units = self.trajectory.joints, {each.name: each.unit for each in self._joints}
+        joints, units = self.trajectory.joints, {joint.name: joint.unit for joint in self._joints}
         style_number(self._table, "joints", len(joints))
         with self._table:
             with ui.element("div").classes("line head").props('role="row"'):

@@ -56,7 +56,7 @@ class VideoPanel:
         """Show the cameras of this robot."""
         self._robot = robot
         components = robot.components if robot is not None else ()
-        cameras = [each for each in components if each.find(VIDEO)]
+        cameras = [component for component in components if component.find(VIDEO)]
         self._place.clear()
         self._figures, self._captions, self._chosen = {}, {}, ""
         self._said.set_text("")
@@ -100,8 +100,8 @@ class VideoPanel:
         if id == self._chosen or id not in self._figures:
             return
         self._chosen = id
-        for each, figure in self._figures.items():
-            figure.classes(add="large" if each == id else "", remove="" if each == id else "large")
+        for element, figure in self._figures.items():
+            figure.classes(add="large" if element == id else "", remove="" if element == id else "large")
         self._update()
         if self._side.visible:
             ui.timer(0.0, self._fill_settings, once=True)
@@ -121,7 +121,7 @@ class VideoPanel:
 
     def _component(self) -> ComponentInfo | None:
         components = self._robot.components if self._robot is not None else ()
-        return next((each for each in components if str(each.id) == self._chosen), None)
+        return next((component for component in components if str(component.id) == self._chosen), None)
 
     def _toggle_overlay(self) -> None:
         plain = "plain" not in self._place.classes
@@ -199,7 +199,11 @@ class VideoPanel:
             return
         self._filling = True
         try:
-            ids = [chosen] + [str(each.id) for each in robot.components if each.find(LIGHTS) and str(each.id) != chosen]
+            ids = [chosen] + [
+                str(component.id)
+                for component in robot.components
+                if component.find(LIGHTS) and str(component.id) != chosen
+            ]
             found = [(id, *await read_settings(robot.component(id))) for id in ids]
         finally:
             self._filling = False

@@ -320,11 +320,11 @@ class WorldPanel:
 
     def show(self, robot: Robot | None) -> None:
         """Show another robot; one that reports neither pose nor ranges, or stands in a cell, has no map."""
-        tells = robot is None or any(each.find(name) for each in robot.components for name in ON_MAP)
+        tells = robot is None or any(component.find(name) for component in robot.components for name in ON_MAP)
         has_map = tells and (robot is None or not is_cell(robot))
         self._view.set_value("both" if has_map else "three")
-        for each in self._of_map:
-            each.set_visibility(has_map)
+        for button in self._of_map:
+            button.set_visibility(has_map)
         self.map.show(robot)
 
     def close(self) -> None:

@@ -298,9 +298,9 @@ class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEf
         if self._effort <= 0.0:
             return False
         state, joints = self._gripper.state(), self._gripper.joints
-        still = all(abs(speed) < STILL * each.velocity for each, speed in zip(joints, state.velocities, strict=True))
+        still = all(abs(speed) < STILL * joint.velocity for joint, speed in zip(joints, state.velocities, strict=True))
         ways = zip(joints, state.positions, strict=True)
-        return still and any(position - each.lower > CLOSED * (each.upper - each.lower) for each, position in ways)
+        return still and any(position - way.lower > CLOSED * (way.upper - way.lower) for way, position in ways)
 
     def report_end_effector_effort(self) -> ReportEndEffectorEffort:
         """The commanded effort, in percent."""
