@@ -31,7 +31,7 @@ def _console(*, stderr: bool, width: int | None = None) -> Console:
         """Replaces unprintable characters. `main` handles a closed pipe; rich would exit with status 1."""
 
         def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterator[Segment]:
-            """As `Console.render`."""
+            """Render as `Console.render` does."""
             for segment in super().render(renderable, options):
                 safe = segment.control or segment.text.isprintable()
                 yield segment if safe else Segment(printable_lines(segment.text), segment.style)
@@ -135,7 +135,7 @@ def print_counters(counters: Mapping[str, int], title: str = "counters:") -> Non
 
 
 def print_if_read(*lines: str, file: TextIO | None = None) -> None:
-    """As `print_lines` for services: drop the lines when nobody reads them or the disk is full."""
+    """Print lines of a service: drop the lines when nobody reads them or the disk is full."""
     stream = file or sys.stdout
     if not _has_room(stream):
         return
@@ -164,7 +164,7 @@ class _NonBlockingHandler(logging.StreamHandler[TextIO]):
 
 
 class LogFormatter(logging.Formatter):
-    """As `logging.Formatter`, with printable text: a record is one line, and a traceback those that it has."""
+    """Formats records as printable text: one line for a record, further ones for a traceback."""
 
     def __init__(self) -> None:
         super().__init__("%(asctime)s %(levelname)s %(name)s: %(message)s")

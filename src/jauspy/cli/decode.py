@@ -194,7 +194,7 @@ def rows_of(
 
 
 def _problem(row: reference.ExplainedValue) -> tuple[str, str]:
-    """What the definition says otherwise, behind the value."""
+    """The deviation from the definition, behind the value."""
     if not row.problem:
         return ("", "")
     return (row.problem, "bold red") if row.damaged else (f"  ({row.problem})", "yellow")

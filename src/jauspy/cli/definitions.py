@@ -1,4 +1,4 @@
-"""Which definitions a verb uses: those built in, the user's files, and the preferred service and version."""
+"""The definitions that a verb uses: those built in, the user's files, the preferred service and version."""
 
 from __future__ import annotations
 

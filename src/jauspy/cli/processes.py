@@ -127,7 +127,7 @@ class ChildProcess:
         """`on_error_line` gets each line of standard error once the child is ready; else `ChildFailed` has the last."""
         self.name = name
         self.first_line = ""
-        """What it printed when it was ready."""
+        """Output of the process when it was ready."""
         self._on_error_line = on_error_line
         self._arguments = tuple(arguments)
         self._process: asyncio.subprocess.Process | None = None

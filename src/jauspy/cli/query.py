@@ -99,7 +99,7 @@ def query(
 
 
 def _no_query(message: Message) -> str:
-    """What a message that is no query is, and which verb is meant."""
+    """Explain what a message that is no query is, and which verb is meant."""
     if message.IS_COMMAND or not message.NAME.startswith("Report"):
         return "is not a query and has no answer; use `jauspy send`"
     query_name = message.NAME.replace("Report", "Query", 1)

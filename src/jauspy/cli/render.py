@@ -172,7 +172,7 @@ def _decimals(steps_per_unit: float) -> int:
 
 
 def _real(value: float, decimals: int) -> str:
-    """With at most as many decimals, without trailing zeros."""
+    """A number with at most as many decimals, without trailing zeros."""
     text = f"{value:.{decimals}f}"
     text = text.rstrip("0").rstrip(".") if "." in text else text
     return "0" if text == "-0" else text
@@ -217,7 +217,7 @@ def _entries(tree: dict[str, Tree], indent: str) -> list[_Line]:
 
 
 def _inline(part: dict[str, Tree] | list[Tree]) -> Leaf | None:
-    """What fits on one line: nothing, or numbers such as a covariance row."""
+    """Text of a list that fits on one line: empty, or numbers such as a covariance row."""
     if not part:
         return Leaf("[]" if isinstance(part, list) else "{}")
     if isinstance(part, dict):

@@ -90,9 +90,9 @@ class RobotStatus:
     cameras: tuple[CameraStatus, ...]
     node: NodeStatus | None
     faults: Mapping[str, str] = field(default_factory=dict)
-    """What has failed, by the id of the component that is in Failure for it."""
+    """Failures by the id of the component that is in Failure for them."""
     overloads: Mapping[str, str] = field(default_factory=dict)
-    """What joints cannot carry, and a tilt that stopped the robot, by the ids of components and the names of joints."""
+    """Overloads of joints, and a tilt that stopped the robot, by the ids of components and the names of joints."""
 
 
 @dataclass(slots=True)

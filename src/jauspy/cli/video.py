@@ -129,7 +129,7 @@ def video(
 
 
 DEFAULT_PORT: Final = 5004
-"""As in RFC 3551."""
+"""Port of RTP by default (RFC 3551)."""
 
 
 async def own_address(ocu: OCU, camera: JausID, given: tuple[str, int] | None) -> tuple[str, int]:
@@ -178,7 +178,7 @@ async def register(ocu: OCU, camera: JausID, sensor: int, url: str) -> int:
 
 
 async def said_by(ocu: OCU, camera: JausID, sensor: int) -> str:
-    """What the camera says of its stream; empty if it says nothing, or cannot be asked.
+    """Note of the camera about its stream; empty if it has none, or cannot be asked.
 
     It is asked for its video for a moment, since notes come beside it.
     """
@@ -421,7 +421,7 @@ async def _sleep(seconds: float | None) -> None:
 
 @dataclass(frozen=True, slots=True)
 class StreamSettings:
-    """What is to be changed; None keeps what the camera has."""
+    """Settings to be changed; None keeps the camera's."""
 
     size: FrameSize | None = None
     rate: int | None = None

@@ -38,7 +38,7 @@ class Choice:
         return cls(id, name) if is_id and isinstance(name, str) else None
 
     def for_browser(self) -> list[int | str] | None:
-        """What a browser keeps; None when nothing was chosen."""
+        """The choice that a browser keeps; None when nothing was chosen."""
         return None if self._id is None else [self._id, self._name]
 
     def robot(self, robots: Mapping[int, Robot]) -> Robot | None:
@@ -56,7 +56,7 @@ class Choice:
         return self._name not in ("", robot.name) and not (self._shown and robot.name == "")
 
     def hint(self, robots: Mapping[int, Robot]) -> str:
-        """What the operator is told while no robot is shown; empty if there is none to choose from."""
+        """Text for the operator while no robot is shown; empty if there is none to choose from."""
         if not robots:
             return ""
         if self._id is None:

@@ -48,7 +48,7 @@ class _Connection:
     transport: asyncio.Transport | None = None
     session: Hashable = None
     requests: int = 0
-    """That have begun and not ended."""
+    """Number of requests that have begun and not ended."""
     is_socket: bool = False
     is_closing: bool = False
 

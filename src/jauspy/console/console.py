@@ -94,7 +94,7 @@ class Console:
         self.worlds = Worlds(ocu, lambda: self.fleet.robots)
         self._attitudes: dict[int, AttitudeFeed] = {}
         self.pages = OpenPages()
-        """By tokens; sockets without the token of a page are refused."""
+        """Pages by their tokens; sockets without the token of a page are refused."""
         self._leaving: set[asyncio.Task[None]] = set()
 
     def note(self, text: str) -> None:

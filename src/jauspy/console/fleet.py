@@ -49,7 +49,7 @@ class Fleet:
     def __init__(self, ocu: OCU) -> None:
         self.ocu = ocu
         self.robots: Mapping[int, Robot] = {}
-        """By the number of the subsystem; a new mapping after each change."""
+        """Robots by the number of the subsystem; a new mapping after each change."""
         self.states: dict[JausID, ComponentState] = {}
         self.on_event: Callable[[str], None] = lambda _: None
         """Called with a sentence when a robot or a state changes."""

@@ -71,7 +71,7 @@ class Manipulator(ABC):
 
     @property
     def title(self) -> str:
-        """Its name and id."""
+        """Name and id of the manipulator."""
         return f"{printable(self.info.name) or 'arm'}  {self.info.id}"
 
     @property

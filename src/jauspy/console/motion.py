@@ -53,7 +53,7 @@ class Jogging:
         self._watchdog: asyncio.TimerHandle | None = None
         self._wanted: Velocity | None = None
         self._by: Session | None = None
-        """On whose behalf the newest velocity is sent."""
+        """User on whose behalf the newest velocity is sent."""
         self._sending: asyncio.Task[None] | None = None
 
     def move(self, token: str, asked: ToolVelocity | None) -> str:

@@ -64,9 +64,9 @@ class Operation:
         self._on_event = on_event
         self._watchdog = watchdog
         self._renewing = Session(LOCAL, "")
-        """On whose behalf control is renewed: always that of the present user."""
+        """User on whose behalf control is renewed: always the present one."""
         self._by: Session | None = None
-        """On whose behalf the newest command is sent."""
+        """User on whose behalf the newest command is sent."""
         self._control: RobotControl | None = None
         self._timer: asyncio.TimerHandle | None = None
         self._busy = asyncio.Lock()
@@ -74,7 +74,7 @@ class Operation:
         self._sending: asyncio.Task[None] | None = None
         self._request: ControlRequest | None = None
         self._seen = robot
-        """As it was discovered last."""
+        """The robot as it was discovered last."""
         self._missing: set[JausID] = set()
         """Components in control that the last discovery has not found."""
         self._refused: set[JausID] = set()

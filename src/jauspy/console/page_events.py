@@ -86,7 +86,7 @@ _PACKETS: Final[TypeAdapter[_Packet]] = TypeAdapter(_Packet)
 
 @dataclass
 class _Connection:
-    """What is known of one connection."""
+    """State of one connection."""
 
     budget: Budget
     invalid: int = 0
@@ -127,7 +127,7 @@ class PageEvents:
         self._refused = refused
         self._now = now
         self._users: dict[str, User] = {}
-        """By page: the user who has loaded it."""
+        """Users by the page that they have loaded."""
         handlers: dict[str, Callable[[str, Any], Awaitable[None]]] = server.eio.handlers
         self._pass_on = handlers["message"]
         handlers["message"] = self.receive

@@ -53,7 +53,7 @@ class Trace:
 
     @property
     def name(self) -> str:
-        """As in `101.1.102 LocalPose.x`."""
+        """Label of the trace, as in `101.1.102 LocalPose.x`."""
         return f"{self.component} {self.query.NAME.removeprefix('Query')}.{self.path}"
 
     def add(self, at: float, value: float) -> None:

@@ -75,7 +75,7 @@ class RobotGeometry:
         return [joint["name"] for joint in self.joints if joint["kind"] != JointKind.FIXED.value]
 
     def for_browser(self, mesh_url: str) -> dict[str, Any]:
-        """As JSON; the URL of a mesh is `mesh_url` and its number."""
+        """The geometry as JSON; the URL of a mesh is `mesh_url` and its number."""
         shapes = [
             shape | {"url": f"{mesh_url}{shape['mesh']}", "format": self.meshes[shape["mesh"]].suffix.lower()[1:]}
             if shape["kind"] == "mesh"

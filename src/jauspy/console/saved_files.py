@@ -35,7 +35,7 @@ _Position = Annotated[float, Field(allow_inf_nan=False)]
 class _Poses(BaseModel):
     model_config = ConfigDict(extra="forbid")
     poses: dict[str, dict[str, dict[str, _Position]]] = {}
-    """By component, then by name: positions by joint."""
+    """Trajectories by component, then by name: positions by joint."""
     authors: dict[str, dict[str, Author]] = {}
     """Authors of poses, by component and name; files of earlier versions have none."""
 
@@ -73,7 +73,7 @@ def checked_name(name: str) -> str:
 
 
 RobotPoses: TypeAlias = dict[str, dict[str, dict[str, float]]]
-"""By robot, then by name: positions by joint."""
+"""Poses by robot, then by name: positions by joint."""
 _ROBOT_POSES: Final = TypeAdapter(dict[str, dict[str, dict[str, _Position]]])
 
 

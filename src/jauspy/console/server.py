@@ -187,7 +187,7 @@ class Access:
     certificate: Path | None = None
     key: Path | None = None
     token: str = ""
-    """For a console without users; by default a new one for each start."""
+    """Token for a console without users; by default a new one for each start."""
 
 
 @asynccontextmanager

@@ -245,7 +245,7 @@ class Session:
     began: float = 0.0
     seen: float = 0.0
     sockets: int = 0
-    """That are open, beside `control_sockets`; a session with open sockets is not idle."""
+    """Number of open sockets beside `control_sockets`; a session with open sockets is not idle."""
     control_sockets: int = 0
     """Sockets for stopping and driving that are open."""
     ended: asyncio.Event = field(default_factory=asyncio.Event)

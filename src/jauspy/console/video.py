@@ -50,7 +50,7 @@ class Attitude:
     speed: float | None = None
 
     def as_dict(self) -> dict[str, float | None]:
-        """For the browser."""
+        """Attitude and speed as the browser gets them."""
         return asdict(self)
 
 

@@ -113,7 +113,7 @@ class VideoRecording:
             await asyncio.to_thread(self._write, pictures)
 
     def _write(self, pictures: list[Picture]) -> None:
-        """In a thread. Raises `ConfigError` when the file cannot be written."""
+        """Write the file, in a thread. Raises `ConfigError` when the file cannot be written."""
         for picture in pictures:
             recorder = self._recorder or self._open()
             recorder.add(picture)

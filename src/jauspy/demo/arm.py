@@ -29,7 +29,7 @@ class ArmKinematics:
         moving = [number for number, joint in enumerate(chain) if joint.kind is not JointKind.FIXED]
         turn, shoulder, elbow, wrist, _ = moving
         self.axis = chain[turn].origin.x
-        """Of the vertical axis, forward of the base link's origin."""
+        """Position of the vertical axis, metres forward of the base link's origin."""
         self._height = chain[turn].origin.z + chain[shoulder].origin.z
         self._upper, self._fore = chain[elbow].origin.x, chain[wrist].origin.x
         self._gripper_length = sum(joint.origin.x for joint in chain[wrist + 1 :])

@@ -52,7 +52,7 @@ class VideoRecording:
     failure: str = ""
     """Why no more pictures came."""
     note: str = ""
-    """What the camera said last of a machine that is too slow."""
+    """Last note of the camera about a machine that is too slow."""
 
     async def run(self) -> None:
         """Record until this is cancelled, or no further picture has come for `plan.CAMERA_TIMEOUT`."""

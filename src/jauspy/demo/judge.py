@@ -36,7 +36,7 @@ class RobotOutput:
         self._counters: dict[str, int] = {}
         self.true_place: Place | None = None
         self.contacts: Mapping[str, Mapping[str, int]] | None = None
-        """By joint group and body of the world, samples of the physics with a contact; None without a simulation."""
+        """Samples of the physics with a contact, by joint group and body of the world; None without a simulation."""
 
     def line(self, text: str) -> None:
         """Read one line."""

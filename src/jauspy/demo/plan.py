@@ -40,7 +40,7 @@ class Waypoint:
 
 @dataclass(frozen=True, slots=True)
 class Thing:
-    """What is grasped. Its position is measured with the camera; the nominal one is only compared."""
+    """An object to be grasped. Its position is measured with the camera; the nominal one is only compared."""
 
     name: str
     x: float
@@ -48,7 +48,7 @@ class Thing:
     y: float
     """Metres."""
     body: str
-    """Its name in the world."""
+    """Name of the object in the world."""
     stands_on: str
     """The body of the world on which it stands, which arm and gripper must not touch."""
     support: float
@@ -82,18 +82,18 @@ height take up to 0.015 m of it, so that more than 0.03 m are left."""
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What the robot does in a world. Offsets of the gripper are metres farther out and higher than in the grasp."""
+    """Actions of the robot in a world. Offsets of the gripper are metres farther out and higher than in the grasp."""
 
     waypoints: tuple[Waypoint, ...]
     """The last one is the goal."""
     drive: str
-    """What the drive is, as in "Drive to the table"."""
+    """Title of the drive, as in "Drive to the table"."""
     thing: Thing
     view: tuple[float, float, float]
     """Pose of the arm's camera: distance from the arm's first axis and height above the ground, m, and pitch, rad. From
     here the whole thing is in the picture at every possible position."""
     pitch: float
-    """Of the gripper in the grasp, rad."""
+    """Pitch of the gripper in the grasp, rad."""
     high: tuple[float, float]
     """Offset of a way point from the view to the thing."""
     over: tuple[float, float]
@@ -163,7 +163,7 @@ PLANS: Final[Mapping[str, Plan]] = {
         ground=0.10,
     ),
 }
-"""By the names of worlds."""
+"""Plans by the names of worlds."""
 
 WAYPOINT_TOLERANCE: Final = 0.05
 """Metres; the tolerance in the commanded waypoints."""
@@ -191,7 +191,7 @@ SETTLING_TIME: Final = 0.7
 """Seconds for the arm to come to rest before the still: an error of 0.01 rad is 1 cm at the can."""
 
 MIN_RATE: Final = 0.5
-"""Of the pictures per second that a camera is set to: the least for its video to be a success."""
+"""Least fraction of the pictures per second that a camera is set to for its video to be a success."""
 MIN_REDUCED_RATE: Final = 0.5
 """The same, in pictures per second, for a camera that says that its machine is too slow."""
 

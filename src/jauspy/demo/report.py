@@ -38,7 +38,7 @@ REDUCED: Final = ("~", "yellow")
 
 @dataclass(frozen=True, slots=True)
 class StageResult:
-    """What was measured, as text and as `figures` in SI units; `reached` is None for stages without a goal."""
+    """Result of a stage, as text and as `figures` in SI units; `reached` is None for stages without a goal."""
 
     stage: str
     measured: str

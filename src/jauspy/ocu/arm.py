@@ -516,7 +516,7 @@ class Arm:
         return f"{error}; {where}" if where else str(error)
 
     async def _blocked(self) -> str:
-        """Which joints stood still, with what effort, and how far from their positions; empty if none did."""
+        """The joints that stood still, with effort and distance from their positions, as text; empty if none did."""
         if self.info.find(DESCRIPTION) is None:
             return ""
         report = await self._connection.query(self.info.id, QueryBlockedJoints(), expects=ReportBlockedJoints)

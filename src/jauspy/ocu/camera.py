@@ -58,7 +58,7 @@ class Reader(Protocol[P_co]):
         ...
 
     def fileno(self) -> int:
-        """For an event loop: readable when packets have arrived."""
+        """File descriptor for an event loop: readable when packets have arrived."""
         ...
 
     def take(self) -> P_co | None:
@@ -82,7 +82,7 @@ class PictureReader:
         self._broken = True
 
     def fileno(self) -> int:
-        """For an event loop: readable when packets have arrived."""
+        """File descriptor for an event loop: readable when packets have arrived."""
         return self.receiver.fileno()
 
     def take(self) -> Picture | None:
@@ -131,12 +131,12 @@ class Camera:
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What was received for the last `frames` or `encoded`: `pictures`, packets `lost`, pictures `damaged`, ..."""
+        """Counters of the last `frames` or `encoded`: `pictures`, packets `lost`, pictures `damaged`, ..."""
         return self._counters if self._receiver is None else self._receiver.counters
 
     @property
     def note(self) -> str:
-        """What the camera says of its stream while it is received; empty for nothing.
+        """Note of the camera about its stream while it is received; empty without one.
 
         A text for users: the camera is still starting, or its machine is too slow for what is set. It is not checked.
         """

@@ -89,7 +89,7 @@ class ModularArm:
     async def move(
         self, positions: Sequence[float], duration: float = 0.0, *, timeout: float | None = None
     ) -> ModularArmState:
-        """As `begin`, and wait until the joints are there; returns the state.
+        """Begin a motion as `begin` does, and wait until the joints have arrived; returns the state.
 
         Raises `RequestError` when the robot refuses the motion, or has not ended it after `timeout` seconds: by default
         three times the duration, and at least 8 s.
@@ -126,14 +126,14 @@ class Connector:
 
     def __init__(self, service: ServiceClient, number: int) -> None:
         self.number: int = number
-        """Its number among those of the part, from 1."""
+        """Number of the connector among those of the part, from 1."""
         self._service = service
 
     def __repr__(self) -> str:
         return f"<connector {self.number} of {self._service.id}>"
 
     async def state(self) -> ConnectorState:
-        """What it holds, with what force; `last_error` says why it holds nothing."""
+        """The part that it holds, and the force; `last_error` says why it holds nothing."""
         report = await self._service.query(QueryConnectorState(ALL_FIELDS, self.number))
         offset = (
             report.offset_x,
@@ -187,7 +187,7 @@ class Conveyor:
         return f"<conveyor {self._service.id}>"
 
     async def state(self) -> ConveyorState:
-        """Its speed in m/s, and how far it has travelled, in metres."""
+        """Speed in m/s, and the distance travelled in metres."""
         report = await self._service.query(QueryConveyorState(0xFF))
         return ConveyorState(report.speed or 0.0, report.position or 0.0)
 

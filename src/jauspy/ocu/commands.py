@@ -43,7 +43,7 @@ CONTROL_CHECK_INTERVAL: Final = 0.2
 
 
 async def perform(connection: Connection, id: JausID, command: Message, within: float) -> None:
-    """As `ServiceClient.perform`."""
+    """See `ServiceClient.perform`."""
     check_message(command, "perform()", "Resume()")
     check_number(within, "within")
     if not 0 <= within <= MAX_WITHIN:

@@ -94,7 +94,7 @@ class RetryPolicy:
 
 
 CHALLENGE_RETRY: Final = RetryPolicy(timeout=0.25, retries=3)
-"""For the challenge before the first command; components without CommandSeal do not answer."""
+"""Retries of the challenge before the first command; components without CommandSeal do not answer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +152,7 @@ class StatsRecorder:
 
 
 class Trace(Protocol):
-    """What `OCU.trace` calls for each message; `payload` is the message with its id, encoded."""
+    """Callback of `OCU.trace` for each message; `payload` is the message with its id, encoded."""
 
     def __call__(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool) -> None:
         """Take one message."""

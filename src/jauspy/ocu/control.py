@@ -42,7 +42,7 @@ DEFAULT_AUTHORITY: Final = 127
 DEFAULT_CONTROL_TIMEOUT: Final = 3.0
 """Seconds; assumed for a component that does not report its control timeout."""
 STATUS_RETRY: Final = RetryPolicy(timeout=0.3, retries=3)
-"""For the queries after control was granted or lost: the control timeout is running already."""
+"""Retries of the queries after control was granted or lost: the control timeout is running already."""
 CHECK_INTERVAL: Final = 2.0
 """Seconds, at most, between two queries for controller and status of the component."""
 MAX_RENEWALS: Final = 4
@@ -61,7 +61,7 @@ REMEDIES: Final[Mapping[int, str]] = {
     ReportStatus.Status.FAILURE: "send Reset, which needs no control in this state; its log says why it failed",
     ReportStatus.Status.SHUTDOWN: "start the component again",
 }
-"""What ends the states in which a component gives control to nobody (AS5710), apart from initialization."""
+"""Commands that end the states in which a component gives control to nobody (AS5710), apart from initialization."""
 
 _LEAVES_READY: Final = tuple(command.CODE for command in (Standby, SetEmergency, Reset, Shutdown))
 """After one of these from this OCU the component is expected to leave Ready."""

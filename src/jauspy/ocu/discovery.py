@@ -310,7 +310,7 @@ def _differences(before: _Parts, now: _Parts) -> Iterator[News]:
 
 
 def _name_and_type(part: SubsystemPart) -> tuple[str, int] | None:
-    """What may change in a part itself; changes of its own parts are yielded for those."""
+    """Compare a part itself; changes of its own parts are yielded for those."""
     return None if isinstance(part, ServiceInfo) else (part.name, part.type)
 
 
@@ -373,7 +373,7 @@ class RobotNews:
     def update(
         self, robots: tuple[SubsystemInfo, ...], is_complete: Callable[[int], bool], now: float
     ) -> Iterator[Difference]:
-        """What is due now."""
+        """Queries that are due now."""
         current = {robot.id: robot for robot in robots}
         for id in sorted(self._reported.keys() | current.keys()):
             before, found = self._reported.get(id), current.get(id)

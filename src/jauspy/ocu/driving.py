@@ -284,7 +284,7 @@ def _percent(value: float, full: float) -> float:
 
 
 MAX_TILT: Final = math.radians(30.0)
-"""From here on the tilt of a robot that stopped is reported, since it may be the reason."""
+"""Radians of tilt from which on an error names the tilt of a robot that stopped, since it may be the reason."""
 
 
 class _Way:

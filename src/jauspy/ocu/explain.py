@@ -34,7 +34,7 @@ _TAKEN_IN_STANDBY: Final = ("SetLocalWaypoint", "SetGlobalWaypoint", "SetElement
 """Prefixes of names of commands that need control, but not the state Ready."""
 TAKE_CONTROL: Final = "take control first"
 NOT_CONTROLLED: Final = f"{{}} is not controlled by this program; {TAKE_CONTROL}, with `robot.control()`"
-"""What to do when another client, or none, is in control."""
+"""Advice for when another client, or none, is in control."""
 _STATES: Final[dict[int, str]] = {
     ReportStatus.Status.INITIALIZE: "still starting: wait until it is in Standby, then resume it",
     ReportStatus.Status.STANDBY: "in Standby: resume first",

@@ -53,7 +53,7 @@ class ManipulatorReader:
         self.joints = group.joints
 
     async def read(self) -> dict[str, float]:
-        """As in `JointReader`; raises `ConfigError` when the number of joints differs from the description."""
+        """Joint positions; raises `ConfigError` when the number of joints differs from the description."""
         report = await self._sensor.query(QueryJointPositions(), expects=ReportJointPositions)
         standard = [record.joint_position.value for record in report.joint_position_list]
         if len(standard) != len(self.joints):
@@ -73,7 +73,7 @@ class PanTiltReader:
         self.joints = group.joints
 
     async def read(self) -> dict[str, float]:
-        """As in `JointReader`."""
+        """Joint positions as in `JointReader`."""
         report = await self._sensor.query(QueryPanTiltJointPositions(), expects=ReportPanTiltJointPositions)
         rows = zip(self.joints, (report.joint1_position, report.joint2_position), self._reversed, strict=True)
         return {joint: -angle if is_reversed else angle for joint, angle, is_reversed in rows}

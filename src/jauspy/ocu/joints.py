@@ -57,7 +57,7 @@ class DescribedJoint:
     max_speed: float | None = None
     """rad/s or m/s; None when it is not known."""
     width_rate: float = 0.0
-    """Of a finger: metres by which one metre of it widens the gripper."""
+    """Metres by which one metre of a finger widens the gripper."""
 
     @property
     def unit(self) -> str:

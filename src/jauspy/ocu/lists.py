@@ -79,7 +79,7 @@ class Elements(Sequence[Element]):
         self._info = info
         self._client = ListClient(connection, id)
         self._items: dict[int, Element] | None = None
-        """By UID, in the list's order; None before the component's list was read."""
+        """Elements by UID, in the list's order; None before the component's list was read."""
 
     def __repr__(self) -> str:
         return f"<{'?' if self._items is None else len(self)} elements of {self._info} at {self._id}>"

@@ -15,7 +15,7 @@ from jauspy.errors import CodecError, ConfigError, DecodeError
 from jauspy.ids import JausID, message_id
 
 REPORT_OFFSET: Final = 0x2000
-"""From the message id of a query (2000h to 3FFFh) to that of its report (AS5710)."""
+"""Difference of the message id of a query (2000h to 3FFFh) and that of its report (AS5710)."""
 REPORT_CODES: Final = range(0x4000, 0x6000)
 
 Reply: TypeAlias = tuple[Message, JausID]

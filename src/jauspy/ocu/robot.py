@@ -48,7 +48,7 @@ class ComponentClient:
 
     @property
     def id(self) -> JausID:
-        """Its id."""
+        """JAUS id."""
         return self.info.id
 
     @property
@@ -66,7 +66,7 @@ class ComponentClient:
 
     @property
     def camera(self) -> Camera:
-        """Its camera, if it has one only."""
+        """Camera of the component, if it has one only."""
         return Camera(self._connection, (self.info,), None)
 
     # --- modules of a factory cell ------------------------------------------------------------------------------------
@@ -83,17 +83,17 @@ class ComponentClient:
 
     @property
     def servo(self) -> ServoModule:
-        """Its servo."""
+        """Servo of the module."""
         return ServoModule(self.service("ServoModule"))
 
     @property
     def conveyor(self) -> Conveyor:
-        """Its belt."""
+        """Belt of the conveyor."""
         return Conveyor(self.service("Conveyor"))
 
     @property
     def part_station(self) -> PartStation:
-        """Its sensor of parts, and the power of modules."""
+        """Sensor of parts, and the power of modules."""
         return PartStation(self.service("PartSensor"), self.service("ModulePower"))
 
 
@@ -125,7 +125,7 @@ class Robot:
 
     @property
     def nodes(self) -> tuple[NodeInfo, ...]:
-        """Its nodes."""
+        """Nodes of the robot."""
         return self.info.nodes
 
     @property
@@ -240,7 +240,7 @@ class Robot:
         return Joints(found, datetime.now(UTC))
 
     async def force_torque(self, sensor: int = 1) -> ForceTorque:
-        """What a force-torque sensor measures, as between arm and gripper; `sensor` is its number from 1."""
+        """Measurement of a force-torque sensor, as between arm and gripper; `sensor` is its number from 1."""
         check_number(sensor, "sensor", whole=True)
         client = self.service(FORCE_TORQUE)
         record = QueryForceTorque.QueryForceTorqueRec(sensor, QueryForceTorque.CoordinateSystem.VEHICLE, ALL_FIELDS)
@@ -254,7 +254,7 @@ class Robot:
 
     @property
     def arm(self) -> Arm:
-        """Its arm: the component that moves a tool, or else the only one that moves joints to positions."""
+        """Arm of the robot: the component that moves a tool, or else the only one that moves joints to positions."""
         with_tool, joints = list(self.info.offering(POSE_DRIVER)), list(self.info.offering(POSITION_DRIVER))
         return self._arm_of(with_tool if len(with_tool) == 1 else joints)
 
@@ -264,7 +264,7 @@ class Robot:
 
     @property
     def gripper(self) -> Gripper:
-        """Its gripper."""
+        """Gripper of the robot."""
         return Gripper(
             self._connection, self._only(list(self.info.offering(GRIPPER_DRIVER)), "gripper", GRIPPER_DRIVER)
         )
@@ -288,7 +288,7 @@ class Robot:
         return None
 
     def _of_the_driver(self, name: str, offering: list[ComponentInfo]) -> ServiceClient:
-        """Of several components, the one that this program controls, if that is one."""
+        """The one of several components that this program controls, if that is one."""
         controlled = [component for component in offering if component.id in self._connection.controls]
         return (
             self.service(name)

@@ -1,4 +1,4 @@
-"""What a robot reports, as plain values: poses and joints with the axes of REP-103 and `datetime`."""
+"""Reports of a robot as plain values: poses and joints with the axes of REP-103 and `datetime`."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class RobotPose:
 
 @dataclass(frozen=True, slots=True)
 class ForceTorque:
-    """What a tool, and all that it carries and touches, does to a sensor, with the robot's axes (REP-103: z is up)."""
+    """Force and torque of a tool and its load on a sensor, with the robot's axes (REP-103: z is up)."""
 
     force: Vector
     """Newtons; the weight of a tool is a negative force along z."""

@@ -51,7 +51,7 @@ class Photo:
 
 
 async def take_photo(connection: Connection, id: JausID, wanted: Configuration, timeout: float) -> Photo:
-    """As `ServiceClient.still`: if necessary, the camera is configured for this image and restored afterwards."""
+    """Take a still image; if necessary, the camera is configured for it, and restored afterwards."""
     sensor = wanted.sensor_id
     before = await _query_configuration(connection, id, sensor)
     if all(getattr(wanted, name) in (None, getattr(before, name)) for name in ("frame_size", "still_image_format")):

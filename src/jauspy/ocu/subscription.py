@@ -63,7 +63,7 @@ _HALF_RANGE: Final = 0x80
 
 @dataclass(frozen=True, slots=True)
 class EventRequest:
-    """What is subscribed to: `rate` in Hz, None for every change; `silence` in seconds, None for no limit."""
+    """Request of a subscription: `rate` in Hz, None for every change; `silence` in seconds, None for no limit."""
 
     id: JausID
     query: Message
@@ -470,7 +470,7 @@ class Subscription(Generic[R]):
             await self._client.cancel(event)
 
     def _abandon(self) -> None:
-        """As `_end`, without waiting; an event of unconfirmed reports may be this one, so it is cancelled too."""
+        """End without waiting; an event of unconfirmed reports may be this one, so it is cancelled, too."""
         own, unconfirmed = self._detach(), {subscription.event_id for subscription in self._unconfirmed}
         with suppress(JausError):  # not open, or too many messages under way: the event ends by its timeout
             for event in unconfirmed if own is None else (own,):

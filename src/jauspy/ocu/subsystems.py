@@ -119,7 +119,7 @@ class _Entry:
     responds: bool = False
     """True when it has sent a message itself; from then on, reports by others do not keep it alive."""
     services: dict[JausID, frozenset[ServiceInfo]] = field(default_factory=dict)
-    """By the component that reported them."""
+    """Services by the component that reported them."""
 
     @property
     def offered(self) -> frozenset[ServiceInfo]:
@@ -134,7 +134,7 @@ class SubsystemTree:
         self._entries: dict[JausID, _Entry] = {}
         self._names: dict[tuple[int, JausID], tuple[str, int]] = {}
         self._services = 0
-        """Those of all entries, for `MAX_SERVICES`."""
+        """Number of services of all entries, for `MAX_SERVICES`."""
         self._silent: dict[JausID, None] = {}
         """Components that responded once and fell silent; other components may still list them."""
 

@@ -250,7 +250,7 @@ class AuditReport:
 
     head: Head = field(default_factory=Head)
     commands: Counter[str] = field(default_factory=Counter)
-    """By operator; `-` stands for commands without one."""
+    """Counts by operator; `-` stands for commands without one."""
     refused: int = 0
     verified: int = 0
     """Commands whose signature was verified."""

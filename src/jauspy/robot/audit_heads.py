@@ -28,11 +28,11 @@ TIMEOUT: Final = 3.0
 """Seconds that a connection may take."""
 SYSLOG_PORT: Final = 514
 PRIORITY: Final = 13 * 8 + 6
-"""Of facility `log audit` and severity `informational` (RFC 5424)."""
+"""Priority of facility `log audit` and severity `informational` (RFC 5424)."""
 MAX_LINE: Final = 4096
 """Bytes of a collected line."""
 MAX_HEADS: Final = 1_000_000
-"""Of one log, in a collected file."""
+"""Most heads of one log in a collected file."""
 
 _HEAD: Final = re.compile(rb"\bjauspy-audit log=([0-9a-f]{64}) head=([0-9]{1,18}):([0-9a-f]{64})\b")
 

@@ -73,7 +73,7 @@ class Clouds:
 
     @property
     def addresses(self) -> Mapping[str, str]:
-        """By source; those of all lidars have the empty name."""
+        """Addresses by source; those of all lidars have the empty name."""
         return dict(self._addresses)
 
     @property

@@ -119,7 +119,7 @@ class CameraTable(CameraSetup):
     depth: DepthSettings | None = None
     """Settings of a depth camera; None for other cameras."""
     stamped: bool = False
-    """Whether the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
+    """True if the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
 
     def __post_init__(self) -> None:
         super(CameraTable, self).__post_init__()  # with slots, super() would mean the class before it had them
@@ -197,7 +197,7 @@ class ModuleConfig(StrictConfig):
     """One capability module: a JAUS component."""
 
     type: Annotated[str, AfterValidator(_check_kind)]
-    """Its kind, as in CM-MOB: one of `KINDS`."""
+    """Kind of the module, as in CM-MOB: one of `KINDS`."""
     component: Annotated[int, Field(ge=1, le=254)]
     node: Annotated[int, Field(ge=1, le=254)] | None = None
     """The JAUS node; that of the robot when left out."""
@@ -308,9 +308,9 @@ class RobotConfig(StrictConfig):
     xacro_arguments: Mapping[Name, str] = Field(default_factory=dict)
     """The arguments of a xacro file, which `$(arg NAME)` is replaced by."""
     skip_missing_packages: bool = False
-    """Whether what the URDF includes of packages and files that are missing is left out, with all that needs it."""
+    """True to leave out what the URDF includes of packages and files that are missing, with all that needs it."""
     placeholder_meshes: bool = False
-    """Whether a box takes the place of each missing mesh."""
+    """True to put a box in the place of each missing mesh."""
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
@@ -319,9 +319,9 @@ class RobotConfig(StrictConfig):
     model_path: Annotated[tuple[Annotated[str, Field(min_length=1)], ...], Field(max_length=64)] = ()
     """Directories with models, in which an SDF world's `model://` is searched before those of the environment."""
     time_of_day: TimeOfDay = TimeOfDay.DAY
-    """Of the world, as cameras see it: "day", "dusk" or "night"."""
+    """Light of the world, as cameras see it: "day", "dusk" or "night"."""
     quality: Quality = Quality.MEDIUM
-    """Of simulated pictures: "low" (no shadows), "medium", "high" (also smooth edges)."""
+    """Quality of simulated pictures: "low" (no shadows), "medium", "high" (also smooth edges)."""
     max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
     """Seconds for which a command may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
@@ -329,7 +329,7 @@ class RobotConfig(StrictConfig):
     operators: Annotated[str, Field(min_length=1)] | None = None
     """The operators file: who may command, with keys; a relative path starts at the TOML file."""
     require_operator: bool = True
-    """With `operators`: whether commands without the seal of one are refused."""
+    """True to require seals: with `operators`, whether commands without the seal of one are refused."""
     audit_log: Annotated[str, Field(min_length=1)] | None = None
     """The file in which commands are recorded, below the folder of the TOML file, where a relative path starts."""
     modules: tuple[ModuleConfig, ...]

@@ -34,12 +34,12 @@ _NAME: Final = re.compile(r"[A-Za-z0-9_][\w.-]*", re.ASCII)
 
 @dataclass(frozen=True, slots=True)
 class MissingPolicy:
-    """What is done about parts that are missing; by default they are errors."""
+    """Treatment of parts that are missing; by default they are errors."""
 
     skip_packages: bool = False
-    """Whether includes of missing packages and files are left out, with the macros, joints and links that need them."""
+    """True to leave out includes of missing packages and files, with the macros, joints and links that need them."""
     placeholder_meshes: bool = False
-    """Whether a box takes the place of each missing mesh."""
+    """True to put a box in the place of each missing mesh."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +82,7 @@ class MissingParts:
         self._elements: list[Element] = []
         """The elements of the latter."""
         self._left_out: dict[str, dict[str, None]] = {}
-        """What depends on missing includes: names by the kind of elements."""
+        """Names that depend on missing includes, by the kind of elements."""
 
     # --- while the file is expanded ---------------------------------------------------------------------------------
 
@@ -99,7 +99,7 @@ class MissingParts:
             return f"{SCHEME}{name}"
 
     def _search(self, package: str, search: Callable[[], Path]) -> Path:
-        """What `search` returns; it is not called again for a package that is missing."""
+        """Result of `search`; it is not called again for a package that is missing."""
         if package in self._packages:
             raise self._packages[package]
         try:
@@ -232,7 +232,7 @@ class MissingParts:
         return ConfigError("\n  ".join([*lines, hint]))
 
     def sentences(self) -> Iterator[str]:
-        """What is missing, left out and replaced, in sentences that are not too long for a line of the log."""
+        """Sentences about what is missing, left out and replaced, none too long for a line of the log."""
         name = _shown(Path(self._path).name)
         for listed in _listed(map(_shown, self._packages)):
             yield f"{name}: packages that are not found: {listed}"

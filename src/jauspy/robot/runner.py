@@ -205,17 +205,17 @@ class RobotRunner:
 
     @property
     def lidars(self) -> Mapping[str, RangeFinder]:
-        """Its lidars; empty when not open."""
+        """Lidars of the robot; empty when not open."""
         return self._realtime.lidars if self._modules and self._realtime else {}
 
     @property
     def videos(self) -> Mapping[str, CameraProcess]:
-        """Its cameras that a module streams, by name; empty when not open."""
+        """Cameras that a module streams, by name; empty when not open."""
         return self._videos if self._modules else {}
 
     @property
     def cameras(self) -> Mapping[str, CameraSource]:
-        """Its cameras, for other processes; empty when not open."""
+        """Cameras of the robot, for other processes; empty when not open."""
         return self._realtime.cameras if self._modules and self._realtime else {}
 
     @property

@@ -15,16 +15,16 @@ MAX_EXPRESSION: Final = 1000
 """Characters of an expression; bounds the depth of its syntax tree, too."""
 
 MAX_VALUE_BITS: Final = 1024
-"""Of an integer; floats have about as many."""
+"""Most bits of an integer; floats have about as many."""
 
 MAX_VALUE_LENGTH: Final = 100_000
-"""Of a text, or of all that a list has at any depth; properties that double each other reach it soon."""
+"""Most characters of a text, or of a list at any depth; properties that double each other reach it soon."""
 
 MAX_TOTAL: Final = 2_000_000
-"""Of all values that a file uses, each time that it does; for robots of jauspy it is 4000."""
+"""Most characters of all values that a file uses, each time that it does; robots of jauspy use 4000."""
 
 MAX_DIGITS: Final = 400
-"""Of `round`, which otherwise calculates 10 to the power of any number."""
+"""Most digits of `round`, which otherwise calculates 10 to the power of any number."""
 
 FILES: Final = "files, each time that they are read"
 BYTES: Final = "bytes in all files"
@@ -42,7 +42,7 @@ LIMITS: Final[Mapping[str, int]] = {
     EXPRESSIONS: 1_000_000,
     STEPS: 500_000_000,
 }
-"""Of what one file takes with all that it includes. Robots of jauspy: 6 files, 29 kB, 10,000 parts."""
+"""Bounds of what one file takes with all that it includes. Robots of jauspy: 6 files, 29 kB, 10,000 parts."""
 
 _OPERATORS: Final[Mapping[type[ast.AST], Callable[..., Any]]] = {
     ast.Add: operator.add,

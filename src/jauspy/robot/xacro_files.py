@@ -162,7 +162,7 @@ def _log(text: object, *more: object, **_: object) -> None:
 
 
 def _refrain() -> None:
-    """In place of what prints the place of each warning."""
+    """Print nothing, in place of the function that prints the place of each warning."""
 
 
 def _read(top: Path, packages: PackagePaths, costs: Costs, path: Path) -> bytes:
@@ -207,7 +207,7 @@ def _open_yaml(read: Callable[[Path], bytes], costs: Costs, missing: MissingPart
 
 
 def _exists(top: Path, packages: PackagePaths, costs: Costs, path: Path) -> bool:
-    """Whether a file that may be named is there; raises `ConfigError` for others."""
+    """True if a file that may be named exists; raises `ConfigError` for others."""
     costs.add(STEPS, 10_000)
     return path == top or packages.permitted(path, top).exists()
 
@@ -286,7 +286,7 @@ def _parse(
     builder: Callable[[str], expatbuilder.ExpatBuilderNS],
     *given: str | None,
 ) -> minidom.Document:
-    """As xacro's `parse`: the document of a file, whose elements have their places."""
+    """Parse a file as xacro's `parse` does, with the places of its elements."""
     text, filename = given
     if text is not None or filename is None:
         _refuse()

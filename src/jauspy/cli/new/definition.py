@@ -17,7 +17,7 @@ from jauspy.messages import registry
 from jauspy.schema.loader import load_own
 
 MAX_FIELDS: Final = 16
-"""As many as there are bits in the presence vector."""
+"""Most fields of a message: the bits of its presence vector."""
 URN: Final = re.compile(r"urn(:[A-Za-z0-9][\w.-]*)+:([A-Za-z]\w*)", re.ASCII)
 COMMAND: Final = re.compile(r"([A-Za-z]\w*)\s*(?:\(([^()]*)\))?\s*(?:(\w*)\s*->\s*(\w+))?", re.ASCII)
 

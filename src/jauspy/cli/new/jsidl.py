@@ -67,7 +67,7 @@ _DESCRIPTIONS: Final = {
     (False, True): "Carries out commands.",
     (True, True): "Carries out commands, and reports its values on request and as events.",
 }
-"""By whether there are fields, and commands."""
+"""Descriptions by whether there are fields, and commands."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -369,7 +369,7 @@ class _Masses:
 
 
 def _number(value: float) -> str:
-    """With three digits, as a float of TOML."""
+    """A number with three digits, as a float of TOML."""
     text = f"{float(f'{value:.3g}'):.10f}".rstrip("0")
     return f"{text}0" if text.endswith(".") else text
 

@@ -22,7 +22,7 @@ LEAST_TURN_RATE: Final = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """What a robot did at full effort on level ground."""
+    """Motion of a robot at full effort on level ground."""
 
     speed: float
     """M/s, straight ahead."""

@@ -18,7 +18,7 @@ from jauspy.schema import Schema
 from jauspy.schema.loader import find_files, load_own
 
 _MARK = "; do not edit."
-"""In the first line of every generated file."""
+"""End of the first line of every generated file."""
 
 
 def generate(

@@ -236,7 +236,7 @@ class ArmPanel:
         return "" if self._robot is None else self._robot.name
 
     def _given_poses(self) -> dict[str, dict[str, float]]:
-        """Those of the file with a joint of this arm; a joint that it does not have is an error when it is to move."""
+        """Poses of the file with a joint of this arm; a joint that it does not have is an error when it is to move."""
         joints = {joint.name for joint in self._joints}
         return {name: to for name, to in self._console.poses.get(self._robot_name, {}).items() if joints & to.keys()}
 

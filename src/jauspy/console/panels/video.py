@@ -131,7 +131,7 @@ class VideoPanel:
     # --- still images and recordings ------------------------------------------------------------------------------
 
     async def _take_still(self) -> None:
-        """From the robot's StillImage service; otherwise the picture that is shown."""
+        """Take a still from the robot's StillImage service; otherwise the picture that is shown."""
         robot, component = self._robot, self._component()
         if robot is None or component is None:
             return

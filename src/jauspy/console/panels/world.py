@@ -36,11 +36,11 @@ class MapPanel:
         self._token = token
         self._robot: Robot | None = None
         self._draft: list[Waypoint] | None = None
-        """What was edited here and not sent; None while the list is the robot's."""
+        """Waypoints edited here and not sent; None while the list is the robot's."""
         self._busy = False
         self._refused = ""
         self._listed: tuple[object, ...] = ()
-        """What the list was made of; its buttons stay while only the states of waypoints change."""
+        """Waypoints that the list was made of; its buttons stay while only the states of waypoints change."""
         self._states: list[tuple[ui.element, ui.label]] = []
         self._shown: tuple[object, ...] = ()
         ui.element("div").props("id=world-map").classes("map")

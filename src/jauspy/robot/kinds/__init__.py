@@ -42,4 +42,4 @@ _KINDS: Final[tuple[Kind[Any], ...]] = (
 )
 
 KINDS: Final[Mapping[str, Kind[Any]]] = {kind.type: kind for kind in _KINDS}
-"""By the `type` of a module."""
+"""Kinds by the `type` of a module."""

@@ -39,7 +39,7 @@ class Context(Protocol):
 
     @property
     def moving(self) -> Stoppable | None:
-        """What the module moves; a watchdog stops it unless a client is in control and has resumed the module."""
+        """Parts that the module moves; a watchdog stops them unless a client controls and has resumed it."""
         ...
 
 
@@ -144,9 +144,9 @@ class Kind(ABC, Generic[C]):
     """One kind of capability module: an item of `KINDS`."""
 
     type: ClassVar[str]
-    """Its name in robots' files, as in CM-MOB."""
+    """Name of the kind in robots' files, as in CM-MOB."""
     services: ClassVar[Mapping[str, ServiceEntry[Any]]]
-    """Its services, by the names that robots' files use, in the order in which hosts have them."""
+    """Services by the names that robots' files use, in the order in which hosts have them."""
     keys: ClassVar[frozenset[str]] = frozenset()
     """The keys of its table, of `group`, `part` and `camera`."""
     group: ClassVar[str | None] = None
@@ -184,7 +184,7 @@ class Kind(ABC, Generic[C]):
         return ()
 
     def moved(self, module: Module) -> str | None:
-        """What the module moves, as error texts name it: one module may move it. None if it moves nothing."""
+        """Name in error texts of what the module moves, which only one module may; None if it moves nothing."""
         return None if module.moves is None else f"group {module.moves!r}"
 
     def uses(self, module: Module, part: PartId) -> bool:
