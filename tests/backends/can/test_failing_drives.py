@@ -174,3 +174,14 @@ def test_one_percent_of_lost_frames_stops_nothing(open_can: OpenCan) -> None:
     set_in_motion(robot)
     robot.advance(5.0)
     assert robot.drive.twist().vx == pytest.approx(0.5 * 1.9, abs=0.01)
+
+
+def test_answers_that_are_late_again_and_again_are_not_those_of_another_sender(robot: CanRobot) -> None:
+    """SYNCs that nobody answered while the drives were configured leave the room that late answers need."""
+    answers = robot.drives["arm_1"].answers
+    for _ in range(20):
+        for _ in range(8):
+            answers.add_due()
+            assert answers.excess() <= 2
+        answers.received += 8
+        assert answers.excess() <= 2

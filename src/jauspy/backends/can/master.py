@@ -395,8 +395,10 @@ class Master:
 
     def _bring_up(self) -> None:
         self._make_ready()
-        for drive in self.drives.values():
-            drive.start()
+        with self.lock:
+            for drive in self.drives.values():
+                drive.answers.reset(drive.unanswered)  # those that were lost before leave no room for late ones
+                drive.start()
         self._others.sends_nmt()
         self._set_phase(Phase.ENABLING)
         self._wait("enable operation", lambda drive: drive.state is DriveState.OPERATION_ENABLED, START_TIMEOUT)

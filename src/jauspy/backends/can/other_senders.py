@@ -43,9 +43,9 @@ class Balance:
         if self.received > self._due:
             self._due += 1
 
-    def reset(self) -> None:
-        """Begin again."""
-        self._due = self.received
+    def reset(self, pending: int = 0) -> None:
+        """Begin again, while `pending` frames are still due."""
+        self._due = self.received + pending
 
 
 class OtherMasters:
