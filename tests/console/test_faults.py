@@ -139,7 +139,7 @@ class WatchedRobot:
                 self._received.append(Received(self._realtime.snapshot.time, source, registry.decode(payload)))
             receive(payload, source, now)
 
-        driver.host.receive = noting  # type: ignore[method-assign]
+        driver.host.receive = noting
 
     def close(self) -> None:
         self._background.run(self._runner.close())
