@@ -116,6 +116,6 @@ def test_the_backend_that_is_watched_opens_another_ones_robots() -> None:
     watched, model = WatchedBackend(inner), object()
     assert watched.name == "sim"
     assert watched.robot is None
-    opened_robot: Any = watched.open(model, "empty")  # type: ignore[arg-type]
+    opened_robot: Any = watched.open(model, "empty")
     assert opened_robot == watched.robot == "the robot"
     assert opened == [(model, "empty")]

@@ -97,7 +97,7 @@ class Arm:
 
 def stepper(layout: Layout, cell: Cell) -> Stepper:
     client: Any = cell
-    made = Stepper(client, layout, SimpleNamespace())  # type: ignore[arg-type]
+    made = Stepper(client, layout, SimpleNamespace())
     arm: Any = Arm(cell, layout, made.frame(BASE))
     made.arm = arm
     return made
