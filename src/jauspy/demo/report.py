@@ -70,11 +70,8 @@ class Report:
         """The sentence about all goals."""
         if not self.reached:
             return "not all goals were reached"
-        reduced = [stage.stage for stage in self.results if stage.reduced]
-        if reduced:
-            return (
-                f"the goals were reached, but for what is reduced, since this machine is too slow: {', '.join(reduced)}"
-            )
+        if count := sum(stage.reduced for stage in self.results):
+            return f"the goals were reached, {count} reduced: this machine is too slow"
         return "all goals were reached"
 
     def save(self, folder: Path) -> None:

@@ -7,8 +7,9 @@ import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, TypeVar
 
 import cv2
 import numpy as np
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
     from jauspy.platform.camera import Image
     from jauspy.platform.video_settings import VideoSettings
 
+T = TypeVar("T")
+
 COUNTER_INTERVAL: Final = 1.0
 """Seconds between two reports of the counters."""
 JPEG_QUALITY: Final = 90
@@ -53,19 +56,30 @@ def run(start: StartCamera, parent: Parent) -> None:
     cv2.setNumThreads(1)  # its threads would spin while they wait for the next image
     os.environ.setdefault("LP_NUM_THREADS", "0")  # Mesa's threads would keep the niceness with which they began
     least = os.getpriority(os.PRIO_PROCESS, 0)
-    worker = CameraWorker(start, parent.send)
+    worker = _in_thread(least + Niceness(start.niceness).niceness, partial(_open, start, parent))
     try:
         while not parent.ended:
-            worker.release()
-            with ThreadPoolExecutor(1, initializer=_be_nice, initargs=(least + worker.niceness,)) as thread:
-                thread.submit(_serve, worker, parent).result()
+            _in_thread(least + worker.niceness, partial(_serve, worker, parent))
     finally:
         worker.close()
+
+
+def _in_thread(niceness: int, work: Callable[[], T]) -> T:
+    """Do it in a thread of that niceness, and wait."""
+    with ThreadPoolExecutor(1, initializer=_be_nice, initargs=(niceness,)) as thread:
+        return thread.submit(work).result()
 
 
 def _be_nice(niceness: int) -> None:
     """Set the niceness of this thread; Linux accepts the id of a thread for that of a process."""
     os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), niceness)
+
+
+def _open(start: StartCamera, parent: Parent) -> CameraWorker:
+    """Open the camera, for any thread."""
+    worker = CameraWorker(start, parent.send)
+    worker.release()
+    return worker
 
 
 def _serve(worker: CameraWorker, parent: Parent) -> None:
