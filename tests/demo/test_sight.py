@@ -56,13 +56,16 @@ def test_height_of_a_can_is_measured_by_its_edges() -> None:
     assert grasp.lower_end(camera, low, high, 0.1) == pytest.approx(0.36, abs=1e-9)
 
 
-def test_edges_of_a_can_are_those_in_its_middle() -> None:
-    image = scene((200, 100, 21, 40))
-    cv2.ellipse(image, (210, 140), (10, 4), 0.0, 0.0, 180.0, CAN, -1)
-    band = grasp.red_band(image)
-    assert band.column == pytest.approx((210.5 - 160) / 320)
-    assert band.top == pytest.approx((100 - 120) / 320)
-    assert band.bottom == pytest.approx((145 - 120) / 320, abs=1.1 / 320)
+@pytest.mark.parametrize("lean", [0, 6])
+def test_ends_of_a_can_are_those_of_its_axis(lean: int) -> None:
+    """A can that is not in the middle of the picture leans; its lower edge is round."""
+    image = np.full((240, 320, 3), BRICK, np.uint8)
+    corners = [(200, 100), (220, 100), (220 + lean, 140), (200 + lean, 140)]
+    cv2.fillPoly(image, [np.array(corners, np.int32)], CAN)
+    cv2.ellipse(image, (210 + lean, 140), (10, 4), 0.0, 0.0, 180.0, CAN, -1)
+    (left, top), (right, bottom) = grasp.red_band(image)
+    assert (top, bottom) == (pytest.approx((100 - 120) / 320), pytest.approx((145 - 120) / 320))
+    assert (left, right) == pytest.approx(((210.5 - 160) / 320, (210.5 + lean - 160) / 320), abs=1.0 / 320)
     assert grasp.red_band(scene()) is None
 
 

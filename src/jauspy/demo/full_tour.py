@@ -34,6 +34,8 @@ from jauspy.video.h264_payload import Picture
 from jauspy.video.recorder import Recorder
 
 LOCALHOST: Final = "127.0.0.1"
+STILL_SIZE: Final = (640, 480)
+"""Width and height in pixels, whatever those of the videos: the height of the table is measured to some millimetres."""
 MAX_LATENCIES: Final = 3000
 
 
@@ -284,7 +286,7 @@ class FullTour(Tour):
             await self._drive(robot, control)
             await self._aim(stack, robot)
             frames, camera = RobotFrames(robot, self._model, self._config.movers), robot.camera(ARM_CAMERA)
-            grasp = Grasp(arm, frames, self._model, camera, size=self._size, goals=self._plan)
+            grasp = Grasp(arm, frames, self._model, camera, size=STILL_SIZE, goals=self._plan)
             thing = self._plan.thing.name
             self._step("look", f"Look for the {thing} with the arm's camera")
             self._add(await grasp.look(self._folder))

@@ -97,7 +97,7 @@ class Grasp:
         assert thing.band is not None
         if band is None:
             return thing.support
-        low, high = (ray((band.column, row), self._setup.fov) for row in (band.bottom, band.top))
+        low, high = (ray(end, self._setup.fov) for end in (band.bottom, band.top))
         return lower_end(camera, low, high, thing.band) - (thing.size - thing.band) / 2.0
 
     async def reach(self) -> StageResult:
@@ -210,26 +210,25 @@ def red_region(image: Image) -> tuple[float, float] | None:
 
 
 class Band(NamedTuple):
-    """The middle column, and the upper and lower edge there, from the image centre as fractions of the width."""
+    """The middles of the upper and the lower edge, from the image centre as fractions of the width."""
 
-    column: float
-    top: float
-    bottom: float
+    top: tuple[float, float]
+    bottom: tuple[float, float]
 
 
 def red_band(image: Image) -> Band | None:
-    """The edges of the largest red region in the middle third of its width; None if there is none."""
+    """The ends of the largest red region along its axis, which may lean; None if there is none."""
     pixels = _red_pixels(image)
     if pixels is None:
         return None
     rows, columns = pixels
-    left, right = int(columns.min()), int(columns.max())
-    third = (right - left) // 3
-    middle = range(left + third, right - third + 1)
-    edges = [(rows[columns == column].min(), rows[columns == column].max()) for column in middle if column in columns]
-    top, bottom = (float(np.median(values)) for values in zip(*edges, strict=True))
-    column, upper = _fractions(image, (left + right) / 2.0, top - 0.5)
-    return Band(column, upper, _fractions(image, 0.0, bottom + 0.5)[1])
+    lines = np.unique(rows)
+    middles = [(columns[rows == line].min() + columns[rows == line].max()) / 2.0 for line in lines]
+    lean, start = np.polyfit(lines, middles, 1) if len(lines) > 1 else (0.0, middles[0])
+    on_axis = rows[np.abs(columns - (start + lean * rows)) <= 0.5]
+    edges = float(on_axis.min()) - 0.5, float(on_axis.max()) + 0.5
+    top, bottom = (_fractions(image, start + lean * edge, edge) for edge in edges)
+    return Band(top, bottom)
 
 
 def _red_pixels(image: Image) -> tuple[NDArray[np.intp], NDArray[np.intp]] | None:
