@@ -58,7 +58,7 @@ PLAIN_FRICTION: Final = 1.0
 STEERING_STIFFNESS: Final = 8.0
 """Torque of a steering motor per radian beside its target, as a multiple of its greatest torque."""
 STEERING_DAMPING: Final = 0.6
-"""Its torque per rad/s, as a multiple of its greatest torque."""
+"""Torque per rad/s, as a multiple of the greatest torque."""
 ROLLER_DAMPING: Final = 2.0
 """N s/m, of the rollers of a mecanum wheel."""
 

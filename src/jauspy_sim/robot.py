@@ -52,7 +52,7 @@ class SimulatedRobot:
             name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
             for name, setup in robot.groups.items()
         }
-        """Its other joints, by the names that its description gives them."""
+        """Joints other than the tracks', by the names that the robot's description gives them."""
         self._every = math.gcd(MAX_STEPS_AT_ONCE, *(group.every for group in self.groups.values()))
         self._sensors: tuple[Scanner | SampledForceTorque | Localizer | SimulatedContacts, ...] = ()
         mujoco.mj_forward(model, data)
@@ -63,11 +63,11 @@ class SimulatedRobot:
             setup.name: SimulatedLidar(model, data, data.body(f"{name_prefix}{setup.link}"), setup)
             for setup in robot.lidars
         }
-        """Its lidars, by name."""
+        """Lidars by name."""
         self.force_torque: Mapping[str, SampledForceTorque] = {
             setup.name: simulated_force_torque(data, name_prefix, setup) for setup in robot.force_torque
         }
-        """Its sensors of force and torque, by name."""
+        """Sensors of force and torque by name."""
         if self._tracked is not None:
             self._tracked.slip_width = SLIP_FACTOR * chassis_of(robot).track_separation
         if (measured := self._tracked or self._wheels) and not robot.localization.is_exact(default=False):
@@ -100,7 +100,7 @@ class SimulatedRobot:
 
     @property
     def cameras(self) -> Mapping[str, SimulatedCamera]:
-        """Its cameras, by name."""
+        """Cameras by name."""
         return self._cameras.cameras
 
     @property

@@ -173,7 +173,7 @@ class KinematicDrive(SkidSteerDrive):
         )
 
     def track_speeds(self) -> tuple[float, float]:
-        """As `SkidSteerDrive.track_speeds`."""
+        """Same as `SkidSteerDrive.track_speeds`."""
         return self._left, self._right
 
     def step(self, dt: float) -> None:

@@ -122,7 +122,7 @@ class CellClient:
             await self._move(start, goal, speed, GENTLE if gentle else 1.0)
 
     async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
-        """As `follow`, but stop as soon as a connector has attached something; returns the connector's state.
+        """Same as `follow`, but stop as soon as a connector has attached something; returns the connector's state.
 
         The arm then holds where it is: pressing on would load the joint.
         """
@@ -278,7 +278,7 @@ class CellClient:
         return self._components[id]
 
     async def _control(self, id: JausID) -> ComponentClient:
-        """As `_component`; it is under control of this client, and Ready."""
+        """Same as `_component`; it is under control of this client, and Ready."""
         component = await self._component(id)
         async with self._locks[id]:
             if id not in self._controlled:

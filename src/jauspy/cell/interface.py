@@ -57,7 +57,7 @@ class Cell(Protocol):
         ...
 
     async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
-        """As `follow`, but stop as soon as a connector has attached something; returns the connector's state."""
+        """Same as `follow`, but stop as soon as a connector has attached something; returns the connector's state."""
         ...
 
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:

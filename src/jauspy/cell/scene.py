@@ -256,7 +256,7 @@ class PlanningScene:
         return self.explain(where) if where is not None else best
 
     def explain(self, positions: Array) -> Clearance:
-        """As `clearance`, with the names of both things, which takes longer."""
+        """Same as `clearance`, with the names of both things, which takes longer."""
         best = self.clearance(positions)
         if best.distance >= FAR or all(best.between):
             return best

@@ -170,11 +170,11 @@ class LogFormatter(logging.Formatter):
         super().__init__("%(asctime)s %(levelname)s %(name)s: %(message)s")
 
     def formatMessage(self, record: logging.LogRecord) -> str:  # noqa: N802 - the name in `logging`
-        """As `logging.Formatter`."""
+        """Same as `logging.Formatter`."""
         return printable(super().formatMessage(record))
 
     def formatException(self, ei: Any) -> str:  # noqa: N802 - the name in `logging`
-        """As `logging.Formatter`."""
+        """Same as `logging.Formatter`."""
         lines = printable_lines(super().formatException(ei)).split("\n")
         return "\n".join(line if len(line) <= MAX_LINE else f"{line[:MAX_LINE]} ..." for line in lines)
 

@@ -317,7 +317,7 @@ class Registry:
     def decode_as(
         self, cls: type[M], data: bytes | bytearray | memoryview, *, strict: bool = True
     ) -> M | tuple[M, list[Deviation]]:
-        """As `cls.decode`, but nested messages are decoded by this registry."""
+        """Same as `cls.decode`, but nested messages are decoded by this registry."""
         if type(data) is not bytes:
             data = as_bytes(data)
         try:

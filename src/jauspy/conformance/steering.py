@@ -168,7 +168,7 @@ class Steering:
         )
 
     def settle_on(self, goal: StateGoal) -> ObservedState:
-        """As `observe`, until the state fits the goal, at most for a timeout.
+        """Same as `observe`, until the state fits the goal, at most for a timeout.
 
         The services of a component may notify each other asynchronously, and initialization takes time.
         """

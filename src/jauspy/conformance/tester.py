@@ -241,7 +241,7 @@ class Client:
     def ask_until_right(
         self, message: Message, answer: type[M], *checks: Check | Iterable[Check], to: JausID | None = None
     ) -> M:
-        """As `ask`, but the query is repeated after a wrong answer, until the timeout.
+        """Same as `ask`, but the query is repeated after a wrong answer, until the timeout.
 
         The services of a component may notify each other asynchronously, so that what they report is right a little
         later.

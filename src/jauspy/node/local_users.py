@@ -56,7 +56,7 @@ class LocalUsers:
         return owners is not None and not self._is_permitted(port, owners)
 
     def has_left(self, port: UdpPort) -> bool:
-        """As `is_abandoned` for a port that is known to be of this machine; uses a cached list."""
+        """Same as `is_abandoned` for a port that is known to be of this machine; uses a cached list."""
         if self._last is None or self._time() - self._last[0] > LIST_LIFETIME:
             self._read()
         return self._last is not None and not self._is_permitted(port, self._last[1])

@@ -125,7 +125,7 @@ class SwitchedLamp(Lamp):
         return self._level
 
     def set(self, level: float) -> None:
-        """As `Lamp.set`."""
+        """Same as `Lamp.set`."""
         self._level = min(max(level, 0.0), 1.0)
 
 

@@ -132,7 +132,7 @@ class Localizer(Localization):
         return self._state
 
     def declare(self, position_rms: float | None, heading_rms: float | None) -> None:
-        """As `Localization.declare`."""
+        """Same as `Localization.declare`."""
         self._move_filters(self._read_at)
         if position_rms is not None:
             self._local.reset_variance((X, Y), position_rms / math.sqrt(3.0))

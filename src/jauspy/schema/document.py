@@ -371,7 +371,7 @@ def read(data: bytes, path: Path) -> tuple[Element, str]:
 
 
 def parse(data: bytes, path: Path) -> tuple[Element, str]:
-    """As `read`, but only the root is checked against the grammar."""
+    """Same as `read`, but only the root is checked against the grammar."""
     root = _parse(data, path)
     if root.getroottree().docinfo.doctype:  # type: ignore[attr-defined]  # lxml-stubs lacks it
         raise wrong(root, "a document type declaration is not allowed")

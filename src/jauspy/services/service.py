@@ -352,7 +352,7 @@ class ServiceHost:
         return self._decoder.read(content)
 
     def open(self, content: Message | bytes, source: JausID) -> Message | None:
-        """As `read`, for a message that counts as received: what cannot be decoded is counted by reason."""
+        """Same as `read`, for a message that counts as received: what cannot be decoded is counted by reason."""
         payload = content.encode(strict=False) if isinstance(content, Message) else content
         return self.read(content) or self._decoder.decode(payload, source)
 

@@ -170,7 +170,7 @@ class MachineInstance:
         return TriggerOutcome.IGNORED if transition is None else self._apply(transition, trigger)
 
     def ask(self, trigger: Trigger) -> TriggerOutcome:
-        """As `handle`, but takes internal transitions only; may be called from within an action."""
+        """Same as `handle`, but takes internal transitions only; may be called from within an action."""
         transition = self._select(trigger)
         if transition is None or transition.kind != "internal":
             return TriggerOutcome.IGNORED

@@ -816,7 +816,7 @@ class ModularArm(Facade[_ModularArm]):
         *,
         timeout: float | None = None,
     ) -> ModularArmState:
-        """As `begin`, and wait until the joints are there; returns the state.
+        """Same as `begin`, and wait until the joints are there; returns the state.
 
         Raises `RequestError` when the robot refuses the motion, or has not ended it after `timeout` seconds: by default
         three times the duration, and at least 8 s.

@@ -336,7 +336,7 @@ def is_alive(path: Path) -> bool:
 
 
 def is_dead(path: Path) -> bool:
-    """As `SocketProbe.is_dead`."""
+    """Same as `SocketProbe.is_dead`."""
     return _probe(path) in _NO_LISTENER
 
 
@@ -433,7 +433,7 @@ def give_to_group(path: Path, group: str | None) -> None:
 
 
 def clean_up(path: Path) -> None:
-    """As `SocketProbe.clean_up`; does nothing without a descriptor for the probe."""
+    """Same as `SocketProbe.clean_up`; does nothing without a descriptor for the probe."""
     with contextlib.suppress(OSError), SocketProbe() as probe:
         probe.clean_up(path)
 

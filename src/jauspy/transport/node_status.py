@@ -50,7 +50,7 @@ async def read(root: Path) -> dict[str, Any]:
 
 
 def read_at_once(root: Path) -> dict[str, Any]:
-    """As `read`, without an event loop; empty if there is no status soon."""
+    """Same as `read`, without an event loop; empty if there is no status soon."""
     try:
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as sock:
             sock.settimeout(SHORT_READ_TIMEOUT)

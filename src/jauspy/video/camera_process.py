@@ -31,7 +31,7 @@ from jauspy.video.sender import MAX_RECEIVERS, RtpSender
 from jauspy.worker_process import SupervisedWorker
 
 NICENESS: Final = 15
-"""At most, above that of the robot's process, so that video gets what control leaves (`pace.Niceness`)."""
+"""Greatest niceness above that of the robot's process, so that video gets what control leaves (`pace.Niceness`)."""
 STILL_TIMEOUT: Final = 30.0
 """Seconds that a worker may be silent while a still image is wanted, until it counts as hung."""
 START_TIMEOUT: Final = 90.0
@@ -191,7 +191,7 @@ class CameraProcess(SupervisedWorker):
         self._reduced = text
 
     def _expect_picture(self) -> None:
-        """From now on, tell receivers and the log why nothing comes, until a picture has been sent."""
+        """Tell receivers and the log why nothing comes, until a picture has been sent."""
         if self.pid is not None and not self._expects_picture and any(self._receivers.values()):
             self._expects_picture = True
             waiting = Waiting(self.pid, time.monotonic(), processor_time(self.pid), self._reported["pictures"])
@@ -228,7 +228,7 @@ class Waiting(NamedTuple):
     used: float
     """Seconds of a processor that it had used then."""
     pictures: int
-    """Those that it had sent then."""
+    """Pictures that it had sent then."""
 
 
 def starting_text(name: str, elapsed: float, used: float) -> str:

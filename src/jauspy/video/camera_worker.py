@@ -124,7 +124,7 @@ class CameraWorker:
         self._pace = self._make_pace()
         self._niceness = Niceness(start.niceness)
         self._times: tuple[float, float] | None = None
-        """Of this thread after the last picture; None before its first one."""
+        """CPU time and waiting time of this thread after the last picture; None before its first one."""
         self._due = clock()
         self._counters_due = clock()
         report(WorkerReady(self._camera.description, self._camera.reduced))

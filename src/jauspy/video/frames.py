@@ -37,7 +37,7 @@ class FrameReader:
         self._decoder = H264Decoder()
 
     def fileno(self) -> int:
-        """For an event loop: readable when there is something to `take`."""
+        """File descriptor for an event loop: readable when there is something to `take`."""
         return self.receiver.fileno()
 
     def take(self) -> Frame | None:

@@ -1,4 +1,4 @@
-"""What a camera does on a machine that is too slow for it: rate, quality and size of its pictures, and its niceness.
+"""Pace of a camera on a machine that is too slow for it: rate, quality and size of its pictures, and its niceness.
 
 Two policies without a clock: `now` is in seconds of a monotonic clock. `Pace` does less when pictures are missing, and
 more when there is room. `Niceness` takes as little of the processor from others as suffices to make pictures at all.
@@ -15,7 +15,7 @@ from jauspy.platform.video_settings import VideoSettings
 
 @dataclass(frozen=True, slots=True)
 class Effort:
-    """What a camera does: pictures per second, how many qualities lower, and by what their sides are divided."""
+    """Step of a camera: pictures per second, how many qualities lower, and by what their sides are divided."""
 
     rate: int
     simplified: int = 0
@@ -32,13 +32,13 @@ QUALITY_COST: Final = 0.6
 DIVISOR_COSTS: Final = {1: 1.0, 2: 0.6, 4: 0.45}
 """Time of a picture whose sides are divided, in relation to a whole one: most of it does not depend on the size."""
 RATE_FRACTIONS: Final = (1.0, 2.0 / 3.0, 1.0 / 2.0, 1.0 / 3.0)
-"""Of the rate that is set: those that are tried before pictures get worse."""
+"""Fractions of the rate that is set that are tried before pictures get worse."""
 MIN_WIDTH: Final = 160
 """Pixels of the smallest picture."""
 
 
 def efforts(settings: VideoSettings, qualities: int) -> tuple[Effort, ...]:
-    """From all that is set to the least: first the rate falls to a third, then quality, size, and the rate again.
+    """Steps from all that is set to the least: first the rate falls to a third, then quality, size, and the rate again.
 
     `qualities` is the number of lower ones.
     """

@@ -103,7 +103,7 @@ class RtpReceiver:
 
     @property
     def note(self) -> str:
-        """What the source says of its stream, as that its machine is too slow; empty for nothing.
+        """Note of the source about its stream, as that its machine is too slow; empty without one.
 
         Before there is a source it is what anybody says who sends reports here: printable, and not checked.
         """
@@ -111,7 +111,7 @@ class RtpReceiver:
         return self._note if self._now() - self._noted_at < NOTE_TIMEOUT else ""
 
     def fileno(self) -> int:
-        """For a selector or an event loop: readable when there is something to `take`."""
+        """File descriptor for a selector or an event loop: readable when there is something to `take`."""
         return self._rtp.fileno()
 
     def take(self) -> list[Picture]:

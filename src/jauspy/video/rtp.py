@@ -126,7 +126,7 @@ def sender_clock(data: bytes) -> SenderClock | None:
 
 
 class SourceNote(NamedTuple):
-    """What a source says of itself now (NOTE, RFC 3550 6.5.7); empty when it says nothing."""
+    """Note of a source about itself now (NOTE, RFC 3550 6.5.7); empty when it says nothing."""
 
     ssrc: int
     text: str

@@ -109,7 +109,7 @@ class RtpSender:
     name: str = "jauspy"
     counters: Counter[str] = field(default_factory=Counter)
     note: str = ""
-    """What the receivers are told about the stream, with the sender reports; empty for nothing."""
+    """Note for the receivers about the stream, with the sender reports; empty for none."""
     _receivers: dict[Address, _Receiver] = field(default_factory=dict)
     _sockets: dict[int, socket.socket] = field(default_factory=dict)
     _asked: bool = False

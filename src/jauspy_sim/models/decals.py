@@ -38,7 +38,7 @@ class Shade(NamedTuple):
     outer: float
     """Metres from the edge of what is above it to where the shadow begins."""
     inner: float
-    """To where it is darkest; negative inside of the edge."""
+    """Distance to where it is darkest; negative inside of the edge."""
     darkness: float
     """Opacity there."""
     rings: int
@@ -64,7 +64,7 @@ class Rectangle(NamedTuple):
 
 
 class Footprint(NamedTuple):
-    """What of a robot is above the ground, and what stands on it."""
+    """Parts of a robot above the ground, and those that stand on it."""
 
     body: Rectangle
     feet: tuple[Rectangle, ...]
@@ -143,7 +143,7 @@ def opacities() -> list[float]:
 
 
 def _smooth(x: float) -> float:
-    """From 0 to 1, level at both ends."""
+    """Step from 0 to 1, level at both ends."""
     return x * x * (3.0 - 2.0 * x)
 
 
@@ -183,7 +183,7 @@ def _corners(rectangle: Rectangle) -> Floats:
 
 
 def decals_of(model: mujoco.MjModel) -> NDArray[np.bool_]:
-    """Which shapes of a model are decals."""
+    """Mask of the shapes of a model that are decals."""
     return np.array([model.geom(geom).name.startswith((SHADOW, MARK)) for geom in range(model.ngeom)], np.bool_)
 
 

@@ -11,13 +11,13 @@ from lxml import etree
 from jauspy.errors import ConfigError
 
 MAX_LINES: Final = 2_000_000
-"""Of a text."""
+"""Most lines of a mesh in text."""
 MAX_LINE: Final = 10_000
 """Characters; a face may have some hundred corners."""
 MAX_INSTANCES: Final = 5_000
 """Nodes with meshes, with those that nodes stand for."""
 MAX_NUMBERS: Final = 50_000_000
-"""Of all arrays in a glTF file, which may be left out where they are zero."""
+"""Most elements of all arrays in a glTF file, which may be left out where they are zero."""
 _COMPONENTS: Final = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
 

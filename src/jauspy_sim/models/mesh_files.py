@@ -33,7 +33,7 @@ MAX_TEXTURE: Final = 1024
 """Pixels of a side; larger ones are made smaller: MuJoCo holds them uncompressed, in each camera's process."""
 
 MAX_PIXELS: Final = 1 << 26
-"""Of an image file, before it is read."""
+"""Most pixels of an image file, before it is read."""
 
 BESIDE: Final = (".png", ".jpg", ".jpeg", ".bmp", ".tga", ".tif", ".tiff", ".gif", ".webp", ".mtl", ".bin")
 """Suffixes of files that meshes refer to and that are read."""
@@ -57,7 +57,7 @@ class MeshPart:
     """A mesh of one colour or texture."""
 
     name: str
-    """Of the node in the file, which SDF calls a submesh."""
+    """Name of the node in the file, which SDF calls a submesh."""
     vertices: NDArray[np.float64]
     """Shape (n, 3): metres."""
     faces: NDArray[np.int32]
@@ -202,7 +202,7 @@ class _Beside(Mapping[str, bytes]):
         return 0
 
     def namespaced(self, _: str) -> _Beside:
-        """As trimesh asks for it; names have no spaces here."""
+        """Content of a file as trimesh asks for it; names have no spaces here."""
         return self
 
 

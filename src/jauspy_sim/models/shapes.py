@@ -22,7 +22,7 @@ _LOG = logging.getLogger("jauspy_sim.meshes")
 RGBA = tuple[float, float, float, float]
 
 GREY: Final[RGBA] = (0.6, 0.6, 0.6, 1.0)
-"""Of shapes and meshes without a colour."""
+"""Colour of shapes and meshes without one."""
 
 CONE_SIDES: Final = 24
 """Edges of the base of a cone, which is drawn and collides as a mesh."""
@@ -46,7 +46,7 @@ class Look:
     specular: float = 0.2
     emission: float = 0.0
     yields: bool = False
-    """Whether colours and textures of a mesh's file take precedence, as in ROS."""
+    """True if colours and textures of a mesh's file take precedence, as in ROS."""
 
 
 PLAIN: Final = Look()
@@ -74,7 +74,7 @@ class MeshSource:
     submesh: str | None = None
     """The name of the parts that are taken; all if none has it, or without a name."""
     centred: bool = False
-    """Whether the middle of these parts becomes the origin."""
+    """True to make the middle of these parts the origin."""
 
     def parts(self) -> tuple[MeshPart, ...]:
         """The parts, not scaled."""

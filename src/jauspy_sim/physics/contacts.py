@@ -1,4 +1,4 @@
-"""Which bodies of the world the joint groups of a robot touch, in each sample of the physics."""
+"""Contacts of the joint groups of a robot with bodies of the world, in each sample of the physics."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class SimulatedContacts(Contacts):
             self._state = MappingProxyType({})
 
     def state(self) -> ContactCounts:
-        """As `Contacts.state`."""
+        """Same as `Contacts.state`."""
         if not self._state and self._counts:
             self._state = MappingProxyType({name: MappingProxyType(dict(row)) for name, row in self._counts.items()})
         return self._state

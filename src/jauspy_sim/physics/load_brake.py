@@ -49,7 +49,7 @@ class LoadBrake:
         self._gravity = 0.0
         self.engaged = False
         self.torque = 0.0
-        """Of the brake on the joint, N m or N; 0 while it is released."""
+        """Effort of the brake on the joint, N m or N; 0 while it is released."""
 
     @property
     def overload(self) -> float | None:

@@ -70,7 +70,7 @@ class SimulatedLidar(Scanner):
         self._pending: _Pending | None = None
 
     def configure(self, settings: ScanSettings) -> None:
-        """As `Scanner.configure`; an incomplete scan is discarded."""
+        """Same as `Scanner.configure`; an incomplete scan is discarded."""
         super().configure(settings)
         self._pending = None
         self._directions = self._unit_vectors()
@@ -150,7 +150,7 @@ def simulated_force_torque(data: mujoco.MjData, prefix: str, setup: ForceTorqueS
 
 
 def _errors(setup: ForceTorqueSetup) -> Iterator[list[float]]:
-    """Those of force and torque, for one measurement after the other."""
+    """Errors of force and torque, for one measurement after the other."""
     random = np.random.default_rng(setup.seed)
     deviations = np.repeat(setup.noise, 3)
     while True:

@@ -59,7 +59,7 @@ class Belts:
         self._belts = {geom: dofs[body] for geom, body in enumerate(bodies) if body in dofs}
         self._robots = model.body_rootid[model.geom_bodyid].tolist()
         self._known: dict[tuple[int, int], tuple[_Belt, ...]] = {}
-        """By pairs of geometries that touched."""
+        """Belts by pairs of geometries that touched."""
 
     def run_around(self) -> None:
         """Correct the Jacobian of the belts' contacts, and what `mj_step1` computed with it."""
@@ -160,6 +160,6 @@ class SimulatedTracks(SkidSteerDrive):
         return self._twist()
 
     def track_speeds(self) -> tuple[float, float]:
-        """As `SkidSteerDrive.track_speeds`, of the first belt of each side."""
+        """Same as `SkidSteerDrive.track_speeds`, of the first belt of each side."""
         left, right = self._dofs
         return -self._qvel[left], -self._qvel[right]

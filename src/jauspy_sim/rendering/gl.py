@@ -146,7 +146,7 @@ class GlRenderer:
         self._other: mujoco.MjrContext | None = None
         self._thorough = False
         self._saw_sky = True
-        """Whether the last picture with depths showed sky; drawing the sky takes a seventh of the time."""
+        """True if the last picture with depths showed sky; drawing the sky takes a seventh of the time."""
         self._cast_shadows(quality is Quality.HIGH)
 
     @property
@@ -248,7 +248,7 @@ class GlRenderer:
         *,
         parallel: bool = False,
     ) -> NDArray[np.float32] | None:
-        """As `Renderer.depths_from`, for shapes that cast shadows."""
+        """Same as `Renderer.depths_from`, for shapes that cast shadows."""
         self._take_thread()
         size = min(size, self._rect.width, self._rect.height)
         near, far = LAMP_PLANES

@@ -55,7 +55,7 @@ class _Beam:
     body: int
     position: Vectors
     rotation: Vectors
-    """Its axes (x ahead, y left, z up) in the frame of the body, as columns."""
+    """Axes of the lamp (x ahead, y left, z up) in the frame of the body, as columns."""
     intensity: float
     """Candela."""
     half_angle: float

@@ -1,4 +1,4 @@
-"""What renders the image of a camera: GL, or rays cast at simple shapes."""
+"""Renderers of a camera's image: GL, or rays cast at simple shapes."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ MAX_ELEMENTS: Final = 50_000
 MAX_MEMORY: Final = 4 << 30
 """Bytes of address space of the process that compiles; 0.7 GiB of them are Python's libraries."""
 MAX_SECONDS: Final = 20
-"""Of its CPU time."""
+"""Seconds of its CPU time."""
 TIMEOUT: Final = 300.0
 """Seconds after which it is ended, whatever it waits for."""
 

@@ -47,7 +47,7 @@ class _Joint:
     parent: str
     child: str
     pose: Transform
-    """In the frame of the outermost model."""
+    """Pose in the frame of the outermost model."""
     axis: Vector
 
 

@@ -76,7 +76,7 @@ class SdfLink:
     name: str
     element: Element
     pose: Transform
-    """In the frame of the outermost model."""
+    """Pose in the frame of the outermost model."""
     near: Path
 
 

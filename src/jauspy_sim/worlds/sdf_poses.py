@@ -34,7 +34,7 @@ def is_true(element: Element | None) -> bool | None:
 
 
 def located(near: Path, read: Callable[[], T]) -> T:
-    """What `read` returns; a `ConfigError` that names a line gets the file."""
+    """Result of `read`; a `ConfigError` that names a line gets the file."""
     try:
         return read()
     except ConfigError as error:

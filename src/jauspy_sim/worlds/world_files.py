@@ -21,9 +21,9 @@ from jauspy_sim.worlds.sdf import sdf_world
 from jauspy_sim.worlds.world_objects import objects_world
 
 MAX_ITERATIONS: Final = 1000
-"""Of a solver, in each step."""
+"""Most iterations of a solver in each step."""
 MAX_SIDE, MAX_SAMPLES, MAX_SLICES = 8192, 16, 128
-"""Of what MuJoCo draws: pixels of a side, samples of a pixel, slices of a sphere."""
+"""Bounds of what MuJoCo draws: pixels of a side, samples of a pixel, slices of a sphere."""
 
 SHOWN: Final = (0, 1, 2)
 """Groups of geometries that MuJoCo draws."""

@@ -83,12 +83,12 @@ class ObjectConfig(_Table):
     pose: PoseNumbers = (0.0, 0.0, 0.0)
     """The pose of its middle, or of the origin of a mesh: metres, and fixed-axis roll, pitch, yaw in degrees."""
     size: Annotated[tuple[Length, ...], Field(max_length=3)] = ()
-    """Of a box along x, y, z; of an ellipsoid, its three axes."""
+    """Metres of a box along x, y, z; of an ellipsoid, its three axes."""
     radius: Length | None = None
     length: Length | None = None
-    """Of a cylinder along z; of a capsule, without its ends."""
+    """Length of a cylinder along z; of a capsule, without its ends."""
     file: str | None = None
-    """Of a mesh."""
+    """File of a mesh."""
     scale: Length | tuple[Length, Length, Length] = 1.0
     mass: Annotated[float, Field(gt=0.0, le=1e6)] | None = None
     """Kilograms; an object without a mass does not move."""

@@ -114,7 +114,7 @@ class Explorer(Steering):
         )
 
     def settle(self, *situations: Situation) -> ObservedState:
-        """As `observe`, until the state fits one of the situations, at most for a timeout."""
+        """Same as `observe`, until the state fits one of the situations, at most for a timeout."""
         return self.settle_on(self._goal(*situations))
 
     def _goal(self, *situations: Situation) -> StateGoal:

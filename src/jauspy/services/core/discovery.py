@@ -332,7 +332,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         return ReportServices(node_list=node_records(ReportServices, self._fitting(self.directory.matching(wanted))))
 
     def report_service_list(self, query: QueryServiceList, source: JausID) -> ReportServiceList:
-        """As `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
+        """Same as `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
         self._renew(source)
         matching = self.directory.matching(self._wanted(query))
         found = self._fitting({item: offers for item, offers in matching.items() if offers})

@@ -37,18 +37,18 @@ def encodable_rms(error: float | None, limit: float = MAX_RMS) -> float | None:
 
 
 def encodable_angle_rms(error: float | None) -> float | None:
-    """As `encodable_rms`, for an attitude in radians, or a rate in the narrow form."""
+    """Same as `encodable_rms`, for an attitude in radians, or a rate in the narrow form."""
     return encodable_rms(error, math.pi)
 
 
 def encodable_altitude(value: float) -> float | None:
-    """As `encodable`, rounded to micrometres: sums of floats miss a limit that a client has set."""
+    """Same as `encodable`, rounded to micrometres: sums of floats miss a limit that a client has set."""
     rounded = round(value, 6)
     return rounded if MIN_ALTITUDE <= rounded <= MAX_ALTITUDE else None
 
 
 def encodable_z(z: ZPosition | None) -> ZPosition | None:
-    """As `encodable`, for the vertical position of the wide forms."""
+    """Same as `encodable`, for the vertical position of the wide forms."""
     return None if z is None or encodable(z.value, MAX_Z_EXT) is None else z
 
 

@@ -112,7 +112,7 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
         self._altitude, self._z, self._course = msg.altitude, None, None
 
     def set_global_vector_ext(self, msg: SetGlobalVectorExt) -> None:
-        """As `set_global_vector`; ignored, and counted, for a speed that is not one over ground."""
+        """Same as `set_global_vector`; ignored, and counted, for a speed that is not one over ground."""
         if self.drive_along_course(msg):
             self._altitude, self._z, self._course = None, msg.z_position, msg.course
 
@@ -163,7 +163,7 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
         self._course = None
 
     def set_local_vector_ext(self, msg: SetLocalVectorExt) -> None:
-        """As `set_local_vector`; ignored, and counted, for a speed that is not one over ground."""
+        """Same as `set_local_vector`; ignored, and counted, for a speed that is not one over ground."""
         if self.drive_along_course(msg):
             self._z, self._course = msg.z_position, msg.course
 

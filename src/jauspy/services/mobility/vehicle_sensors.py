@@ -77,7 +77,7 @@ class VelocityStateSensor(Service, urn="urn:jaus:jss:mobility:VelocityStateSenso
         )
 
     def report_velocity_state_ext(self) -> ReportVelocityStateExt:
-        """As `report_velocity_state`, with speed over ground and epoch time; always in the vehicle's frame."""
+        """Same as `report_velocity_state`, with speed over ground and epoch time; always in the vehicle's frame."""
         twist, errors = jaus_twist(self._drive.twist()), _state(self._localization)
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportVelocityStateExt(
@@ -119,7 +119,7 @@ class AccelerationStateSensor(Service, urn="urn:jaus:jss:mobility:AccelerationSt
         )
 
     def report_acceleration_state_ext(self) -> ReportAccelerationStateExt:
-        """As `report_acceleration_state`, with epoch time."""
+        """Same as `report_acceleration_state`, with epoch time."""
         acceleration = jaus_acceleration(self._drive.acceleration())
         errors = _state(self._localization)
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
@@ -164,7 +164,7 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
         self._set(msg.latitude, msg.longitude, msg.altitude, msg.yaw)
 
     def update_global_pose_ext(self, msg: SetGlobalPoseExt) -> None:
-        """As `update_global_pose`, without the height, whose datums are not supported."""
+        """Same as `update_global_pose`, without the height, whose datums are not supported."""
         self._set(msg.latitude, msg.longitude, None, msg.heading)
 
     def _set(
@@ -198,7 +198,7 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
         )
 
     def report_global_pose_ext(self) -> ReportGlobalPoseExt:
-        """As `report_global_pose`, with the course while the platform moves, and epoch time."""
+        """Same as `report_global_pose`, with the course while the platform moves, and epoch time."""
         shown, attitude, errors = self._pose(), self._vehicle.pose_on_globe, self._errors()
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportGlobalPoseExt(
@@ -247,7 +247,7 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
         self._declare(msg, msg.position_rms, msg.yaw)
 
     def update_local_pose_ext(self, msg: SetLocalPoseExt) -> None:
-        """As `update_local_pose`; a height above a datum is ignored."""
+        """Same as `update_local_pose`; a height above a datum is ignored."""
         z = msg.z_position
         local = z is not None and z.choice == ZPosition.Choice.Z_LOCAL
         self._set(msg.x, msg.y, z.value if z is not None and local else None, msg.heading)
@@ -285,7 +285,7 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
         )
 
     def report_local_pose_ext(self) -> ReportLocalPoseExt:
-        """As `report_local_pose`, with epoch time."""
+        """Same as `report_local_pose`, with epoch time."""
         pose, errors = self.pose, self._errors()
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportLocalPoseExt(

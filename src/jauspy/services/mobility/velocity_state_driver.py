@@ -132,7 +132,7 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
         self.vehicle.pilot.follow(self, VelocityCourse(self._current, self._limits))
 
     def set_current_velocity_command_ext(self, msg: Command) -> None:
-        """As `set_current_velocity_command`."""
+        """Same as `set_current_velocity_command`."""
         self.set_current_velocity_command(msg)
 
     def set_velocity_limit(self, msg: Command) -> None:
@@ -146,7 +146,7 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
                 self._default = self._velocity(msg)
 
     def set_velocity_limit_ext(self, msg: Command) -> None:
-        """As `set_velocity_limit`."""
+        """Same as `set_velocity_limit`."""
         self.set_velocity_limit(msg)
 
     def set_acceleration_limit(self, msg: SetAccelerationLimit) -> None:
@@ -198,7 +198,7 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
         )
 
     def report_velocity_command_ext(self, query: QueryVelocityCommandExt) -> ReportVelocityCommandExt:
-        """As `report_velocity_command`."""
+        """Same as `report_velocity_command`."""
         _, velocity = self._queried(query.command_type % _KINDS)
         kind = query.command_type if query.command_type < 2 * _KINDS else CommandKind.CURRENT
         return ReportVelocityCommandExt(

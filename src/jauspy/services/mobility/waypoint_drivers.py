@@ -54,7 +54,7 @@ class WaypointFollower(Driver):
         return ReportTravelSpeed(speed=unsigned_speed(self.vehicle.pilot.travel_speed))
 
     def report_travel_speed_ext(self) -> ReportTravelSpeedExt:
-        """As `report_travel_speed`, negative backward."""
+        """Same as `report_travel_speed`, negative backward."""
         return ReportTravelSpeedExt(speed=speed_over_ground(self.vehicle.pilot.travel_speed))
 
 
@@ -115,7 +115,7 @@ class WaypointDriver(WaypointFollower):
             self._begin_command()
 
     def set_travel_speed_ext(self, msg: Any) -> None:
-        """As `set_travel_speed`; ignored, and counted, for a speed that is not one over ground."""
+        """Same as `set_travel_speed`; ignored, and counted, for a speed that is not one over ground."""
         self.set_travel_speed(msg)
 
     def on_arrival(self) -> None:
@@ -154,7 +154,7 @@ class LocalWaypointDriver(WaypointDriver, urn="urn:jaus:jss:mobility:LocalWaypoi
         self.set_target(local_waypoint(msg))
 
     def set_waypoint_ext(self, msg: SetLocalWaypointExt) -> None:
-        """As `set_waypoint`; the height is only reported."""
+        """Same as `set_waypoint`; the height is only reported."""
         self.set_target(local_waypoint(msg))
 
     def report_local_waypoint(self) -> ReportLocalWaypoint | None:
@@ -185,7 +185,7 @@ class GlobalWaypointDriver(WaypointDriver, urn="urn:jaus:jss:mobility:GlobalWayp
         self.set_target(global_waypoint(msg))
 
     def set_waypoint_ext(self, msg: SetGlobalWaypointExt) -> None:
-        """As `set_waypoint`; the height is only reported."""
+        """Same as `set_waypoint`; the height is only reported."""
         self.set_target(global_waypoint(msg))
 
     def report_global_waypoint(self) -> ReportGlobalWaypoint | None:
