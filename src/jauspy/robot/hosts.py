@@ -24,7 +24,7 @@ from jauspy.services.core import (
     Liveness,
     Management,
     Time,
-    TransportService,
+    Transport,
 )
 from jauspy.services.environment_sensing import VideoSource
 from jauspy.services.host import Host
@@ -99,7 +99,7 @@ def module_host(
     """The host of a module whose services are made from `context`, with a watchdog on what it moves."""
     access = config.access_control
     core: list[Service] = [
-        TransportService(),
+        Transport(),
         Events(),
         AccessControl(default_authority=access.default_authority, timeout=access.timeout),
         Management(),

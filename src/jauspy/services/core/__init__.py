@@ -10,7 +10,7 @@ from jauspy.services.core.command_seal import CommandSeal
 from jauspy.services.core.discovery import COMPONENT, DEFAULT_IDENTITIES, Discovery, Identity
 from jauspy.services.core.events import Events
 from jauspy.services.core.list_manager import ListDriver, ListManager, ManipulatorListManager, MobilityListManager
-from jauspy.services.core.management import FailureRecovery, Liveness, Management, Time, TransportService
+from jauspy.services.core.management import FailureRecovery, Liveness, Management, Time, Transport
 from jauspy.services.service import Service
 
 __all__ = [
@@ -26,7 +26,7 @@ __all__ = [
     "Liveness",
     "Management",
     "Time",
-    "TransportService",
+    "Transport",
     "present_authority",
     "with_core_services",
 ]
@@ -34,7 +34,7 @@ __all__ = [
 INHERITED_DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
     kind.urn: kind
     for kind in (
-        TransportService,
+        Transport,
         Events,
         AccessControl,
         Management,

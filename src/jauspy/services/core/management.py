@@ -141,7 +141,7 @@ def _combined(now: datetime, msg: SetTime) -> datetime:
     return now.replace(**parts)  # type: ignore[arg-type]  # all of these are numbers
 
 
-class TransportService(Service, urn="urn:jaus:jss:core:Transport", private=True):
+class Transport(Service, urn="urn:jaus:jss:core:Transport", private=True):
     """Queues the messages that the other services send through its SendFSM."""
 
     def enqueue(self, msg: Outgoing) -> None:
