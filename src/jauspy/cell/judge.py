@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
@@ -106,12 +107,12 @@ class Judge:
 
     def placement(self, connector: str, part: str) -> Placement:
         """How far a part is off a connector, as in `servo_1/output`."""
-        frame, there = self.connector(connector), self.pose(part)
-        distance, angle = offset_between(frame, there)
-        tilt = tilt_between(frame, there)
-        turn = max(0.0, angle * angle - tilt * tilt) ** 0.5
-        quarter = 1.5707963267948966
-        return Placement(part, distance, tilt, abs(turn - quarter * round(turn / quarter)))
+        plate, frame = self.connector(connector), self.pose(part)
+        distance, _ = offset_between(plate, frame)
+        # the rotation is a turn about the normal, and then a tilt: the former's half angle is that of z and w
+        rotation = pin.Quaternion(plate.rotation.T @ frame.rotation)
+        turn = 2.0 * math.atan2(rotation.z, rotation.w)
+        return Placement(part, distance, tilt_between(plate, frame), abs(math.remainder(turn, math.pi / 2.0)))
 
     def camera(self, name: str) -> Camera | None:
         """That camera of the cell, for films; the first one if there is none with this name."""

@@ -159,15 +159,16 @@ class Film:
             self._av = import_module("av")
         except ImportError:
             raise ConfigError("films need PyAV; install the extra 'video'") from None
-        self.path.parent.mkdir(parents=True, exist_ok=True)
         try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
             self._container = self._av.open(str(self.path), "w")
+            self._stream = self._container.add_stream(FILM_CODEC, rate=FILM_RATE)
+            self._stream.width, self._stream.height = self._size
+            self._stream.pix_fmt = "yuv420p"
+            self._stream.options = {"crf": "22", "preset": "veryfast"}
+            self._container.start_encoding()  # opens the file, which the first picture would do otherwise
         except OSError as error:
             raise ConfigError(f"{self.path} cannot be written: {error}") from error
-        self._stream = self._container.add_stream(FILM_CODEC, rate=FILM_RATE)
-        self._stream.width, self._stream.height = self._size
-        self._stream.pix_fmt = "yuv420p"
-        self._stream.options = {"crf": "22", "preset": "veryfast"}
         self._session = self._camera.open()
         self._task = asyncio.create_task(self._record(), name="film")
         return self

@@ -6,6 +6,7 @@ In the published system the arm swung on for long. The IMU of the last module sh
 from __future__ import annotations
 
 import asyncio
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -101,7 +102,12 @@ class SwingComparison:
 
     @property
     def overshoot(self) -> float:
-        """The overshoot with the model-based controller over that with independent PID controllers."""
+        """The overshoot with the model-based controller over that with independent PID controllers.
+
+        Infinite when only the former has one, 1 when none has.
+        """
+        if not self.pid.overshoot:
+            return math.inf if self.model.overshoot else 1.0
         return self.model.overshoot / self.pid.overshoot
 
     def measured(self, seed: int) -> Measured:

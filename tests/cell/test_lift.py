@@ -1,0 +1,187 @@
+"""Lifting and throwing without physics: where a box comes to rest, which box is next, and what is said without one."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pinocchio as pin
+import pytest
+from hypothesis import given, strategies as st
+
+from jauspy.cell.frames import shifted
+from jauspy.cell.lift import ATTEMPTS, FOLLOW_THROUGH, LATENCY, Lifter, _rest
+from jauspy.cell.schedule import TaskFailed
+from jauspy.geometry.vectors import GRAVITY
+from jauspy.platform.modular.parts import PartKind
+
+FORWARD = np.array([1.0, 0.0, 0.0])
+SPEEDS = st.floats(-3.0, 3.0)
+
+
+class TestRest:
+    def test_what_is_let_go_at_rest_falls_straight_down(self) -> None:
+        assert _rest(np.array([0.4, 0.2, 0.5]), np.zeros(3), FORWARD, 0.3) == pytest.approx(0.4)
+
+    def test_a_level_throw_flies_as_long_as_it_falls(self) -> None:
+        found = _rest(np.array([0.0, 0.0, 0.5]), np.array([2.0, 0.0, 0.0]), FORWARD, 0.3)
+        assert found == pytest.approx(2.0 * math.sqrt(2.0 * 0.8 / GRAVITY))
+
+    @given(st.floats(-0.5, 0.5), st.floats(0.0, 1.0), SPEEDS, SPEEDS)
+    def test_it_is_where_a_simulated_flight_ends(self, x: float, height: float, ahead: float, rise: float) -> None:
+        found = _rest(np.array([x, 0.0, height]), np.array([ahead, 0.0, rise]), FORWARD, 0.2)
+        place, speed, step = np.array([x, height + 0.2]), np.array([ahead, rise]), 1e-3
+        while place[1] > 0.0 or speed[1] > 0.0:
+            place = place + speed * step - np.array([0.0, 0.5 * GRAVITY * step * step])
+            speed = speed - np.array([0.0, GRAVITY * step])
+        assert found == pytest.approx(place[0], abs=abs(ahead) * 2.0 * step + 1e-9)
+
+    @given(SPEEDS, st.floats(-math.pi, math.pi))
+    def test_only_the_direction_of_the_throw_counts(self, sideways: float, turn: float) -> None:
+        ahead = np.array([math.cos(turn), math.sin(turn), 0.0])
+        side = np.array([-math.sin(turn), math.cos(turn), 0.0])
+        up = np.array([0.0, 0.0, 0.5])
+        straight = _rest(up, 1.5 * ahead, ahead, 0.1)
+        assert _rest(up, 1.5 * ahead + sideways * side, ahead, 0.1) == pytest.approx(straight)
+
+    def test_below_the_landing_there_is_no_flight(self) -> None:
+        assert _rest(np.array([0.1, 0.0, -0.5]), np.array([1.0, 0.0, 0.0]), FORWARD, 0.2) == pytest.approx(0.1)
+
+
+class Cell:
+    """A clock, a belt, and boxes where the test puts them."""
+
+    def __init__(self, **boxes: tuple[float, float, float]) -> None:
+        self.time = 0.0
+        self.boxes = boxes
+        self.belt: list[float] = []
+        self.enabled: list[tuple[str, bool, float]] = []
+
+    def now(self) -> float:
+        return self.time
+
+    async def sleep(self, seconds: float) -> None:
+        self.time += seconds
+
+    def latest(self, box: str) -> tuple[float, pin.SE3]:
+        return self.time, shifted(*self.boxes[box])
+
+    async def run_conveyor(self, speed: float) -> None:
+        self.belt.append(speed)
+
+    async def enable(self, name: str, enabled: bool) -> None:
+        self.enabled.append((name, enabled, self.time))
+
+    async def command_arm(self, positions: object, duration: float) -> None:
+        """The test's arm moves by itself."""
+
+
+class Arm:
+    """An arm whose tip, when it throws, flies along a line at 2 m/s."""
+
+    tip = "servo_5/output"
+
+    def __init__(self, cell: Cell) -> None:
+        self._cell = cell
+        self.chain = self
+        self.root = np.array([0.6, 0.2, 0.4])
+
+    async def state(self) -> Any:
+        at = self._cell.time
+        return SimpleNamespace(payload=0.3, positions=(at,), velocities=(2.0,))
+
+    def ordered(self, state: object, values: tuple[float, ...]) -> np.ndarray:
+        return np.array(values)
+
+    def forward(self, q: np.ndarray) -> pin.SE3:
+        return shifted(*(self.root + np.array([2.0 * float(q[0]) - 1.0, 0.0, 0.5])).tolist())
+
+    def velocity(self, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        return np.array([float(v[0]), 0.0, 0.0])
+
+    async def move(self, goal: np.ndarray, duration: float) -> None:
+        """It is there at once."""
+
+    async def vector(self, goal: np.ndarray) -> list[float]:
+        return [float(each) for each in goal]
+
+
+def layout(**missing: None) -> Any:
+    """A belt along y whose top is at 0.2 m, an area 2 m ahead of the arm, and four boxes."""
+    box = SimpleNamespace(kind=PartKind.BOX)
+    setup = SimpleNamespace(
+        conveyor=SimpleNamespace(pose=SimpleNamespace(x=1.0, y=0.0, z=0.2)),
+        target=SimpleNamespace(pose=SimpleNamespace(x=2.6, y=0.2)),
+        parts=[SimpleNamespace(name=f"box_{number}") for number in range(1, 5)],
+    )
+    for name in missing:
+        setattr(setup, name, None)
+    return SimpleNamespace(setup=setup, type_of=lambda _: box, grasp=lambda _: shifted(z=0.05))
+
+
+def lifter(cell: Cell) -> Lifter:
+    arm: Any = Arm(cell)
+    client: Any = cell
+    return Lifter(client, layout(), arm)
+
+
+@pytest.mark.parametrize("missing", ["conveyor", "target"])
+def test_without_belt_or_area_it_does_not_begin(missing: str) -> None:
+    cell: Any = Cell()
+    arm: Any = None
+    with pytest.raises(TaskFailed, match="no conveyor, or no area to throw into"):
+        Lifter(cell, layout(**{missing: None}), arm)
+
+
+def test_boxes_that_have_passed_or_fallen_are_left_and_the_nearest_is_the_first() -> None:
+    boxes = {
+        "box_1": (1.0, -0.8, 0.2),
+        "box_2": (1.0, -0.3, 0.2),
+        "box_3": (1.0, 0.15, 0.2),  # less than 0.1 m before the arm, too late
+        "box_4": (1.0, -0.5, 0.0),  # on the floor
+    }
+    assert lifter(Cell(**boxes))._in_order() == ["box_2", "box_1"]
+
+
+async def test_after_three_boxes_it_gives_up_and_stops_the_belt(monkeypatch: pytest.MonkeyPatch) -> None:
+    cell = Cell(**{f"box_{number}": (1.0, -0.2 * number, 0.2) for number in range(1, 5)})
+    task, tried = lifter(cell), list[str]()
+
+    async def take(box: str) -> bool:
+        tried.append(box)
+        return False
+
+    monkeypatch.setattr(task, "_take", take)
+    with pytest.raises(TaskFailed, match=f"no box could be taken off the belt in {ATTEMPTS} attempts"):
+        await task.run()
+    assert tried == ["box_1", "box_2", "box_3"]
+    assert cell.belt == [0.0]
+
+
+async def test_an_empty_belt_is_no_attempt() -> None:
+    cell = Cell(**{f"box_{number}": (1.0, 1.0, 0.2) for number in range(1, 5)})
+    with pytest.raises(TaskFailed, match="in 0 attempts"):
+        await lifter(cell).run()
+
+
+async def test_it_lets_go_where_the_flight_ends_in_the_area(monkeypatch: pytest.MonkeyPatch) -> None:
+    cell = Cell(**{f"box_{number}": (1.0, -0.2 * number, 0.2) for number in range(1, 5)})
+    task = lifter(cell)
+
+    async def take(box: str) -> bool:
+        return box == "box_2"
+
+    monkeypatch.setattr(task, "_take", take)
+    result = await task.run()
+    assert (result.box, result.attempts, result.payload) == ("box_2", 2, 0.3)
+    assert result.release_speed == pytest.approx(2.0)
+    ((name, enabled, released),) = cell.enabled
+    assert (name, enabled) == (Arm.tip, False)
+    # 2 m ahead, less the flight of sqrt(2 h / g) at 2 m/s; the tip starts 1 m behind the arm's base
+    height = 0.5 + 0.025 + 0.4 + 0.025
+    expected = (2.0 + 1.0 - 2.0 * math.sqrt(2.0 * height / GRAVITY)) / 2.0 - LATENCY
+    assert released == pytest.approx(expected, abs=0.011)
+    assert 0.0 <= result.predicted < 0.03
+    assert FOLLOW_THROUGH[0] == 0.0, "the first joint only aims"
