@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from tools import second_try
 from tools.second_try import MAX_SECOND_TRIES, Outcomes, OutcomesError, judge, report
 
 ROOT = Path(__file__).parents[1]
@@ -177,6 +178,23 @@ def test_only_what_has_passed_has_passed() -> None:
     first = outcomes(*((name, "failed", "call") for name in ("a", "b", "c", "d")), ("e", "passed", "call"))
     second = outcomes(("a", "passed", "call"), ("b", "failed", "call"), ("c", "skipped", "call"))
     assert judge(first, second) == (["a"], ["b", "c", "d"])
+
+
+@pytest.mark.parametrize("status", [2, 3, 4, 5])
+def test_a_run_that_did_not_end_as_planned_is_not_mended_by_the_tests_that_failed_in_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, status: int
+) -> None:
+    ran: list[list[str]] = []
+
+    def make(command: list[str], check: bool) -> subprocess.CompletedProcess[str]:
+        ran.append(command)
+        path = Path(command[-1].removeprefix("PYTEST_ARGS=--outcomes ").split()[0])
+        outcomes(("a", "failed", "call"), status=status).write(path)
+        return subprocess.CompletedProcess(command, 2)
+
+    monkeypatch.setattr(second_try.subprocess, "run", make)
+    assert second_try.run_stage("unit", "unit", tmp_path / "record") == 1
+    assert len(ran) == 1
 
 
 @pytest.mark.parametrize(("count", "status"), [(0, 0), (1, 0), (MAX_SECOND_TRIES, 0), (MAX_SECOND_TRIES + 1, 1)])

@@ -113,9 +113,8 @@ def run_stage(stage: str, target: str, record: Path) -> int:
     """Run `make TARGET`, and the tests that failed in it once more; returns the exit status."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "first.json"
-        made = subprocess.run(
-            ["make", target, f"PYTEST_ARGS=--outcomes {path} {os.environ.get('PYTEST_ARGS', '')}"], check=False
-        )
+        make = ["make", target, f"PYTEST_ARGS=--outcomes {path} {os.environ.get('PYTEST_ARGS', '')}"]
+        made = subprocess.run(make, check=False)
         if made.returncode == 0:
             return 0
         try:

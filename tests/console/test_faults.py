@@ -384,19 +384,15 @@ def test_the_robot_stands_soon_after_the_emergency_stop_while_the_page_is_floode
     page.close()
 
 
-def test_the_robot_stands_when_the_server_is_killed(browser: Any, background: Background) -> None:
-    robot = WatchedRobot(background)
-    try:
-        page = new_page(browser)
-        with console_for(robot.local) as (address, process):
-            drive(page, address, robot)
-            process.kill()
-            robot.assert_stopped(Standby)
-        page.keyboard.press("Escape")
-        page.get_by_text("NOT STOPPED: no connection to the console").wait_for()
-        page.close()
-    finally:
-        robot.close()
+def test_the_robot_stands_when_the_server_is_killed(browser: Any, robot: WatchedRobot) -> None:
+    page = new_page(browser)
+    with console_for(robot.local) as (address, process):
+        drive(page, address, robot)
+        process.kill()
+        robot.assert_stopped(Standby)
+    page.keyboard.press("Escape")
+    page.get_by_text("NOT STOPPED: no connection to the console").wait_for()
+    page.close()
 
 
 def test_a_robot_that_is_killed_is_reported_and_found_again(page: Any) -> None:
