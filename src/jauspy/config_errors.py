@@ -99,13 +99,13 @@ def line_of(text: str, keys: Sequence[str | int]) -> int | None:
                 table = _names(header[2])
                 lists[table] += 1
                 table = (*table, lists[table] - 1)
-            here = table
+            location = table
         elif key := _KEY.match(line):
-            here = (*table, *_names(key[1]))
+            location = (*table, *_names(key[1]))
         else:
             continue
-        if len(here) > longest and here == tuple(keys[: len(here)]):
-            found, longest = number, len(here)
+        if len(location) > longest and location == tuple(keys[: len(location)]):
+            found, longest = number, len(location)
     return found
 
 

@@ -103,8 +103,8 @@ def service_set(urn: str) -> str:
 
 def is_called(urn: str, name: str) -> bool:
     """True for a whole URN or its end: `mobility:PrimitiveDriver`, `PrimitiveDriver`; case does not matter."""
-    own, wanted = urn.casefold(), name.casefold()
-    return bool(wanted) and (own == wanted or own.endswith(f":{wanted}"))
+    known, wanted = urn.casefold(), name.casefold()
+    return bool(wanted) and (known == wanted or known.endswith(f":{wanted}"))
 
 
 def message_id(payload: bytes, offset: int = 0) -> int:

@@ -53,13 +53,13 @@ def ids_elsewhere(connect: str | None) -> set[str]:
     root = _local_root(connect)
     if root is None:
         return set()
-    here = node_status.this_machine()
+    this_machine = node_status.this_machine()
     return {
         str(peer["id"])
         for peer in node_status.read_at_once(root).get("peers", ())
         if peer["heard"] is not None
         and peer["heard"] < MOVE_TIMEOUT
-        and not here.has(node_status.host_of(str(peer["address"])))
+        and not this_machine.has(node_status.host_of(str(peer["address"])))
     }
 
 

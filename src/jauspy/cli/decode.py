@@ -431,8 +431,8 @@ class HumanPrinter:
             return []
         self._noted.add(message.CODE)
         others = ", ".join(f"{other.name} in {_place(other)} ({_option(other, message)})" for other in content.others)
-        here = f"{_service(message.SERVICE)} {message.VERSION}"
-        return [_remark(f"decoded as in {here}; also {others}", "dim")]
+        service_version = f"{_service(message.SERVICE)} {message.VERSION}"
+        return [_remark(f"decoded as in {service_version}; also {others}", "dim")]
 
 
 def _remark(text: str, style: str = "yellow") -> Styled:

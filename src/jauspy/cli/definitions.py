@@ -70,8 +70,8 @@ def definitions(sources: list[str] | None) -> Definitions:
     if not sources:
         return Definitions(registry)
 
-    own = load_own(sources)
-    return Definitions(load_schema(own), own)
+    user_schema = load_own(sources)
+    return Definitions(load_schema(user_schema), user_schema)
 
 
 def _unknown(what: str, wanted: str, known: Iterable[str]) -> Exception:

@@ -54,11 +54,11 @@ def estop(
       jauspy estop 101
       jauspy estop 101 --release
     """
-    to = destination(target)
+    recipient = destination(target)
     if not release and own_id in client.ids_elsewhere(connect):  # or the node manager would refuse to stop anything
         taken, own_id = own_id, client.own_id(None, connect)
         console.note(f"{taken} is in use on another host: stopping as {own_id}; release with --id {own_id}")
-    found = run(_stop(OCU(own_id, connect, operator=operator_key), to, release=release, max_wait=timeout)) or {}
+    found = run(_stop(OCU(own_id, connect, operator=operator_key), recipient, release=release, max_wait=timeout)) or {}
     for id, report in sorted(found.items(), key=lambda item: int(item[0])):
         obeyed = obeys(report, release=release)
         if as_json:
@@ -67,7 +67,7 @@ def estop(
             state = (status_name(report), "green" if obeyed else "bold red")
             console.stdout().print(Text.assemble(str(id), "  ", state, "" if obeyed else "  did not obey"))
     if not found:
-        nobody = "no component answered" if to.is_wildcard else f"{to} did not answer"
+        nobody = "no component answered" if recipient.is_wildcard else f"{recipient} did not answer"
         raise ResponseTimeout(f"{nobody} within {timeout:g} s; the message was sent")
     disobedient = [str(id) for id, report in found.items() if not obeys(report, release=release)]
     if disobedient:

@@ -193,8 +193,8 @@ def load_verb(name: str, target: str) -> Any:
     module = importlib.import_module(path)
     verb = getattr(module, function)
     help_text = _help_text(verb.__doc__ or "")
-    if isinstance(own := getattr(module, "app", None), typer.Typer):
-        command = typer.main.get_command(own)
+    if isinstance(group_app := getattr(module, "app", None), typer.Typer):
+        command = typer.main.get_command(group_app)
         command.help = help_text
         return command
     single = typer.Typer(add_completion=False, rich_markup_mode="rich")

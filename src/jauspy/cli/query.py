@@ -79,7 +79,7 @@ def query(
 
     `jauspy schema show MESSAGE` prints an example of any message, lists and records included.
     """
-    to = client.destination(destination)
+    recipient = client.destination(destination)
     known = definitions(sources)
     query_message = message_from(known.registry, message, fields or [], known.hints(service, version))
     if not query_message.IS_QUERY:
@@ -90,10 +90,10 @@ def query(
     show = _show_json if as_json or not console.is_terminal() else _show_yaml
 
     async def ask(first: bool) -> None:
-        if to.is_wildcard:
-            await _ask_all(ocu, to, query_message, timeout, show, first=first)
+        if recipient.is_wildcard:
+            await _ask_all(ocu, recipient, query_message, timeout, show, first=first)
         else:
-            await _ask(ocu, to, query_message, show, first=first)
+            await _ask(ocu, recipient, query_message, show, first=first)
 
     run(repeated(ocu, ask, every, count))
 

@@ -88,18 +88,18 @@ def send(
         raise typer.BadParameter("it requires --control", param_hint="--hold")
     if control is None and within is not None:
         raise typer.BadParameter("it requires --control", param_hint="--within")
-    to = client.destination(destination)
+    recipient = client.destination(destination)
     known = definitions(sources)
     command = message_from(known.registry, message, fields or [], known.hints(service, version))
     if command.IS_QUERY:
         raise ConfigError(f"{command.NAME} is a query, whose answer would not be shown; use `jauspy query`")
-    if control is not None and to.is_wildcard:
-        raise ConfigError(f"--control takes control of one component, and {to} has wildcards")
+    if control is not None and recipient.is_wildcard:
+        raise ConfigError(f"--control takes control of one component, and {recipient} has wildcards")
     ocu = client.make_ocu(own_id, connect, timeout, known.registry, operator=operator_key)
     if control is None:
-        run(send_without_control(ocu, to, command, max_wait=timeout))
+        run(send_without_control(ocu, recipient, command, max_wait=timeout))
     else:
-        run(send_in_control(ocu, to, command, authority=control, hold=hold, within=within, max_wait=timeout))
+        run(send_in_control(ocu, recipient, command, authority=control, hold=hold, within=within, max_wait=timeout))
 
 
 async def send_without_control(ocu: OCU, to: JausID, command: Message, *, max_wait: float) -> None:

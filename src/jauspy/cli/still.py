@@ -90,8 +90,8 @@ async def take_picture(
             note = await said_by(ocu, camera, sensor)
             raise ResponseTimeout(f"{error}; {camera} says: {note}" if note else str(error)) from None
     _write(file, photo.content)
-    at = photo.taken
-    when = f", taken at {at:%H:%M:%S}.{at.microsecond // 1000:03} UTC" if at else ""
+    taken = photo.taken
+    when = f", taken at {taken:%H:%M:%S}.{taken.microsecond // 1000:03} UTC" if taken else ""
     what = f"{photo.format} by sensor {photo.sensor} of {camera}, {len(photo.content):,} bytes{when}"
     console.print_lines(f"{file}: {what}")
 

@@ -145,11 +145,11 @@ def split(text: str) -> Iterator[str]:
     """Single keys; those that send several characters begin with an escape. An empty text is the end of the input."""
     if not text:
         yield ""
-    at = 0
-    while at < len(text):
-        size = 3 if text.startswith("\x1b[", at) else 1
-        yield text[at : at + size].lower() if size == 1 else text[at : at + size]
-        at += size
+    offset = 0
+    while offset < len(text):
+        size = 3 if text.startswith("\x1b[", offset) else 1
+        yield text[offset : offset + size].lower() if size == 1 else text[offset : offset + size]
+        offset += size
 
 
 @contextmanager

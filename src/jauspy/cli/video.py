@@ -252,8 +252,8 @@ async def parameter_sets(ocu: OCU, camera: JausID, sensor: int) -> tuple[bytes, 
     note = ""
     try:
         with RtpReceiver(await ocu.address_towards(camera)) as receiver:
-            here = url_of((await ocu.address_towards(camera), receiver.port))
-            async with registered(ocu, camera, sensor, here), asyncio.timeout(START_TIMEOUT):
+            own_url = url_of((await ocu.address_towards(camera), receiver.port))
+            async with registered(ocu, camera, sensor, own_url), asyncio.timeout(START_TIMEOUT):
                 while len(found) < 2:
                     for picture in receiver.take():
                         found |= {nal_type(nal): nal for nal in picture.nals if nal_type(nal) in (SPS, PPS)}
@@ -360,10 +360,10 @@ def no_picture(camera: JausID, address: tuple[str, int], counters: Mapping[str, 
         received = ", ".join(f"{name} {count}" for name, count in sorted(counters.items()))
         return f"packets arrive at {url_of(address)}, but no whole picture to begin with ({received})"
     if ipaddress.ip_address(address[0]).is_loopback:
-        there = f"only a robot on this machine reaches it; if {camera} is on another one, name an address with --to"
+        reason = f"only a robot on this machine reaches it; if {camera} is on another one, name an address with --to"
     else:
-        there = f"UDP port {address[1]} may be closed by a firewall, or {camera} may have no route to {address[0]}"
-    return f"no packet has arrived at {url_of(address)}: the camera may still be starting; else {there}"
+        reason = f"UDP port {address[1]} may be closed by a firewall, or {camera} may have no route to {address[0]}"
+    return f"no packet has arrived at {url_of(address)}: the camera may still be starting; else {reason}"
 
 
 def check_writable(file: Path) -> None:

@@ -127,12 +127,12 @@ def coloured_points(frame: DepthFrame, fov: float, settings: DepthSettings) -> b
     """
     import numpy as np  # noqa: PLC0415 - comes with the extra `cloud`
 
-    along = frame.distances
-    rows, columns = np.nonzero((along >= settings.range[0]) & (along <= settings.range[1]))
-    height, width = along.shape
+    distances = frame.distances
+    rows, columns = np.nonzero((distances >= settings.range[0]) & (distances <= settings.range[1]))
+    height, width = distances.shape
     pixel = 2.0 * math.tan(fov / 2.0) / width
     points = np.empty((len(rows), 6), "<f4")
-    points[:, 0] = x = along[rows, columns]
+    points[:, 0] = x = distances[rows, columns]
     points[:, 1] = x * (pixel * ((width - 1) / 2.0 - columns))
     points[:, 2] = x * (pixel * ((height - 1) / 2.0 - rows))
     points[:, 3:] = frame.image[rows, columns] * np.float32(1.0 / 255.0)

@@ -140,7 +140,11 @@ class _Writer:
             return ["@jd.derived(_SERVICE)", *([head, *indent(body)] if body else [f"{head} ..."])]
         layout = cls.layout()
         nested = {name: part for name, part in names.items() if isinstance(part, type) and name != "REPORT"}
-        lines = [*doc, *report, *(f"{name} = {self._ref(it)}" for name, it in nested.items() if not is_nested(it, cls))]
+        lines = [
+            *doc,
+            *report,
+            *(f"{name} = {self._ref(inner)}" for name, inner in nested.items() if not is_nested(inner, cls)),
+        ]
         for part in nested.values():
             if is_nested(part, cls):
                 lines += ["", *(self._class(part) if issubclass(part, Struct) else enum_class(part))]

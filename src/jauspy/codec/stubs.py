@@ -134,7 +134,7 @@ class _Writer:
         """The registry, whose `by_name` returns the class of a known name."""
         if not self._by_name:
             return ["", "registry: jr.Registry"]
-        own = self._private("Registry")
+        registry = self._private("Registry")
         lines = []
         for name, found in self._by_name.items():
             lines += [
@@ -143,7 +143,7 @@ class _Writer:
             ]
         other = "name: str, *, service: str | None = None, version: str | None = None"
         lines += ["@typing.overload", f"def by_name(self, {other}) -> type[jd.Message]: ..."]
-        return ["", f"class {own}(jr.Registry):", *indent(lines), "", f"registry: {own}"]
+        return ["", f"class {registry}(jr.Registry):", *indent(lines), "", f"registry: {registry}"]
 
     def _ref(self, cls: type) -> str:
         """The name of a class in the stub."""

@@ -151,7 +151,7 @@ class Connections:
                 for connection in self._open.values()
                 if connection.session is not None and not connection.is_socket
             ]
-            self._make_room(KNOWN, known, lambda each: each.session, session)
+            self._make_room(KNOWN, known, lambda connection: connection.session, session)
         connection.session = session
         connection.is_socket = connection.is_socket or is_socket
 
@@ -164,7 +164,7 @@ class Connections:
     ) -> None:
         self._forget_gone()
         connection = _Connection(sock, network_of(client[0]), _now())
-        self._make_room(STRANGERS, self._strangers(), lambda each: each.host, connection.host)
+        self._make_room(STRANGERS, self._strangers(), lambda connection: connection.host, connection.host)
         self._open[client] = connection
         connection.task = asyncio.create_task(self._connect(connection, sock, make_protocol, tls))
 
@@ -214,7 +214,7 @@ class Connections:
     def _close_oldest(self, reason: str, found: list[_Connection]) -> None:
         """Close the connection that is idle for longest; if none is idle, the one whose request is oldest."""
         if found:
-            oldest = min(found, key=lambda each: (each.requests > 0, each.since))
+            oldest = min(found, key=lambda connection: (connection.requests > 0, connection.since))
             self.closed[reason] += 1
             count = self.closed[reason]
             if count & (count - 1) == 0:  # the 1st, 2nd, 4th, ...

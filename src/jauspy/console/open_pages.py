@@ -36,8 +36,8 @@ class OpenPages:
 
         `remove` is called when the page is given up because it has not connected and others need its place.
         """
-        own = {token: page for token, page in self._pages.items() if page.session == session}
-        if len(own) >= MAX_PAGES_OF_SESSION and not self._give_up_oldest(own):
+        own_pages = {token: page for token, page in self._pages.items() if page.session == session}
+        if len(own_pages) >= MAX_PAGES_OF_SESSION and not self._give_up_oldest(own_pages):
             return None
         if len(self._pages) >= MAX_PAGES and not self._give_up_oldest(self._of_largest_session()):
             return None

@@ -224,8 +224,8 @@ class Operation:
             had_control = self._control is not None
             await self._leave()
             if had_control:
-                by = f" by {self.user.name}" if token else ", since the console ends"
-                self._on_event(f"control of robot {self.robot.id} was released{by}")
+                author = f" by {self.user.name}" if token else ", since the console ends"
+                self._on_event(f"control of robot {self.robot.id} was released{author}")
 
     def refusal(self, token: str) -> str:
         """Why a browser may not command the robot now; empty if it may."""

@@ -48,5 +48,8 @@ def _as_listed(end: Address, *, is_ipv6: bool) -> str:
         address = ipaddress.IPv6Address(f"::ffff:{address}")
     if isinstance(address, ipaddress.IPv6Address) and not is_ipv6:
         return ""
-    words = (int.from_bytes(address.packed[at : at + 4], sys.byteorder) for at in range(0, len(address.packed), 4))
+    words = (
+        int.from_bytes(address.packed[offset : offset + 4], sys.byteorder)
+        for offset in range(0, len(address.packed), 4)
+    )
     return "".join(f"{word:08X}" for word in words) + f":{end[1]:04X}"

@@ -116,14 +116,14 @@ class Recorder:
         traces = list(self.traces.values())
         rows: dict[float, dict[int, float]] = {}
         for trace in traces:
-            for at, value in trace.samples:
-                rows.setdefault(at, {})[trace.number] = value
+            for moment, value in trace.samples:
+                rows.setdefault(moment, {})[trace.number] = value
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["time"] + [f"{trace.name} [{trace.unit}]" if trace.unit else trace.name for trace in traces])
-        for at in sorted(rows):
-            stamp = datetime.fromtimestamp(at, UTC).isoformat(timespec="milliseconds")
-            writer.writerow([stamp] + [rows[at].get(trace.number, "") for trace in traces])
+        for moment in sorted(rows):
+            stamp = datetime.fromtimestamp(moment, UTC).isoformat(timespec="milliseconds")
+            writer.writerow([stamp] + [rows[moment].get(trace.number, "") for trace in traces])
         return text.getvalue()
 
     def _of(self, source: Source) -> list[Trace]:
@@ -146,12 +146,12 @@ class Recorder:
             await asyncio.sleep(RETRY_INTERVAL)
 
     def _take(self, source: Source, report: Message) -> None:
-        at, values = self._now(), numbers_of(report)
+        moment, values = self._now(), numbers_of(report)
         for trace in self._of(source):
             value = values.get(trace.path)
             trace.problem = "" if value is not None else "the last report has no such field"
             if value is not None:
-                trace.add(at, value)
+                trace.add(moment, value)
 
 
 UPDATE_INTERVAL: Final = 0.25
@@ -270,7 +270,7 @@ class PlotsPanel:
             "number": trace.number,
             "name": printable(trace.name),
             "unit": trace.unit,
-            "points": [[round(1e3 * at), value] for at, value in points],
+            "points": [[round(1e3 * moment), value] for moment, value in points],
         }
 
     def _show_chips(self, traces: list[Trace]) -> None:

@@ -57,7 +57,7 @@ def numbers_of(message: Message) -> dict[str, float]:
 def queries_of(component: ComponentInfo, registry: Registry) -> dict[str, Message]:
     """The queries that a component answers by its services, by name; by default each requests all fields."""
     found: dict[str, Message] = {}
-    for service in sorted(component.services, key=lambda each: each.version, reverse=True):
+    for service in sorted(component.services, key=lambda service: service.version, reverse=True):
         for query in _queries(registry, service.urn, service.version):
             found.setdefault(query.NAME, query)
     return dict(sorted(found.items()))

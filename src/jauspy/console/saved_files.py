@@ -130,11 +130,11 @@ class SavedFiles:
         Raises `SavedByOther` if that is of somebody else than `seen`, and `ConfigError` if it cannot be saved.
         """
         name, author, saved = checked_name(name), self._author(), self._poses()
-        own, authors = saved.poses.setdefault(component, {}), saved.authors.setdefault(component, {})
-        before = authors.get(name, UNKNOWN) if name in own else None
+        own_poses, authors = saved.poses.setdefault(component, {}), saved.authors.setdefault(component, {})
+        before = authors.get(name, UNKNOWN) if name in own_poses else None
         self._check(name, before, seen)
-        own[name] = {joint: round(value, 4) + 0.0 for joint, value in positions.items()}
-        if len(own) > MAX_SAVED:
+        own_poses[name] = {joint: round(value, 4) + 0.0 for joint, value in positions.items()}
+        if len(own_poses) > MAX_SAVED:
             raise ConfigError(f"an arm has at most {MAX_SAVED} poses; delete one first")
         authors[name] = author
         self._write_poses(saved)

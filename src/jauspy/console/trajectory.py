@@ -112,9 +112,11 @@ class Trajectory:
 
     def to_json(self, robot: str, author: Author | None = None) -> str:
         """The content of a file."""
-        by = "" if author is None else f'  "author": {author.model_dump_json()},\n'
+        author_line = "" if author is None else f'  "author": {author.model_dump_json()},\n'
         rows = [{"seconds": row.seconds, "positions": row.positions} for row in self.rows]
-        head = f'{{\n{by}  "robot": {json.dumps(robot)},\n  "joints": {json.dumps(self.joints)},\n  "rows": [\n'
+        head = (
+            f'{{\n{author_line}  "robot": {json.dumps(robot)},\n  "joints": {json.dumps(self.joints)},\n  "rows": [\n'
+        )
         return head + ",\n".join(f"    {json.dumps(row)}" for row in rows) + "\n  ]\n}\n"
 
     @classmethod

@@ -282,9 +282,9 @@ class Sessions:
     def begin(self, user: User, address: str, now: float) -> Session | None:
         """A new session; None when there are too many."""
         self.expire(now)
-        own = [session for session in self._open.values() if session.user.name == user.name]
-        if len(own) >= (MAX_SESSIONS if self._lasting else MAX_SESSIONS_OF_USER):
-            self.end(min(own, key=lambda each: (self._lasting and each.has_sockets, each.began)))
+        own_sessions = [session for session in self._open.values() if session.user.name == user.name]
+        if len(own_sessions) >= (MAX_SESSIONS if self._lasting else MAX_SESSIONS_OF_USER):
+            self.end(min(own_sessions, key=lambda session: (self._lasting and session.has_sockets, session.began)))
         if len(self._open) >= MAX_SESSIONS:
             return None
         session = Session(user, address, began=now, seen=now)

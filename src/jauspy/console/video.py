@@ -350,8 +350,8 @@ class SharedCamera:
             parameters = next((nal for nal in picture.nals if nal_type(nal) == SPS), b"")
             self._codec = f"avc1.{parameters[1:4].hex()}" if len(parameters) > 3 else self._codec
         taken = self.camera.taken(picture)
-        at = math.nan if taken is None else 1e3 * taken.timestamp()
-        data = _HEADER.pack(picture.is_idr, picture.timestamp * 1e6 / CLOCK_RATE, at) + join_nals(picture.nals)
+        taken_ms = math.nan if taken is None else 1e3 * taken.timestamp()
+        data = _HEADER.pack(picture.is_idr, picture.timestamp * 1e6 / CLOCK_RATE, taken_ms) + join_nals(picture.nals)
         for watcher in self._watchers:
             watcher.put(picture, data, self._codec)
         if self.recording is not None:

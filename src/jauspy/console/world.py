@@ -289,9 +289,9 @@ class World:
     def _take_pose(self, report: Message) -> None:
         assert isinstance(report, ReportLocalPose)
         self.pose, self.pose_time = pose_of(report, datetime.now(UTC)), asyncio.get_running_loop().time()
-        here = (self.pose.x, self.pose.y)
-        if not self.track or math.dist(here, self.track[-1]) >= TRACK_STEP:
-            self.track.append(here)
+        place = (self.pose.x, self.pose.y)
+        if not self.track or math.dist(place, self.track[-1]) >= TRACK_STEP:
+            self.track.append(place)
             self.track_total += 1
 
     async def _follow_joints(self, component: ComponentInfo) -> None:
@@ -465,7 +465,9 @@ def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
             continue  # what the robot reports is shown
         if joints <= set(model.description.joints):
             groups = model.groups.values()
-            start = {joint: at for group in groups for joint, at in zip(group.joints, group.start, strict=True)}
+            start = {
+                joint: position for group in groups for joint, position in zip(group.joints, group.start, strict=True)
+            }
             addresses = [cloud.address for cloud in config.clouds]
             return _Known(model.description, f"description of {printable(file)}", start, addresses, model.cell)
     return None
@@ -503,7 +505,11 @@ def _cloud_bytes(points: bytes, values: int, frame: str) -> bytes:
     size = 4 * values
     count = len(points) // size
     step = max(1, math.ceil(count / MAX_CLOUD))
-    kept = b"".join(points[at : at + size] for at in range(0, count * size, step * size)) if step > 1 else points
+    kept = (
+        b"".join(points[offset : offset + size] for offset in range(0, count * size, step * size))
+        if step > 1
+        else points
+    )
     name = frame.encode()[:1000]
     name += b" " * (-len(name) % 4)
     return _CLOUD_HEADER.pack(CLOUD, values, len(name), len(kept) // size) + name + kept

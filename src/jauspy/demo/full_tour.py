@@ -159,10 +159,12 @@ class HoldoutMapper(Mapper):
         used, pose = len(self.path), super().add(odometry, lidar, angles, ranges)
         self.scans += 1
         if len(self.path) == used:
-            at, far = np.asarray(angles), np.asarray(ranges)
+            bearings, far = np.asarray(angles), np.asarray(ranges)
             echoes = (far > 0.0) & (far < MAX_RANGE)
-            at, far = at[echoes], far[echoes]
-            self.others.append(transformed(pose @ lidar, np.column_stack([far * np.cos(at), far * np.sin(at)])))
+            bearings, far = bearings[echoes], far[echoes]
+            self.others.append(
+                transformed(pose @ lidar, np.column_stack([far * np.cos(bearings), far * np.sin(bearings)]))
+            )
         return pose
 
     def agreement(self) -> float:
@@ -228,14 +230,16 @@ MIN_HALF_RANGE: Final = 2.5
 def plot_joints(state: DemoState, file: Path) -> None:
     """Plot joint positions and commands as PNG, in degrees."""
     times, positions = zip(*state.positions, strict=True)
-    at, commands = zip(*state.commands, strict=True)
-    began, end = at[0] - 1.0, times[-1]
+    moments, commands = zip(*state.commands, strict=True)
+    began, end = moments[0] - 1.0, times[-1]
     phases = [(moment, text) for moment, text in state.phases if moment >= began]
     figure = Figure(figsize=(11, 9), layout="constrained")
     axes = figure.subplots(len(JOINT_NAMES), 1, sharex=True)
     for joint, (axis, name) in enumerate(zip(axes, JOINT_NAMES, strict=True)):
         commanded = [math.degrees(command[joint]) for command in commands]
-        axis.step([*at, end], [*commanded, commanded[-1]], where="post", color="0.45", linestyle="--", linewidth=1.2)
+        axis.step(
+            [*moments, end], [*commanded, commanded[-1]], where="post", color="0.45", linestyle="--", linewidth=1.2
+        )
         axis.plot(times, [math.degrees(position[joint]) for position in positions], color="C0", linewidth=1.6)
         axis.set_ylabel(f"{name}\ndegrees")
         axis.grid(alpha=0.3)

@@ -203,8 +203,8 @@ class Arm:
             if speed is not None:
                 raise ConfigError("give `speed` or `duration`, not both")
             check_number(duration, "duration")
-            here = await reported(self._connection, self.info)
-            speed, timeout = speeds_for(await self.motion_limits(), here, values, duration), timeout + duration
+            present = await reported(self._connection, self.info)
+            speed, timeout = speeds_for(await self.motion_limits(), present, values, duration), timeout + duration
         async with self._stopping(), self._limited(speed):
             try:
                 await perform(self._connection, self.info.id, await self._message(values), timeout)

@@ -88,9 +88,9 @@ class _PendingCommand:
                 events.add(message.event_id)
             elif isinstance(message, CommandEvent):
                 results[message.event_id] = message
-            own = results.keys() & events
-            if own and not waiter.reply.done():
-                waiter.reply.set_result((results[min(own)], source))
+            own_events = results.keys() & events
+            if own_events and not waiter.reply.done():
+                waiter.reply.set_result((results[min(own_events)], source))
 
         waiting = connection.replies.waiting(id)  # takes no message by itself; ends when the OCU is closed
         listening = connection.replies.listening(id, on_message, ConfirmEventRequest, CommandEvent)

@@ -302,9 +302,9 @@ class Connection:
         Raises `ConfigError` when the service, or the message in it, is not known.
         """
         check_text(name, "a message's name")
-        for service, of in ((urn, version), *_list_driver(urn, version), (urn, None)):
+        for service, known_version in ((urn, version), *_list_driver(urn, version), (urn, None)):
             with suppress(ConfigError):
-                return self.registry.by_name(name, service=service, version=of)
+                return self.registry.by_name(name, service=service, version=known_version)
         if any(entry.service == urn for entry in self.registry.entries):
             raise ConfigError(f"{urn.removeprefix('urn:jaus:jss:')} has no message {name}")
         raise ConfigError(f"no definition of {urn} is known; pass it: OCU(registry=jauspy.load(FILE))")

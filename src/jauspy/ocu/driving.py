@@ -194,8 +194,8 @@ class Driving:
         await check_ready(self._connection, driver.id)
         goal = PlanarPose(x, y, yaw or 0.0)
         if frame == "robot":
-            here = await self.pose()
-            goal = PlanarPose(here.x, here.y, here.yaw) @ goal
+            pose = await self.pose()
+            goal = PlanarPose(pose.x, pose.y, pose.yaw) @ goal
         waypoint = SetLocalWaypoint(
             x=goal.x,
             y=-goal.y,

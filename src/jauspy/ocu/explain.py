@@ -159,15 +159,15 @@ async def _wrong_values(connection: Connection, id: JausID, command: Message, re
 async def _wrong_joints(connection: Connection, id: JausID, command: Message, retry: RetryPolicy) -> str:
     report = await connection.query(id, QueryJointPositions(), expects=ReportJointPositions, retry=retry)
     assert isinstance(report, ReportJointPositions)
-    own = [int(position.joint_position.choice) for position in report.joint_position_list]
+    joint_kinds = [int(position.joint_position.choice) for position in report.joint_position_list]
     given: list[Any] = getattr(command, _JOINT_LISTS[command.NAME])
-    if len(given) != len(own):
+    if len(given) != len(joint_kinds):
         return (
-            f"{id} ignores {command.NAME}: it has {len(own)} joint{'s' * (len(own) != 1)}, and the message has "
-            f"{len(given)}; give one value for each, base to tip"
+            f"{id} ignores {command.NAME}: it has {len(joint_kinds)} joint{'s' * (len(joint_kinds) != 1)}, "
+            f"and the message has {len(given)}; give one value for each, base to tip"
         )
     field = _LISTS_WITH_TYPES.get(command.NAME)
-    for number, (pair, kind) in enumerate(zip(given, own, strict=True), 1):
+    for number, (pair, kind) in enumerate(zip(given, joint_kinds, strict=True), 1):
         if field is not None and int(getattr(pair, field).choice) != kind:
             right, wrong = ("an angle", "a distance") if kind == 1 else ("a distance", "an angle")
             return f"{id} ignores {command.NAME}: joint {number} takes {right}, and the message has {wrong}"

@@ -149,7 +149,7 @@ class RobotFrames:
 
     def _start_positions(self) -> dict[str, float]:
         groups = self._model.groups.values()
-        return {joint: at for group in groups for joint, at in zip(group.joints, group.start, strict=True)}
+        return {joint: position for group in groups for joint, position in zip(group.joints, group.start, strict=True)}
 
     async def _base(self) -> Transform:
         sensor = self._robot.service("mobility:LocalPoseSensor")

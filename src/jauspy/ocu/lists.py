@@ -435,7 +435,7 @@ class ListClient:
                 make(number),
                 ConfirmElementRequest,
                 RejectElementRequest,
-                accept=lambda each: getattr(each, "request_id", None) == number,
+                accept=lambda answer: getattr(answer, "request_id", None) == number,
             )
         except ResponseTimeout as error:
             raise ResponseTimeout(

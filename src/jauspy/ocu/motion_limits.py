@@ -73,10 +73,10 @@ def speeds_for(
 ) -> dict[str, float]:
     """The speed of each joint with which its motion takes `duration` seconds."""
     speeds = dict[str, float]()
-    for (name, limit), here, there in zip(limits.items(), start, end, strict=True):
-        speed = limit.speed_for(there - here, duration)
+    for (name, limit), first, last in zip(limits.items(), start, end, strict=True):
+        speed = limit.speed_for(last - first, duration)
         if speed is None:
-            least = limit.least_duration(there - here)
+            least = limit.least_duration(last - first)
             raise ConfigError(f"{name} needs at least {least:.2f} s for its way, and not {duration:g} s")
         speeds[name] = max(speed, MIN_SPEED)
     return speeds

@@ -164,7 +164,7 @@ async def request_event(
         request,
         ConfirmEventRequest,
         RejectEventRequest,
-        accept=lambda each: getattr(each, "request_id", None) == request.request_id,
+        accept=lambda answer: getattr(answer, "request_id", None) == request.request_id,
         retry=retry,
     )
     if isinstance(answer, RejectEventRequest):
@@ -471,9 +471,9 @@ class Subscription(Generic[R]):
 
     def _abandon(self) -> None:
         """End without waiting; an event of unconfirmed reports may be this one, so it is cancelled, too."""
-        own, unconfirmed = self._detach(), {subscription.event_id for subscription in self._unconfirmed}
+        event_id, unconfirmed = self._detach(), {subscription.event_id for subscription in self._unconfirmed}
         with suppress(JausError):  # not open, or too many messages under way: the event ends by its timeout
-            for event in unconfirmed if own is None else (own,):
+            for event in unconfirmed if event_id is None else (event_id,):
                 if not self._connection.events.is_used(self.request.id, event):
                     cancel_event(self._connection, self.request.id, event)
 

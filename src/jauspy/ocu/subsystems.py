@@ -232,7 +232,9 @@ class SubsystemTree:
         )
 
     def _subsystem(self, number: int, components: list[ComponentInfo]) -> SubsystemInfo:
-        nodes = tuple(self._node(node, tuple(own)) for node, own in groupby(components, key=attrgetter("id.node")))
+        nodes = tuple(
+            self._node(node, tuple(members)) for node, members in groupby(components, key=attrgetter("id.node"))
+        )
         return SubsystemInfo(number, *self._name(Level.SUBSYSTEM, components[0].id), nodes)
 
     def _node(self, number: int, components: tuple[ComponentInfo, ...]) -> NodeInfo:

@@ -128,9 +128,9 @@ def _layered_points(scan: RangeScan) -> bytes:
 
     image = scan.image()
     layers, columns = np.nonzero(np.isfinite(image))
-    far, up, at = image[layers, columns], np.array(scan.inclinations)[layers], np.array(scan.angles)[columns]
+    far, up, bearing = image[layers, columns], np.array(scan.inclinations)[layers], np.array(scan.angles)[columns]
     level = far * np.cos(up)
-    ends = np.stack([level * np.cos(at), level * np.sin(at), far * np.sin(up)], axis=1)
+    ends = np.stack([level * np.cos(bearing), level * np.sin(bearing), far * np.sin(up)], axis=1)
     return ends.astype("<f4").tobytes()
 
 

@@ -151,8 +151,8 @@ def with_place(error: ConfigError, file: str) -> ConfigError:
 
 
 def _robot_model(config: RobotConfig) -> RobotModel:
-    own = (Path(config.file).parent,) if config.file else ()
-    packages = PackagePaths(tuple(map(Path, config.package_path)), own=own)
+    own_folder = (Path(config.file).parent,) if config.file else ()
+    packages = PackagePaths(tuple(map(Path, config.package_path)), own=own_folder)
     policy = MissingPolicy(config.skip_missing_packages, config.placeholder_meshes)
     description = read_urdf(config.urdf, packages, config.xacro_arguments, policy)
     description = _with_limits(description, config.joint_limits)

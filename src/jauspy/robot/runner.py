@@ -71,7 +71,7 @@ class RunningModules:
     @property
     def open(self) -> tuple[tuple[Component, ModuleConfig], ...]:
         """The components that are open, with their modules, in the order of the configuration."""
-        return tuple((self._components[at], self._modules[at]) for at in sorted(self._components))
+        return tuple((self._components[index], self._modules[index]) for index in sorted(self._components))
 
     def hosts(self) -> list[Host]:
         """The hosts of the components that are open."""
@@ -79,9 +79,9 @@ class RunningModules:
 
     async def start(self) -> None:
         """Open the components of the modules that are present. Raises `TransportError` if one cannot be opened."""
-        for at, module in enumerate(self._modules):
+        for index, module in enumerate(self._modules):
             if self._is_present(module):
-                await self._open(at)
+                await self._open(index)
 
     async def follow(self) -> None:
         """Open and close components as modules appear and disappear, until cancelled."""
@@ -92,22 +92,22 @@ class RunningModules:
     async def update(self) -> None:
         """Open and close components once; one that cannot be opened is logged, and tried again later."""
         now = asyncio.get_running_loop().time()
-        for at, module in enumerate(self._modules):
-            present, component = self._is_present(module), self._components.get(at)
+        for index, module in enumerate(self._modules):
+            present, component = self._is_present(module), self._components.get(index)
             if component is not None and not present:
-                await self._close(at)
-            elif component is None and present and now - self._tried.get(at, -RETRY_DELAY) >= RETRY_DELAY:
+                await self._close(index)
+            elif component is None and present and now - self._tried.get(index, -RETRY_DELAY) >= RETRY_DELAY:
                 await asyncio.sleep(0)  # making one takes 20 ms, and others may wait for the event loop
                 try:
-                    await self._open(at)
+                    await self._open(index)
                 except TransportError as error:
-                    self._tried[at] = now
+                    self._tried[index] = now
                     _LOG.warning("%s %s cannot be opened: %s", module.type, module.part or "", error)
 
     async def close(self) -> None:
         """Close all components, the last one first. May be called twice."""
-        for at in sorted(self._components, reverse=True):
-            await self._close(at)
+        for index in sorted(self._components, reverse=True):
+            await self._close(index)
 
     async def _open(self, at: int) -> None:
         component = self._make(self._modules[at])

@@ -107,7 +107,7 @@ def _settle(root: Element, missing: MissingParts, tell: Callable[[str], None]) -
 
 def _placed(error: ConfigError, path: str) -> ConfigError:
     """The error with the path of the file in front, once."""
-    text, own = str(error), f"{Path(path).name}:"
+    text, own_prefix = str(error), f"{Path(path).name}:"
     if text.startswith("urdf: "):
         return error
-    return ConfigError(f"urdf: {path}" + (text[len(own) - 1 :] if text.startswith(own) else f": {text}"))
+    return ConfigError(f"urdf: {path}" + (text[len(own_prefix) - 1 :] if text.startswith(own_prefix) else f": {text}"))

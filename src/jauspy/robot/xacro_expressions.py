@@ -200,8 +200,8 @@ class Evaluator:
                 return _sequence(value(holder))[value(lower) : value(upper) : value(step)]
             case ast.Subscript(value=holder, slice=key):
                 found = value(holder)
-                at = value(key)
-                return self.bounded(_item(found, at) if isinstance(found, dict) else _sequence(found)[at])
+                index = value(key)
+                return self.bounded(_item(found, index) if isinstance(found, dict) else _sequence(found)[index])
             case ast.List(elts=parts) | ast.Tuple(elts=parts):
                 return self.bounded([value(part) for part in parts])
             case ast.Dict(keys=keys, values=parts) if None not in keys:

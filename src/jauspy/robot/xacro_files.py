@@ -150,8 +150,10 @@ def _text(evaluate: Callable[..., object], costs: Costs, text: str, symbols: obj
 
 def _among_siblings(change: Callable[..., None], costs: Costs, node: minidom.Element, **how: Any) -> None:
     """Replace an element, or remove comments; each is searched among its siblings."""
-    by = how.get("by")
-    inserted = [element for element in (by if isinstance(by, list) else [by]) if element is not None]
+    separator = how.get("by")
+    inserted = [
+        element for element in (separator if isinstance(separator, list) else [separator]) if element is not None
+    ]
     times = 1 + sum(len(element.childNodes) for element in inserted)
     costs.add(STEPS, times * len(node.parentNode.childNodes) if node.parentNode else 1)
     change(node, **how)

@@ -270,11 +270,11 @@ class SendQueue:
         raise IndexError("the queue is empty")
 
     def _resize(self, count: int, size: int) -> None:
-        by = size + count * DATAGRAM_OVERHEAD
+        excess = size + count * DATAGRAM_OVERHEAD
         self._length += count
-        self.bytes += by
+        self.bytes += excess
         if self._memory is not None:
-            self._memory.resize(self, by)
+            self._memory.resize(self, excess)
 
 
 def _priority(datagram: bytes) -> int:

@@ -210,12 +210,12 @@ class Depacketiser:
 
 
 def _disaggregate(payload: bytes) -> list[bytes]:
-    found, at = [], 1
-    while at < len(payload):
-        length = int.from_bytes(payload[at : at + 2], "big")
-        unit = payload[at + 2 : at + 2 + length]
+    found, offset = [], 1
+    while offset < len(payload):
+        length = int.from_bytes(payload[offset : offset + 2], "big")
+        unit = payload[offset + 2 : offset + 2 + length]
         if not unit or len(unit) < length:
             raise ProtocolError("payload", "units that do not add up")
         found.append(unit)
-        at += 2 + length
+        offset += 2 + length
     return found

@@ -165,11 +165,11 @@ class _Lens:
         needed = max(float(np.abs(straight[..., 0]).max()), float(np.abs(straight[..., 1]).max()) * width / height)
         spread = min(needed, MAX_SPREAD)
         source = (straight * (width / 2.0 / spread) + middle).astype(np.float32)
-        across, down = cv2.convertMaps(source[..., 0], source[..., 1], cv2.CV_16SC2)
+        columns, down = cv2.convertMaps(source[..., 0], source[..., 1], cv2.CV_16SC2)
         return _Lens(
             2.0 * math.atan(spread),
             lambda image: np.asarray(
-                cv2.remap(image, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE), np.uint8
+                cv2.remap(image, columns, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE), np.uint8
             ),
         )
 

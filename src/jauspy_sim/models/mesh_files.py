@@ -276,8 +276,8 @@ def _of_obj(data: bytes) -> MeshPart:
                 faces += [(polygon[0], *pair) for pair in pairwise(polygon[1:])]
     if not rows:
         raise ValueError("it has no faces")
-    at, texture_at, normal_at = np.array(rows).T
-    vertices = np.array(points, np.float64)[at]
+    position_at, texture_at, normal_at = np.array(rows).T
+    vertices = np.array(points, np.float64)[position_at]
     if vertices.shape[1] != 3:
         raise ValueError("a vertex has not three numbers")
     texcoords = np.array(coordinates, np.float64)[texture_at] if (texture_at >= 0).all() else None

@@ -273,8 +273,8 @@ class ShapeBuilder:
             geom.material = self.material(look, cube=cube)
 
     def _paint_part(self, geom: mujoco.MjsGeom, look: Look, part: MeshPart) -> None:
-        own = part.texture is not None or part.colour is not None
-        if look.yields and own:
+        has_own_look = part.texture is not None or part.colour is not None
+        if look.yields and has_own_look:
             look = PLAIN
         if look.texture is not None and part.texcoords is not None:
             geom.material = self.material(look)

@@ -103,15 +103,15 @@ def _slabs(vertices: Points, faces: NDArray[np.int32]) -> Iterator[Points]:
         if used[number]:
             continue
         used[number] = True
-        candidates = [(beside.get((face[(at + 1) % 3], face[at])), at) for at in range(3)]
+        candidates = [(beside.get((face[(edge + 1) % 3], face[edge])), edge) for edge in range(3)]
         flat = [
-            (other, at)
-            for other, at in candidates
+            (other, edge)
+            for other, edge in candidates
             if other is not None and not used[other] and normals[other] @ normals[number] > 0.9999
         ]
         outline = face
-        for other, at in flat:
-            if (wider := _with_neighbour(vertices, faces[other].tolist(), face, at, normals[number])) is not None:
+        for other, edge in flat:
+            if (wider := _with_neighbour(vertices, faces[other].tolist(), face, edge, normals[number])) is not None:
                 outline, used[other] = wider, True
                 break
         corners = vertices[outline]

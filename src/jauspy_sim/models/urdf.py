@@ -161,8 +161,8 @@ class _Reader:
         if element is None:
             return Look()
         named = self._materials.get(str(element.get("name")), _Material(None, None))
-        own = self._material_of(element)
-        return Look(own.colour or named.colour, own.texture or named.texture, yields=True)
+        own_material = self._material_of(element)
+        return Look(own_material.colour or named.colour, own_material.texture or named.texture, yields=True)
 
     @staticmethod
     def _material_of(element: Element) -> _Material:

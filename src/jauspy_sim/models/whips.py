@@ -102,9 +102,9 @@ class Whips:
     def _across(self, ways: Floats) -> Floats:
         """The part of the swing across the antennas, bounded."""
         units = ways / self._lengths
-        across = self._swing - (self._swing * units).sum(axis=1)[:, None] * units
-        far = np.linalg.norm(across, axis=1)[:, None]
-        return np.asarray(across * np.minimum(1.0, MAX_SWING * self._lengths / np.maximum(far, 1e-9)))
+        swing = self._swing - (self._swing * units).sum(axis=1)[:, None] * units
+        far = np.linalg.norm(swing, axis=1)[:, None]
+        return np.asarray(swing * np.minimum(1.0, MAX_SWING * self._lengths / np.maximum(far, 1e-9)))
 
 
 def _applied(rotations: Floats, vectors: Floats) -> Floats:

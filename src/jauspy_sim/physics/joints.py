@@ -83,9 +83,11 @@ class SimulatedJoints:
     def state(self) -> JointState:
         """Positions, velocities and efforts after the last step."""
         return JointState(
-            tuple([self._qpos[at] for at in self._positions]),
-            tuple([self._qvel[at] for at in self._dofs]),
-            tuple([self._ctrl[at] + brake.torque for at, brake in zip(self._motors, self._brakes, strict=True)]),
+            tuple([self._qpos[address] for address in self._positions]),
+            tuple([self._qvel[address] for address in self._dofs]),
+            tuple(
+                [self._ctrl[address] + brake.torque for address, brake in zip(self._motors, self._brakes, strict=True)]
+            ),
             self._overloads(),
         )
 
@@ -101,10 +103,10 @@ class SimulatedJoints:
             needed = bias[dof] + load[dof]
             for multiplier, follower in followers:
                 needed += multiplier * bias[follower]
-            at, velocity = qpos[position], qvel[dof]
-            effort = controller.effort(at, velocity, dt, needed)
+            value, velocity = qpos[position], qvel[dof]
+            effort = controller.effort(value, velocity, dt, needed)
             if brake.watches or not -brake.saturation < effort < brake.saturation:
-                effort = brake.effort(controller, at, velocity, effort, needed)
+                effort = brake.effort(controller, value, velocity, effort, needed)
             ctrl[motor] = effort
 
 

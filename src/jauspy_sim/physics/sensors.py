@@ -122,8 +122,8 @@ class SimulatedLidar(Scanner):
 
     def _unit_vectors(self) -> NDArray[np.float64]:
         """Shape (layers * angles, 3): in the link's frame, layer by layer."""
-        up, at = np.meshgrid(np.array(self._inclinations), np.array(self._angles), indexing="ij")
-        rays = np.stack([np.cos(up) * np.cos(at), np.cos(up) * np.sin(at), np.sin(up)], axis=-1)
+        up, bearing = np.meshgrid(np.array(self._inclinations), np.array(self._angles), indexing="ij")
+        rays = np.stack([np.cos(up) * np.cos(bearing), np.cos(up) * np.sin(bearing), np.sin(up)], axis=-1)
         return np.ascontiguousarray(rays.reshape(-1, 3))
 
 

@@ -76,22 +76,22 @@ class Belts:
             if (belts := known.get(pair)) is None:
                 belts = known[pair] = self._learn(pair, row)
             for belt in belts:
-                own = belt.column + (row * nv if starts is None else starts[row])
-                push = jacobian[own]
+                column = belt.column + (row * nv if starts is None else starts[row])
+                push = jacobian[column]
                 pushed += push * push
-                found.append((contact, row, own, belt))
+                found.append((contact, row, column, belt))
         if pushed < ALONG_THE_TRACK**2:
             return
-        across = (contacts.frame.reshape(-1, 3, 3) @ (self._frame @ self._lateral)).tolist()
+        lateral = (contacts.frame.reshape(-1, 3, 3) @ (self._frame @ self._lateral)).tolist()
         reference, stiffness, qvel = view(data.efc_aref), view(data.efc_KBIP[:, 1]), self._qvel
-        for contact, row, own, (dof, _, length, internal) in found:
+        for contact, row, column, (dof, _, length, internal) in found:
             speed = qvel[dof]
-            _, first, second = across[contact]
+            _, first, second = lateral[contact]
             # along a x n for an axis a and a normal n, of tangents t and n x t: t (a x n) = a (n x t)
-            along = (0.0, 0.0, 0.0) if internal else (0.0, second, -first)
-            for line, after in enumerate(along):
-                at, place = row + line, own + line * length
-                reference[at] -= stiffness[at] * (after - jacobian[place]) * speed
+            longitudinal = (0.0, 0.0, 0.0) if internal else (0.0, second, -first)
+            for line, after in enumerate(longitudinal):
+                target, place = row + line, column + line * length
+                reference[target] -= stiffness[target] * (after - jacobian[place]) * speed
                 jacobian[place] = after
 
     def _learn(self, geoms: tuple[int, int], row: int) -> tuple[_Belt, ...]:

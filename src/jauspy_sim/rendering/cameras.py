@@ -259,8 +259,8 @@ def _in_size(
     rows, columns = distances.shape
     if (rows, columns) == (height, width):
         return image, distances
-    down, across = np.arange(height) * rows // height, np.arange(width) * columns // width
-    return np.ascontiguousarray(image[down][:, across]), np.ascontiguousarray(distances[down][:, across])
+    down, column_of = np.arange(height) * rows // height, np.arange(width) * columns // width
+    return np.ascontiguousarray(image[down][:, column_of]), np.ascontiguousarray(distances[down][:, column_of])
 
 
 def _renderer(camera: SimulatedCamera) -> tuple[Renderer, mujoco.MjModel]:

@@ -171,7 +171,7 @@ def _frame(ahead: Floats, normal: Floats) -> Floats:
 def _put(model: mujoco.MjModel, data: mujoco.MjData, geoms: slice, positions: Floats, frames: Floats) -> None:
     """Place meshes, whose own frames MuJoCo has turned to their axes of inertia."""
     data.geom_xpos[geoms] = positions + (frames @ model.geom_pos[geoms][:, :, None])[:, :, 0]
-    own = np.empty((geoms.stop - geoms.start, 9))
-    for row, quaternion in zip(own, model.geom_quat[geoms], strict=True):
+    own_frames = np.empty((geoms.stop - geoms.start, 9))
+    for row, quaternion in zip(own_frames, model.geom_quat[geoms], strict=True):
         mujoco.mju_quat2Mat(row, quaternion)
-    data.geom_xmat[geoms] = (frames @ own.reshape(-1, 3, 3)).reshape(-1, 9)
+    data.geom_xmat[geoms] = (frames @ own_frames.reshape(-1, 3, 3)).reshape(-1, 9)

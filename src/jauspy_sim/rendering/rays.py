@@ -63,8 +63,8 @@ class RayRenderer:
         dots, _ = self._cast(data, self._rays(columns, rows), self._dot(columns))
         dots = dots.reshape(rows, columns, 3)
         down = np.arange(height) * rows // height
-        across = np.arange(width) * columns // width
-        return np.ascontiguousarray(dots[down][:, across])
+        column_of = np.arange(width) * columns // width
+        return np.ascontiguousarray(dots[down][:, column_of])
 
     def measure(
         self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False
@@ -73,8 +73,8 @@ class RayRenderer:
         columns, rows = _grid_size(width, height, MAX_RAYS_OF_STILL if thoroughly else MAX_RAYS)
         rays = self._rays(columns, rows)
         dots, far = self._cast(data, rays, self._dot(columns))
-        along = (far * -rays[:, 2]).astype(np.float32)
-        return dots.reshape(rows, columns, 3), along.reshape(rows, columns)
+        depth = (far * -rays[:, 2]).astype(np.float32)
+        return dots.reshape(rows, columns, 3), depth.reshape(rows, columns)
 
     def depths_from(
         self,
@@ -158,10 +158,12 @@ class SkyBox:
         axis, most = sizes.argmax(axis=1), sizes.max(axis=1)
         positive = np.take_along_axis(directions, axis[:, None], axis=1)[:, 0] > 0.0
         face = np.choose(axis, [0, 5, 2]) + np.choose(axis, [1, -1, 1]) * ~positive
-        across = np.choose(face, [y, -y, x, x, x, -x]) / most
+        horizontal = np.choose(face, [y, -y, x, x, x, -x]) / most
         down = np.choose(face, [-z, -z, -y, y, -z, -z]) / most
         size = self._faces.shape[1]
-        column, row = (np.minimum(((part + 1.0) / 2.0 * size).astype(np.int64), size - 1) for part in (across, down))
+        column, row = (
+            np.minimum(((part + 1.0) / 2.0 * size).astype(np.int64), size - 1) for part in (horizontal, down)
+        )
         seen: NDArray[np.float64] = self._faces[face, row, column].astype(np.float64)
         return seen
 
@@ -192,20 +194,20 @@ class Shading:
         """Colours of shapes at points of the world; a pattern finer than a dot is averaged."""
         colours: NDArray[np.float64] = self._base_colour[hit]
         for geom, pattern in self._patterns.items():
-            on = hit == geom
-            local = (points[on] - data.geom_xpos[geom]) @ data.geom_xmat[geom].reshape(3, 3)
+            struck = hit == geom
+            local = (points[struck] - data.geom_xpos[geom]) @ data.geom_xmat[geom].reshape(3, 3)
             size = np.array(pattern.shape[:2])
-            at = np.floor(local[:, 1::-1] / [-PATTERN_PERIOD, PATTERN_PERIOD] % 1.0 * size).astype(np.int64) % size
-            blur = np.clip(2.0 * widths[on] / PATTERN_PERIOD, 0.0, 1.0)[:, None]
-            colours[on] *= (1.0 - blur) * pattern[at[:, 0], at[:, 1]] + blur * pattern.mean(axis=(0, 1))
+            texel = np.floor(local[:, 1::-1] / [-PATTERN_PERIOD, PATTERN_PERIOD] % 1.0 * size).astype(np.int64) % size
+            blur = np.clip(2.0 * widths[struck] / PATTERN_PERIOD, 0.0, 1.0)[:, None]
+            colours[struck] *= (1.0 - blur) * pattern[texel[:, 0], texel[:, 1]] + blur * pattern.mean(axis=(0, 1))
         return colours
 
     def light(
         self, data: mujoco.MjData, facing: NDArray[np.float64], normals: NDArray[np.float64]
     ) -> NDArray[np.float64]:
         """Light (red, green, blue) on surfaces; `facing` is the cosine of the angle to the camera."""
-        model, own = self._model, self._model.vis.headlight
-        light = np.asarray(own.ambient) + facing[:, None] * np.asarray(own.diffuse)
+        model, headlight = self._model, self._model.vis.headlight
+        light = np.asarray(headlight.ambient) + facing[:, None] * np.asarray(headlight.diffuse)
         for number in np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL):
             sun = np.clip(-(normals @ data.light_xdir[number]), 0.0, 1.0)[:, None]
             light = light + model.light_ambient[number] + sun * model.light_diffuse[number]

@@ -75,15 +75,15 @@ class SunShadow:
         direction = data.light_xdir[self._sun]
         rotation = axes_along(direction)
         centre = data.cam_xpos[camera] - AHEAD * axes[:, 2]
-        at = centre - AWAY * direction
-        depths = self._seen(data, at, rotation, source)
+        eye = centre - AWAY * direction
+        depths = self._seen(data, eye, rotation, source)
         if depths is None:
             return 1.0
         size = distances.shape[::-1]
         surface = Surface(np.ascontiguousarray(distances[::2, ::2]) if coarse else distances, spread)
         to_camera = axes.T * np.array([[1.0], [1.0], [-1.0]])
         turned = (to_camera @ rotation).astype(np.float32)
-        ahead, left, up = surface.seen_from((to_camera @ (at - data.cam_xpos[camera])).astype(np.float32), turned)
+        ahead, left, up = surface.seen_from((to_camera @ (eye - data.cam_xpos[camera])).astype(np.float32), turned)
         facing = surface.facing(turned[:, 0])
         pixels = depths.shape[0]
         scale, middle = np.float32(pixels / 2.0 / RADIUS), np.float32((pixels - 1) / 2.0)

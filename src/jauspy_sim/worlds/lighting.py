@@ -91,7 +91,7 @@ def draw_floors_as_meshes(spec: mujoco.MjSpec) -> None:
     count = len(steps)
     first = (np.arange(count - 1)[:, None] * count + np.arange(count - 1)).ravel()
     corners = (first, first + 1, first + count + 1, first + count)
-    faces = np.stack([corners[at] for at in (0, 1, 2, 0, 2, 3)], axis=1)
+    faces = np.stack([corners[corner] for corner in (0, 1, 2, 0, 2, 3)], axis=1)
     for geom in list(spec.geoms):
         if geom.type != mujoco.mjtGeom.mjGEOM_PLANE or geom.size[:2].any() or geom.group >= COLLISION:
             continue
@@ -114,10 +114,10 @@ def _with_own_coordinates(spec: mujoco.MjSpec, name: str) -> str:
     """The material without `texuniform`, with which MuJoCo multiplies the texture coordinates of a mesh by its size."""
     if not name or not spec.material(name).texuniform:
         return name
-    found, own = spec.material(name), f"{name} of the floor"
-    if spec.material(own) is None:
+    found, floor_name = spec.material(name), f"{name} of the floor"
+    if spec.material(floor_name) is None:
         spec.add_material(
-            name=own,
+            name=floor_name,
             textures=found.textures,
             rgba=found.rgba,
             texrepeat=found.texrepeat,
@@ -126,4 +126,4 @@ def _with_own_coordinates(spec: mujoco.MjSpec, name: str) -> str:
             shininess=found.shininess,
             reflectance=0.0,
         )
-    return own
+    return floor_name

@@ -147,7 +147,7 @@ def sdf_of_model(folder: Path) -> Path:
             raise ConfigError(f"{config}:{error.lineno}: is not XML: {error.msg}") from error
         named = [(element.get("version", "0"), (element.text or "").strip()) for element in root.findall("sdf")]
         files = [(version, folder / name) for version, name in named if name and "/" not in name]
-        found = [path for _, path in sorted(files, key=lambda each: _version(each[0])) if path.is_file()]
+        found = [path for _, path in sorted(files, key=lambda file: _version(file[0])) if path.is_file()]
         if found:
             return found[-1]
     if not (folder / "model.sdf").is_file():

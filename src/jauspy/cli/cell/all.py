@@ -108,7 +108,7 @@ def _trials(task: str, count: int, need: float, jobs: int | None, out: Path) -> 
 
     console.note(f"{count} runs of {task}")
     results = run_trials(task, range(count), jobs=jobs)
-    found = sorted(with_progress(task, count, results), key=lambda each: each.seed)
+    found = sorted(with_progress(task, count, results), key=lambda run: run.seed)
     (out / f"trials-{task}.json").write_text(json.dumps([asdict(run) for run in found], indent=1))
     summary = summarised(found)
     plot = out / f"trials-{task}.svg"

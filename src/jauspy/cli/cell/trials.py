@@ -72,7 +72,7 @@ def trials(
     for run in with_progress(task, seeds, results):
         found.append(run)
         path.write_text(json.dumps([asdict(every) for every in found], indent=1))
-    found.sort(key=lambda each: each.seed)
+    found.sort(key=lambda run: run.seed)
     summary = summarised(found)
     path.write_text(json.dumps([asdict(run) for run in found], indent=1))
     plot_trials(found, summary, out / f"trials-{task}.svg")

@@ -154,8 +154,10 @@ def package(
     beside = "" if source is None else FOLDER if source.is_dir() else source.name
     definitions = Schema(services=()) if source is None else load_own([source])
     stubs = make_stubs(definitions, [beside])
-    own = _OwnDefinitions(f"{name}.{MESSAGES}", {service.key for service in definitions.services}, stubs.names)
-    writer = _Writer(mine, line, core, own)
+    own_definitions = _OwnDefinitions(
+        f"{name}.{MESSAGES}", {service.key for service in definitions.services}, stubs.names
+    )
+    writer = _Writer(mine, line, core, own_definitions)
     whole = JausID(me.subsystem or 101, me.node or 1, me.component)  # the tests need an id even if it is assigned later
     urns = "".join(f"            {quote(service.id)},\n" for service in mine)
     files: dict[str, str | bytes] = {
@@ -212,10 +214,10 @@ class _Writer:
         """The source of the module."""
         classes = "\n\n".join(self._class(service) for service in reversed(self._mine))
         names = ", ".join(f"{self._names[service.id]}()" for service in self._mine)
-        own = self._imports.pop(self._own.module, None)
+        own_names = self._imports.pop(self._own.module, None)
         imports = "import jauspy\n" + "".join(starmap(_import, sorted(self._imports.items())))
-        if own is not None:
-            imports += "\n" + _import(self._own.module, own)
+        if own_names is not None:
+            imports += "\n" + _import(self._own.module, own_names)
         head = '"""Services of the component: fill in the methods."""\n\nfrom __future__ import annotations'
         return f"{head}\n\n{imports}\n\n{classes}{_SERVICES.format(names=names)}"
 
@@ -268,10 +270,10 @@ class _Writer:
     def _type(self, definition: Definition, name: str) -> str:
         line = self._line[self._line.index(definition) :]
         owner = next((service for service in line if any(m.name == name for m in service.messages)), definition)
-        own = self._own.messages.get(MessageKey(owner.id, owner.version, name))
-        if own is not None:
-            self._imports.setdefault(self._own.module, set()).add(own)
-            return own
+        own_name = self._own.messages.get(MessageKey(owner.id, owner.version, name))
+        if own_name is not None:
+            self._imports.setdefault(self._own.module, set()).add(own_name)
+            return own_name
         code = next(message.code for message in owner.messages if message.name == name)
         entry = next(
             entry

@@ -200,9 +200,11 @@ class Jsidl:
         state = _element("state", name=name)
         if self.states:
             state.set("initial_state", self.states[0])
-            for own in self.states:
+            for state_path in self.states:
                 state.append(
-                    _element("state", *(self._transition(c) for c in self.commands if c.start == own), name=own)
+                    _element(
+                        "state", *(self._transition(c) for c in self.commands if c.start == state_path), name=state_path
+                    )
                 )
         everywhere = [self._transition(command) for command in self.commands if not command.start]
         if self._is_events:

@@ -111,8 +111,8 @@ def first_file(description: RobotDescription, urdf: str, subsystem: int, extra: 
         number += 1
     for chain in chains:
         hand = chain.name.startswith("gripper")
-        own = "" if chain.name in ("arm", "gripper") else f'group = "{chain.name}"'
-        lines += _module("CM-EEF" if hand else "CM-MAN", number, f"moves the group {chain.name}", own)
+        group_key = "" if chain.name in ("arm", "gripper") else f'group = "{chain.name}"'
+        lines += _module("CM-EEF" if hand else "CM-MAN", number, f"moves the group {chain.name}", group_key)
         number += 1
     lidars, cameras = _sensors(description)
     if lidars:
@@ -359,11 +359,11 @@ class _Masses:
         """Masses, and how far their links are from the joint at most."""
         found, pending = [], [(link, reach)]
         while pending:
-            each, far = pending.pop()
-            found.append((self._mass[each], far + 0.05))
+            name, far = pending.pop()
+            found.append((self._mass[name], far + 0.05))
             pending += [
                 (joint.child, far + math.hypot(joint.origin.x, joint.origin.y, joint.origin.z))
-                for joint in self._below.get(each, [])
+                for joint in self._below.get(name, [])
             ]
         return found
 

@@ -94,10 +94,10 @@ def _builtin(name: str, version: str | None) -> Schema | None:
 def _lines(service: ServiceDiff) -> Iterator[Text]:
 
     if service.one is None or service.other is None:
-        there = service.one or service.other
-        assert there is not None
+        changed = service.one or service.other
+        assert changed is not None
         done = "removed" if service.other is None else "added"
-        yield Text(f"{_title(there)}: service {done}", style="red" if service.other is None else "green")
+        yield Text(f"{_title(changed)}: service {done}", style="red" if service.other is None else "green")
         return
     yield Text(f"{_title(service.one)} -> {_title(service.other)}", style="bold")
     for message in service.messages:

@@ -238,7 +238,11 @@ class ArmPanel:
     def _given_poses(self) -> dict[str, dict[str, float]]:
         """Poses of the file with a joint of this arm; a joint that it does not have is an error when it is to move."""
         joints = {joint.name for joint in self._joints}
-        return {name: to for name, to in self._console.poses.get(self._robot_name, {}).items() if joints & to.keys()}
+        return {
+            name: positions
+            for name, positions in self._console.poses.get(self._robot_name, {}).items()
+            if joints & positions.keys()
+        }
 
     def _add_go(self, name: str, positions: dict[str, float], shown: Pose | None = None) -> None:
         def go() -> None:

@@ -46,7 +46,7 @@ class TiltGuard:
         """Why the robot must stop in this attitude (x forward, y left, z up), as a sentence; empty if it need not."""
         limits = self._limits
         angles = (("pitch", pose.pitch, limits.pitch), ("roll", pose.roll, limits.roll))
-        name, angle, limit = max(angles, key=lambda each: abs(each[1]) - each[2])
+        name, angle, limit = max(angles, key=lambda tilt: abs(tilt[1]) - tilt[2])
         beyond = abs(angle) - limit
         if beyond < -LEVEL:
             self._extra, self._holds = 0.0, False
