@@ -85,6 +85,7 @@ async def play(
         opened = runner._realtime._robot
         tour.simulated, tour.folder = opened.fleet.plant.robot if backend == "can" else opened, folder
         await tour.run()
+        report.save(folder)
         return report.results, tour
 
 

@@ -64,6 +64,7 @@ def test_ends_of_a_can_are_those_of_its_axis(lean: int) -> None:
     cv2.fillPoly(image, [np.array(corners, np.int32)], CAN)
     cv2.ellipse(image, (210 + lean, 140), (10, 4), 0.0, 0.0, 180.0, CAN, -1)
     (left, top), (right, bottom) = grasp.red_band(image)
+    assert {type(each) for each in (left, top, right, bottom)} == {float}, "as figures of summary.json are"
     assert (top, bottom) == (pytest.approx((100 - 120) / 320), pytest.approx((145 - 120) / 320))
     assert (left, right) == pytest.approx(((210.5 - 160) / 320, (210.5 + lean - 160) / 320), abs=1.0 / 320)
     assert grasp.red_band(scene()) is None

@@ -224,7 +224,7 @@ def red_band(image: Image) -> Band | None:
     rows, columns = pixels
     lines = np.unique(rows)
     middles = [(columns[rows == line].min() + columns[rows == line].max()) / 2.0 for line in lines]
-    lean, start = np.polyfit(lines, middles, 1) if len(lines) > 1 else (0.0, middles[0])
+    lean, start = map(float, np.polyfit(lines, middles, 1) if len(lines) > 1 else (0.0, middles[0]))
     on_axis = rows[np.abs(columns - (start + lean * rows)) <= 0.5]
     edges = float(on_axis.min()) - 0.5, float(on_axis.max()) + 0.5
     top, bottom = (_fractions(image, start + lean * edge, edge) for edge in edges)
