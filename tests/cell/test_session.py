@@ -11,7 +11,7 @@ import pytest
 from jauspy.cell import session, tasks
 from jauspy.cell.measurements import Measured
 from jauspy.cell.schedule import TaskFailed
-from jauspy.cell.session import NONE, Disturbances, Film, Session, configured
+from jauspy.cell.session import UNDISTURBED, Disturbances, Film, Session, configured
 from jauspy.cell.tasks import FILMED_BY, TASKS, run_one
 from jauspy.errors import ConfigError
 
@@ -25,7 +25,7 @@ def test_the_seed_and_the_disturbances_are_those_of_the_run() -> None:
 
 
 def test_without_disturbances_nothing_is_off() -> None:
-    cell = configured(0, NONE).cell
+    cell = configured(0, UNDISTURBED).cell
     assert cell is not None
     assert cell.pose_error == (0.0, 0.0)
     assert cell.attach_failure == 0.0
@@ -34,7 +34,7 @@ def test_without_disturbances_nothing_is_off() -> None:
 
 def test_a_robot_without_a_cell_is_named() -> None:
     with pytest.raises(ConfigError, match=r"the robot 'inc1' has no \[cell\]"):
-        configured(0, NONE, "inc1")
+        configured(0, UNDISTURBED, "inc1")
 
 
 def test_true_poses_need_a_simulation_of_this_process() -> None:

@@ -9,9 +9,9 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass
 
 from jauspy.console.fleet import Fleet
+from jauspy.console.killed_console import Watchdog
 from jauspy.console.operation import DEAD_MAN_TIME, REQUEST_TIME, Operation, modes_of
 from jauspy.console.users import User
-from jauspy.console.watchdog import Watchdog
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import QueryControl

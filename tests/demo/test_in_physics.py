@@ -109,7 +109,9 @@ async def test_goals_are_reached_in_the_simulation(
     assert kept_off.figures["thing_contacts"] > 100
     reached = next(each.figures for each in results if each.stage == "reach")
     assert abs(reached["base_pitch"]) < math.radians(1.0)
-    assert reached["target_z"] == pytest.approx(goals.thing.support + goals.thing.grip, abs=plan.MAX_SUPPORT_ERROR)
+    assert reached["target_z"] == pytest.approx(
+        goals.thing.support + goals.thing.grip_height, abs=plan.MAX_SUPPORT_ERROR
+    )
     lifted = tour.height - goals.thing.height - goals.ground
     assert lifted == pytest.approx(results[-1].figures["lifted"], abs=0.02)
     assert lifted > plan.MIN_LIFT

@@ -52,7 +52,7 @@ def test_all_poses_of_the_plan_are_reachable(hand: ArmKinematics, goals: Plan) -
     ahead, aside = rotated(goal.heading, thing.x - goal.x, thing.y - goal.y)
     for error in (-0.1, 0.1):
         turn, distance, height = hand.around(
-            (ahead + error, aside + plan.DRIVE_TOLERANCE[0], thing.support + thing.grip)
+            (ahead + error, aside + plan.DRIVE_TOLERANCE[0], thing.support + thing.grip_height)
         )
         for farther, higher in (goals.high, goals.over, *goals.approach):
             hand.joints(turn, distance + farther, height + higher, goals.pitch)

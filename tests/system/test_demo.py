@@ -71,7 +71,7 @@ def test_demo_drives_grasps_and_lifts(world: str, backend: str, free_port: int, 
     assert found["contacts"]["figures"]["support_contacts"] == 0
     reached = found["reach"]["figures"]
     assert abs(reached["base_pitch"]) < math.radians(3.0)
-    assert reached["target_z"] == pytest.approx(thing.support + thing.grip, abs=plan.MAX_SUPPORT_ERROR)
+    assert reached["target_z"] == pytest.approx(thing.support + thing.grip_height, abs=plan.MAX_SUPPORT_ERROR)
     assert 0.3 < math.hypot(reached["target_x"], reached["target_y"]) < 1.3
 
     for camera in ("arm", "chassis", "outside"):

@@ -21,7 +21,7 @@ from jauspy.cell.calibration import ArmGeometry, Parameters
 from jauspy.cell.frames import Array, averaged, se3_of_pose
 from jauspy.cell.measurements import Measured
 from jauspy.cell.motion import Path
-from jauspy.cell.session import NONE, Session, simulated
+from jauspy.cell.session import UNDISTURBED, Session, simulated
 from jauspy.cell.swing import ARM, BASE, TIP
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, Transform
@@ -256,9 +256,9 @@ async def measure(
     """Measure both arms, each in a separate simulated cell."""
     tracker = LaserTracker(np.random.default_rng(seed))
     report("UR10")
-    async with simulated(seed, NONE) as session:
+    async with simulated(seed, UNDISTURBED) as session:
         ur10 = await measure_ur10(session, tracker, cycles)
-    async with simulated(seed, NONE) as session:
+    async with simulated(seed, UNDISTURBED) as session:
         session.true.prepare(BASE, ARM, MISASSEMBLED)
         await session.cell.sleep(SETTLE)
         ur10_arm = Assembler(session.cell, session.layout)

@@ -40,7 +40,7 @@ class Disturbances:
     attach_failure: float = 0.02
 
 
-NONE: Final = Disturbances(0.0, 0.0, 0.0)
+UNDISTURBED: Final = Disturbances(0.0, 0.0, 0.0)
 
 
 class WatchedTime(VirtualTime):

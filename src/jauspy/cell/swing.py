@@ -17,7 +17,7 @@ import numpy as np
 from jauspy.cell.frames import Array
 from jauspy.cell.measurements import Measured
 from jauspy.cell.report import figure
-from jauspy.cell.session import NONE, Session, simulated
+from jauspy.cell.session import UNDISTURBED, Session, simulated
 from jauspy.errors import ConfigError
 from jauspy.platform.modular.arm import ArmController
 
@@ -167,7 +167,7 @@ async def compare(seed: int, report: Callable[[str], None] = lambda _: None) -> 
     found = {}
     for controller in ArmController:
         report(f"swing with the controller {controller.value}")
-        async with simulated(seed, NONE) as session:
+        async with simulated(seed, UNDISTURBED) as session:
             session.true.prepare(BASE, ARM)
             session.true.prepare(TIP, (BOX,))
             found[controller] = await swing(session, controller)

@@ -59,8 +59,8 @@ def demo(
     The node manager and the robot run as child processes; this process is the operator control unit (OCU). It
     discovers the robot over UDP, takes control, records its cameras and one outside of it, maps with the lidar,
     drives by waypoints, finds what to grasp in a still, moves the arm and the gripper, and releases control. Videos,
-    map and measurements are written to DIR, and a summary is printed. The exit status is 0 if every goal was reached,
-    videos may be reduced where the machine is too slow for them. The demo takes less than 90 s on others.
+    map and measurements are written to DIR, and a summary is printed. The exit status is 0 if every goal was reached, 1
+    otherwise. On a machine that is too slow for the cameras, videos may be reduced. The demo takes about 40 s.
 
     Example:
       jauspy demo --port 3795 --output /tmp/demo
@@ -181,9 +181,9 @@ async def _unless_ended(tour: Coroutine[Any, Any, None], *children: ChildProcess
     watchers: list[asyncio.Task[ChildFailed]] = [asyncio.create_task(child.ended()) for child in children]
     try:
         await asyncio.wait((touring, *watchers), timeout=TOUR_TIMEOUT, return_when=asyncio.FIRST_COMPLETED)
-        for view in watchers:
-            if view.done():
-                raise view.result()
+        for watcher in watchers:
+            if watcher.done():
+                raise watcher.result()
         if not touring.done():
             raise RequestError(f"the tour did not end within {TOUR_TIMEOUT:g} s; the machine may be overloaded")
         touring.result()

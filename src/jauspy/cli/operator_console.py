@@ -113,9 +113,9 @@ def console_page(
         return
     try:
         from jauspy.console.console import RECORDINGS
+        from jauspy.console.killed_console import Watchdog
         from jauspy.console.saved_files import read_poses
         from jauspy.console.server import Access, serving
-        from jauspy.console.watchdog import Watchdog
     except ImportError as error:
         raise ConfigError(f"{NEEDS_EXTRA} ({error})") from error
     if with_parent:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Final
 
 from jauspy.console.fleet import NOTHING, Fleet
+from jauspy.console.killed_console import Watchdog
 from jauspy.console.motion import Jogging
 from jauspy.console.open_pages import OpenPages
 from jauspy.console.operation import Operation
@@ -18,7 +19,6 @@ from jauspy.console.saved_files import RobotPoses, SavedFiles
 from jauspy.console.traffic import Traffic
 from jauspy.console.users import LOCAL, User, current, current_user
 from jauspy.console.video import AttitudeFeed, SharedCamera, camera_state
-from jauspy.console.watchdog import Watchdog
 from jauspy.console.world_socket import Worlds
 from jauspy.errors import CodecError, ConfigError
 from jauspy.ids import JausID

@@ -11,9 +11,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.console.killed_console import Watchdog
 from jauspy.console.manipulators import operated
 from jauspy.console.users import LOCAL, Session, User, current
-from jauspy.console.watchdog import Watchdog
 from jauspy.errors import JausError
 from jauspy.ids import JausID
 from jauspy.messages.mobility import SetWrenchEffort

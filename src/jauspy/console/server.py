@@ -24,10 +24,10 @@ from jauspy.console.browser_messages import drive_message, jog_message, messages
 from jauspy.console.certificates import check_certificate
 from jauspy.console.connections import Connections
 from jauspy.console.console import RECORDINGS, Console
+from jauspy.console.killed_console import Watchdog
 from jauspy.console.login import LOCAL_HOSTS, LoginMiddleware
 from jauspy.console.saved_files import RobotPoses
 from jauspy.console.users import Users, current_user
-from jauspy.console.watchdog import Watchdog
 from jauspy.console.world_socket import add_world
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID

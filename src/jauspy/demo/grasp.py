@@ -80,7 +80,7 @@ class Grasp:
                 f"no red {thing.name} is in the picture of the camera {ARM_CAMERA!r}; see {folder / STILL_FILE}"
             )
         x, y, _ = near
-        self._target = x, y, support + thing.grip
+        self._target = x, y, support + thing.grip_height
         seen = base.apply(tilt.inverse().apply(near))
         off = math.dist(seen[:2], (thing.x + self._plan.goal.slip, thing.y))
         return StageResult(

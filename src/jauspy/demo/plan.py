@@ -55,7 +55,7 @@ class Thing:
     """Metres; height of that above the ground on which the robot stands."""
     size: float
     """Metres from its lowest to its highest point."""
-    grip: float
+    grip_height: float
     """Metres above the support at which the middle of the gripper holds it."""
     width: float
     """Metres, between the fingers."""
@@ -123,7 +123,7 @@ PLANS: Final[Mapping[str, Plan]] = {
             stands_on="table",
             support=0.35,
             size=CAN_SIZE,
-            grip=PALM_BELOW + CAN_CLEARANCE,
+            grip_height=PALM_BELOW + CAN_CLEARANCE,
             width=0.05,
             weight=1.0,
             band=0.1086,
@@ -150,7 +150,7 @@ PLANS: Final[Mapping[str, Plan]] = {
             stands_on="world",
             support=0.0,
             size=0.062,
-            grip=0.041,
+            grip_height=0.041,
             width=0.048,
             weight=1.05,
         ),

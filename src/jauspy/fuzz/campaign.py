@@ -284,7 +284,7 @@ def identity_findings(package: Registry, defined: Registry) -> Iterator[FuzzFind
     for key, entry in made.items():
         if key not in right:
             yield _finding(
-                entry, "undefined", f"the package has it, and the definitions do not{_instead(entry, defined)}"
+                entry, "undefined", f"the package has it, and the definitions do not{_versions_text(entry, defined)}"
             )
         elif entry.code != right[key].code:
             yield _finding(
@@ -299,7 +299,7 @@ def _key(entry: MessageEntry) -> tuple[str, str, str]:
     return entry.service, entry.version, entry.name
 
 
-def _instead(entry: MessageEntry, defined: Registry) -> str:
+def _versions_text(entry: MessageEntry, defined: Registry) -> str:
     versions = [known.version for known in defined.own if (known.service, known.name) == (entry.service, entry.name)]
     return f", but in version {' and '.join(versions)}" if versions else ""
 

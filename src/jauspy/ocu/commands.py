@@ -56,12 +56,12 @@ async def perform(connection: Connection, id: JausID, command: Message, within: 
     if result.command_result != CommandEvent.CommandResult.SUCCESSFUL:
         connection.controls.check(id, command)
         raise RequestError(
-            f"{id} did not carry out {command.NAME} {_after(begin, within)}: it gave up, another command took its "
+            f"{id} did not carry out {command.NAME} {_time_text(begin, within)}: it gave up, another command took its "
             "place, or it does not take it now (see `control()` and `status()`)"
         )
 
 
-def _after(begin: float, within: float) -> str:
+def _time_text(begin: float, within: float) -> str:
     elapsed = asyncio.get_running_loop().time() - begin
     return f"(it said so after {elapsed:.1f} s)" if elapsed < within else f"within {within:g} s"
 

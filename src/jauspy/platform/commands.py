@@ -33,7 +33,7 @@ class DriveStop(Command):
     part: PartId = CHASSIS
 
     def apply(self, robot: Robot) -> None:
-        """Stop."""
+        """Brake the chassis."""
         robot.drive.stop()
 
 

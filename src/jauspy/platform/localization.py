@@ -104,7 +104,7 @@ def _with_defaults(given: object) -> object:
     return given
 
 
-def _none(given: object) -> object:
+def _null_if_none(given: object) -> object:
     return None if given == "none" else given
 
 
@@ -117,7 +117,7 @@ class LocalizationSetup(Table):
     seed: Seed = 0
     """Seed of all errors: the same seed gives the same errors."""
     odometry: OdometrySetup = OdometrySetup()
-    imu: Annotated[ImuSetup | None, Prepared(_none)] = ImuSetup()
+    imu: Annotated[ImuSetup | None, Prepared(_null_if_none)] = ImuSetup()
     """None ("none" in the file): the heading is by odometry, and the ground is taken as level."""
     gnss: Annotated[GnssSetup, Prepared(_with_defaults)] | Literal["none"] | None = None
     """None: that of `GnssSetup` for a robot with an `[origin]`. "none": the global pose is the local one, from a start

@@ -109,21 +109,21 @@ class RunningModules:
         for index in sorted(self._components, reverse=True):
             await self._close(index)
 
-    async def _open(self, at: int) -> None:
-        component = self._make(self._modules[at])
+    async def _open(self, index: int) -> None:
+        component = self._make(self._modules[index])
         others = self.hosts()
         await component.open()
-        self._components[at] = component
-        self._tried.pop(at, None)
+        self._components[index] = component
+        self._tried.pop(index, None)
         _list_each_other(component.host, others)
 
-    async def _close(self, at: int) -> None:
-        component = self._components[at]
+    async def _close(self, index: int) -> None:
+        component = self._components[index]
         for host in self.hosts():
             if host is not component.host and (discovery := host.service(Discovery)) is not None:
                 discovery.remove_local(component.id)
         await component.close()
-        del self._components[at]
+        del self._components[index]
 
 
 def _list_each_other(new: Host, others: Iterable[Host]) -> None:

@@ -154,19 +154,19 @@ class ChildGroup:
         return " or ".join(f"<{name}>" for name in self.names)
 
 
-def _one(*names: str) -> ChildGroup:
+def _exactly_one(*names: str) -> ChildGroup:
     return ChildGroup(names, 1, 1)
 
 
-def _maybe(*names: str) -> ChildGroup:
+def _optional(*names: str) -> ChildGroup:
     return ChildGroup(names, 0, 1)
 
 
-def _some(*names: str) -> ChildGroup:
+def _at_least_one(*names: str) -> ChildGroup:
     return ChildGroup(names, 1, None)
 
 
-def _any(*names: str) -> ChildGroup:
+def _any_number(*names: str) -> ChildGroup:
     return ChildGroup(names, 0, None)
 
 
@@ -197,112 +197,114 @@ _MESSAGES = ("message_def", "declared_message_def")
 _PARTS = ("header", "body", "footer")
 _VALUES = ("value_set", "declared_value_set")
 _KINDS = ("simple", "internal", "push", "pop")
-_ACTIONS = _any("action", "send_action")
-_PART_GROUPS = tuple(_one(part, f"declared_{part}") for part in _PARTS)
+_ACTIONS = _any_number("action", "send_action")
+_PART_GROUPS = tuple(_exactly_one(part, f"declared_{part}") for part in _PARTS)
 
 _DECLARABLE = (*_COMPOSITES, "array", *_SIMPLE, *_PARTS, "value_set", "message_def", "event_def")
 DECLARED = {f"declared_{name}": name for name in _DECLARABLE}
 """The elements that refer to a declared type, and the element that each must refer to."""
 
 _REFERENCE = ElementRule("name id version", "")
-_PART = ElementRule("name", "", _maybe(*_ANY_COMPOSITE))
+_PART = ElementRule("name", "", _optional(*_ANY_COMPOSITE))
 _COUNT = ElementRule("field_type_unsigned", "min_count max_count")
 
 RULES: dict[str, ElementRule] = {
     "service_def": ElementRule(
         "name id version",
         "deprecated",
-        _maybe("description"),
-        _maybe("assumptions"),
-        _maybe("references"),
-        _maybe("declared_const_set"),
-        _maybe("declared_type_set"),
-        _one("message_set"),
-        _maybe("internal_events_set"),
-        _maybe("protocol_behavior"),
+        _optional("description"),
+        _optional("assumptions"),
+        _optional("references"),
+        _optional("declared_const_set"),
+        _optional("declared_type_set"),
+        _exactly_one("message_set"),
+        _optional("internal_events_set"),
+        _optional("protocol_behavior"),
     ),
     "description": ElementRule("", ""),
     "assumptions": ElementRule("", ""),
-    "references": ElementRule("", "", _maybe("inherits_from"), _any("client_of")),
+    "references": ElementRule("", "", _optional("inherits_from"), _any_number("client_of")),
     "inherits_from": _REFERENCE,
     "client_of": _REFERENCE,
     # constants and declared types
-    "declared_const_set": ElementRule("name", "id version", _any("declared_const_set_ref", "const_def")),
+    "declared_const_set": ElementRule("name", "id version", _any_number("declared_const_set_ref", "const_def")),
     "declared_const_set_ref": _REFERENCE,
     "const_def": ElementRule("name const_type const_value", "field_units"),
     "declared_type_set": ElementRule(
         "name",
         "id version",
-        _any("declared_const_set_ref", "declared_type_set_ref", *_DECLARABLE, *DECLARED),
+        _any_number("declared_const_set_ref", "declared_type_set_ref", *_DECLARABLE, *DECLARED),
     ),
     "declared_type_set_ref": _REFERENCE,
     **{name: ElementRule("name declared_type_ref", "optional") for name in DECLARED},
     # messages
-    "message_set": ElementRule("", "", _one("input_set"), _one("output_set")),
-    "input_set": ElementRule("", "", _any(*_MESSAGES)),
-    "output_set": ElementRule("", "", _any(*_MESSAGES)),
-    "internal_events_set": ElementRule("", "", _any("event_def", "declared_event_def")),
-    "message_def": ElementRule("name message_id", "is_command deprecated", _maybe("description"), *_PART_GROUPS),
-    "event_def": ElementRule("name", "deprecated", _maybe("description"), *_PART_GROUPS),
+    "message_set": ElementRule("", "", _exactly_one("input_set"), _exactly_one("output_set")),
+    "input_set": ElementRule("", "", _any_number(*_MESSAGES)),
+    "output_set": ElementRule("", "", _any_number(*_MESSAGES)),
+    "internal_events_set": ElementRule("", "", _any_number("event_def", "declared_event_def")),
+    "message_def": ElementRule("name message_id", "is_command deprecated", _optional("description"), *_PART_GROUPS),
+    "event_def": ElementRule("name", "deprecated", _optional("description"), *_PART_GROUPS),
     "header": _PART,
     "body": _PART,
     "footer": _PART,
     # composites
-    "record": ElementRule("name", "optional", _maybe("presence_vector"), _some(*_FIELDS)),
-    "list": ElementRule("name", "optional", _one("count_field"), _one(*_ANY_COMPOSITE)),
-    "variant": ElementRule("name", "optional", _one("vtag_field"), _any(*_ANY_COMPOSITE)),
-    "sequence": ElementRule("name", "optional", _maybe("presence_vector"), _some(*_ANY_COMPOSITE)),
+    "record": ElementRule("name", "optional", _optional("presence_vector"), _at_least_one(*_FIELDS)),
+    "list": ElementRule("name", "optional", _exactly_one("count_field"), _exactly_one(*_ANY_COMPOSITE)),
+    "variant": ElementRule("name", "optional", _exactly_one("vtag_field"), _any_number(*_ANY_COMPOSITE)),
+    "sequence": ElementRule("name", "optional", _optional("presence_vector"), _at_least_one(*_ANY_COMPOSITE)),
     "presence_vector": ElementRule("field_type_unsigned", ""),
     "count_field": _COUNT,
     "vtag_field": _COUNT,
     # fields
-    "array": ElementRule("name", "optional", _one(*_SIMPLE, *_DECLARED_SIMPLE), _some("dimension")),
+    "array": ElementRule("name", "optional", _exactly_one(*_SIMPLE, *_DECLARED_SIMPLE), _at_least_one("dimension")),
     "dimension": ElementRule("name size", ""),
-    "fixed_field": ElementRule("name field_type field_units", "optional", _maybe("scale_range", *_VALUES)),
-    "bit_field": ElementRule("name field_type_unsigned", "optional", _some("sub_field")),
-    "sub_field": ElementRule("name", "", _one("bit_range"), _maybe(*_VALUES)),
+    "fixed_field": ElementRule("name field_type field_units", "optional", _optional("scale_range", *_VALUES)),
+    "bit_field": ElementRule("name field_type_unsigned", "optional", _at_least_one("sub_field")),
+    "sub_field": ElementRule("name", "", _exactly_one("bit_range"), _optional(*_VALUES)),
     "bit_range": ElementRule("from_index to_index", ""),
-    "variable_field": ElementRule("name", "optional", _one("type_and_units_field")),
-    "type_and_units_field": ElementRule("", "", _some("type_and_units_enum")),
-    "type_and_units_enum": ElementRule("index field_type field_units", "name", _maybe("scale_range", *_VALUES)),
+    "variable_field": ElementRule("name", "optional", _exactly_one("type_and_units_field")),
+    "type_and_units_field": ElementRule("", "", _at_least_one("type_and_units_enum")),
+    "type_and_units_enum": ElementRule("index field_type field_units", "name", _optional("scale_range", *_VALUES)),
     "fixed_length_string": ElementRule("name string_length", "optional"),
-    "variable_length_string": ElementRule("name", "optional", _one("count_field")),
-    "variable_length_field": ElementRule("name field_format", "optional", _one("count_field")),
-    "variable_format_field": ElementRule("name", "optional", _one("format_field"), _one("count_field")),
-    "format_field": ElementRule("", "", _some("format_enum")),
+    "variable_length_string": ElementRule("name", "optional", _exactly_one("count_field")),
+    "variable_length_field": ElementRule("name field_format", "optional", _exactly_one("count_field")),
+    "variable_format_field": ElementRule("name", "optional", _exactly_one("format_field"), _exactly_one("count_field")),
+    "format_field": ElementRule("", "", _at_least_one("format_enum")),
     "format_enum": ElementRule("index field_format", ""),
     "scale_range": ElementRule("real_lower_limit real_upper_limit integer_function", ""),
-    "value_set": ElementRule("", "name offset_to_lower_limit", _some("value_range", "value_enum")),
+    "value_set": ElementRule("", "name offset_to_lower_limit", _at_least_one("value_range", "value_enum")),
     "value_range": ElementRule("lower_limit lower_limit_type upper_limit upper_limit_type", ""),
     "value_enum": ElementRule("enum_index enum_const", ""),
     # protocol behaviour
-    "protocol_behavior": ElementRule("", "is_stateless", _any("start"), _any("state_machine")),
+    "protocol_behavior": ElementRule("", "is_stateless", _any_number("start"), _any_number("state_machine")),
     "start": ElementRule("state_machine_name state_name", ""),
-    "state_machine": ElementRule("name", "", _some("state"), _maybe("default_state")),
+    "state_machine": ElementRule("name", "", _at_least_one("state"), _optional("default_state")),
     "state": ElementRule(
         "name",
         "initial_state",
-        _maybe("entry"),
-        _maybe("exit"),
-        _any("transition"),
-        _any("default_transition"),
-        _any("state"),
-        _maybe("default_state"),
+        _optional("entry"),
+        _optional("exit"),
+        _any_number("transition"),
+        _any_number("default_transition"),
+        _any_number("state"),
+        _optional("default_state"),
     ),
-    "default_state": ElementRule("", "", _any("transition", "default_transition")),
+    "default_state": ElementRule("", "", _any_number("transition", "default_transition")),
     "entry": ElementRule("", "", _ACTIONS),
     "exit": ElementRule("", "", _ACTIONS),
-    "transition": ElementRule("name", "", _any("parameter"), _maybe("guard"), _one(*_KINDS), _ACTIONS),
-    "default_transition": ElementRule("", "", _maybe("guard"), _one(*_KINDS), _ACTIONS),
+    "transition": ElementRule(
+        "name", "", _any_number("parameter"), _optional("guard"), _exactly_one(*_KINDS), _ACTIONS
+    ),
+    "default_transition": ElementRule("", "", _optional("guard"), _exactly_one(*_KINDS), _ACTIONS),
     "parameter": ElementRule("type value", ""),
     "guard": ElementRule("condition", ""),
-    "simple": ElementRule("", "", _maybe("end_state")),
+    "simple": ElementRule("", "", _optional("end_state")),
     "internal": ElementRule("", ""),
-    "push": ElementRule("", "", _one("end_state"), _maybe("simple")),
-    "pop": ElementRule("", "transition", _any("argument")),
+    "push": ElementRule("", "", _exactly_one("end_state"), _optional("simple")),
+    "pop": ElementRule("", "transition", _any_number("argument")),
     "end_state": ElementRule("state", ""),
-    "action": ElementRule("name", "", _any("argument")),
-    "send_action": ElementRule("name", "", _any("argument")),
+    "action": ElementRule("name", "", _any_number("argument")),
+    "send_action": ElementRule("name", "", _any_number("argument")),
     "argument": ElementRule("value", ""),
 }
 

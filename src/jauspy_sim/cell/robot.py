@@ -174,7 +174,7 @@ class SimulatedCell:
 
     @property
     def lidars(self) -> Mapping[str, Scanner]:
-        """None."""
+        """Always empty: the cell has no lidars."""
         return {}
 
     @property

@@ -64,7 +64,7 @@ class OtherMasters:
     # --- received ---------------------------------------------------------------------------------------------------
 
     def receive_sync(self, _data: bytes) -> bool:
-        """Take a SYNC."""
+        """Count a SYNC that was received."""
         self._syncs.received += 1
         return True
 

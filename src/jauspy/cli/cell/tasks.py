@@ -45,11 +45,11 @@ def car(*, seed: Seed = 0, exact: Exact = False, record: Record = None, view: Vi
 
 def _run(task: str, seed: int, *, exact: bool, film: Path | None, view: bool, json: bool) -> None:
     check_extra()
-    from jauspy.cell.session import NONE
+    from jauspy.cell.session import UNDISTURBED
     from jauspy.cell.tasks import run_one
     from jauspy.cli.cell.tables import values_table
 
-    found = run(run_one(task, seed, NONE if exact else None, film=film, view=view))
+    found = run(run_one(task, seed, UNDISTURBED if exact else None, film=film, view=view))
     if found is None:
         return
     if json:
@@ -90,11 +90,11 @@ def assemble(
 
     from jauspy.cell import tasks
     from jauspy.cell.measurements import Measured
-    from jauspy.cell.session import NONE, connected
+    from jauspy.cell.session import UNDISTURBED, connected
     from jauspy.cli.cell.tables import assembly_table
 
     async def here() -> Measured:
-        return await tasks.run_one("assemble", seed, NONE if exact else None, film=record, view=view)
+        return await tasks.run_one("assemble", seed, UNDISTURBED if exact else None, film=record, view=view)
 
     async def elsewhere() -> Measured:
         async with connected(make_ocu(id, connect, 3.0, operator=operator_key)) as session:

@@ -57,7 +57,7 @@ def trials(
     """
     check_extra()
     from jauspy.cell.report import plot_trials
-    from jauspy.cell.session import NONE
+    from jauspy.cell.session import UNDISTURBED
     from jauspy.cell.tasks import TASKS
     from jauspy.cell.trials import run_trials, summarised
     from jauspy.cli.cell.tables import trials_table
@@ -67,7 +67,7 @@ def trials(
     found: list[Measured] = []
     out.mkdir(parents=True, exist_ok=True)
     path = out / f"trials-{task}.json"
-    disturbances = NONE if exact else None
+    disturbances = UNDISTURBED if exact else None
     results = run_trials(task, range(first, first + seeds), disturbances, jobs=jobs, cluster=cluster)
     for run in with_progress(task, seeds, results):
         found.append(run)

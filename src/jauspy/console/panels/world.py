@@ -311,7 +311,7 @@ class WorldPanel:
 
     @property
     def visible(self) -> bool:
-        """Set by the page."""
+        """True while the page shows the panel; the page sets it."""
         return self.map.visible
 
     @visible.setter

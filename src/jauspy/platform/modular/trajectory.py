@@ -42,21 +42,21 @@ class Shaper:
         self._rows = np.repeat(np.concatenate(setpoint)[np.newaxis], max(1, length), axis=0)
         self._joints = len(setpoint.q)
         self._sum = self._rows.sum(axis=0)
-        self._at = 0
-        self._same = len(self._rows)
+        self._index = 0
+        self._repeats = len(self._rows)
 
     @property
     def ended(self) -> bool:
         """True if the mean is the last setpoint, because nothing else came in for the whole length."""
-        return self._same >= len(self._rows)
+        return self._repeats >= len(self._rows)
 
     def advance(self, setpoint: Setpoint) -> Setpoint:
         """Take the next setpoint in, and return the mean."""
         row = np.concatenate(setpoint)
-        self._same = self._same + 1 if (row == self._rows[self._at - 1]).all() else 1
-        self._sum += row - self._rows[self._at]
-        self._rows[self._at] = row
-        self._at = (self._at + 1) % len(self._rows)
+        self._repeats = self._repeats + 1 if (row == self._rows[self._index - 1]).all() else 1
+        self._sum += row - self._rows[self._index]
+        self._rows[self._index] = row
+        self._index = (self._index + 1) % len(self._rows)
         if self.ended:
             self._sum = row * len(self._rows)  # without what rounding has left
             return setpoint

@@ -135,7 +135,7 @@ class Servo(Kind[ServoContext]):
             needs=_CONNECTORS,
         ),
     }
-    keys: ClassVar[frozenset[str]] = frozenset({"part"})
+    own_keys: ClassVar[frozenset[str]] = frozenset({"part"})
     needs_part: ClassVar[bool] = True
     in_cell: ClassVar[bool] = True
 
@@ -174,7 +174,7 @@ class Connector(Kind[ConnectorContext]):
             needs=_CONNECTORS,
         ),
     }
-    keys: ClassVar[frozenset[str]] = frozenset({"part"})
+    own_keys: ClassVar[frozenset[str]] = frozenset({"part"})
     needs_part: ClassVar[bool] = True
     in_cell: ClassVar[bool] = True
 
@@ -261,7 +261,7 @@ class ModularArmKind(Kind[ModularArmContext]):
             ModularArmContext, lambda context: cell.ModularArmService(context.control, context.setup)
         ),
     }
-    keys: ClassVar[frozenset[str]] = frozenset({"part"})
+    own_keys: ClassVar[frozenset[str]] = frozenset({"part"})
     needs_part: ClassVar[bool] = True
     in_cell: ClassVar[bool] = True
 

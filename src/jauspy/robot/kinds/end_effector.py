@@ -51,7 +51,7 @@ class EndEffector(Kind[EndEffectorContext]):
 
     type: ClassVar[str] = "CM-EEF"
     services: ClassVar[Mapping[str, ServiceEntry[Any]]] = SERVICES
-    keys: ClassVar[frozenset[str]] = frozenset({"group"})
+    own_keys: ClassVar[frozenset[str]] = frozenset({"group"})
     group: ClassVar[str | None] = "gripper"
 
     def context(self, build: ModuleBuild) -> EndEffectorContext:

@@ -147,8 +147,8 @@ class Kind(ABC, Generic[C]):
     """Name of the kind in robots' files, as in CM-MOB."""
     services: ClassVar[Mapping[str, ServiceEntry[Any]]]
     """Services by the names that robots' files use, in the order in which hosts have them."""
-    keys: ClassVar[frozenset[str]] = frozenset()
-    """The keys of its table, of `group`, `part` and `camera`."""
+    own_keys: ClassVar[frozenset[str]] = frozenset()
+    """Which of the keys `group`, `part` and `camera` of `ModuleConfig` its table has."""
     group: ClassVar[str | None] = None
     """The joints that it moves unless its table names others."""
     needs_part: ClassVar[bool] = False
@@ -166,7 +166,7 @@ class Kind(ABC, Generic[C]):
         `needs`: the parts that the listed services need, each with those services.
         """
         for key, text in _REFUSALS.items():
-            if key not in self.keys and getattr(module, key) is not None:
+            if key not in self.own_keys and getattr(module, key) is not None:
                 raise ValueError(text.format(type=self.type))
         if self.needs_part and module.part is None:
             raise ValueError(f"part: is missing; a {self.type} needs the name of its part")

@@ -75,7 +75,7 @@ class ManipulatorKind(Kind[ManipulatorContext]):
 
     type: ClassVar[str] = "CM-MAN"
     services: ClassVar[Mapping[str, ServiceEntry[Any]]] = SERVICES
-    keys: ClassVar[frozenset[str]] = frozenset({"group"})
+    own_keys: ClassVar[frozenset[str]] = frozenset({"group"})
     group: ClassVar[str | None] = "arm"
 
     def context(self, build: ModuleBuild) -> ManipulatorContext:

@@ -95,7 +95,7 @@ class Mobility(Kind[MobilityContext]):
 
     type: ClassVar[str] = "CM-MOB"
     services: ClassVar[Mapping[str, ServiceEntry[Any]]] = SERVICES
-    keys: ClassVar[frozenset[str]] = frozenset({"part"})
+    own_keys: ClassVar[frozenset[str]] = frozenset({"part"})
 
     def context(self, build: ModuleBuild) -> MobilityContext:
         """The chassis, or the car, with the frames and the pilot that its services share."""

@@ -86,7 +86,7 @@ class Vision(Kind[VisionContext]):
 
     type: ClassVar[str] = "CM-VIS"
     services: ClassVar[Mapping[str, ServiceEntry[Any]]] = SERVICES
-    keys: ClassVar[frozenset[str]] = frozenset({"group", "camera"})
+    own_keys: ClassVar[frozenset[str]] = frozenset({"group", "camera"})
 
     def context(self, build: ModuleBuild) -> VisionContext:
         """The camera, and the unit that carries it."""

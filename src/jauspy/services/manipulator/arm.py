@@ -18,7 +18,7 @@ from jauspy.logs import get_logger
 from jauspy.platform.joint_control import ACCELERATION_TIME
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.services.command_timeout import ContinuousCommands
-from jauspy.services.manipulator.blocking import LEAST_SHORT, SLOW, BlockedJoint, StandstillWatch
+from jauspy.services.manipulator.blocked_joints import LEAST_SHORT, SLOW, BlockedJoint, StandstillWatch
 
 _LOG: Final = get_logger("jauspy.manipulator")
 

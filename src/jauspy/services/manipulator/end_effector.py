@@ -27,7 +27,7 @@ from jauspy.messages.manipulator import (
 from jauspy.platform.joints import ControlMode, JointGroup, Target
 from jauspy.services.core import present_authority
 from jauspy.services.manipulator.arm import Arm, ArmDriver
-from jauspy.services.manipulator.blocking import StandstillWatch
+from jauspy.services.manipulator.blocked_joints import StandstillWatch
 from jauspy.services.manipulator.joints import CHECK_PERIOD
 from jauspy.services.manipulator.tool_motion import ToolMotion
 from jauspy.services.service import Service

@@ -1,5 +1,7 @@
 """A process that puts the robots of a console in Standby and releases them, as soon as the console is killed.
 
+A browser that is lost is the matter of `operation.py` (driving) and `motion.py` (arms).
+
 A console that is stopped in order releases its robots itself. One that is killed (SIGKILL, a crash, no memory) cannot,
 and its robots would continue until their `command_timeout`, since JAUS commands have no duration and clients cannot
 change that time. The process waits for the end of its standard input, and then acts with the id of the console, which
@@ -39,7 +41,7 @@ class Watchdog:
             sys.executable,
             "-P",  # nothing from the current directory, which may be a stranger's
             "-m",
-            "jauspy.console.watchdog",
+            "jauspy.console.killed_console",
             *self._arguments,
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.DEVNULL,
