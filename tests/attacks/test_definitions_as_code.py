@@ -101,7 +101,7 @@ def _assert_harmless(made: list[str]) -> None:
             for file in Path(name).rglob("*.py"):
                 assert_declares_only(file.read_text("utf-8"), name)
     for file in Path().glob("stub*/services.py"):
-        assert_is_stub(file.read_text("utf-8"))
+        assert_is_stub(file.read_text("utf-8"), file.parent.name)
     subprocess.run([sys.executable, "-c", USE, *made], env={"PYTHONPATH": f".:{SOURCES}"}, check=True)
     assert not list(Path().rglob("written"))
 

@@ -58,14 +58,14 @@ def assert_declares_only(source: str, package: str) -> None:
 _METHODS: Final = _DECLARATIONS | {"FunctionDef", "Return", "Import"}
 
 
-def assert_is_stub(source: str) -> None:
-    """Services are classes with methods that do nothing; only services are made."""
+def assert_is_stub(source: str, package: str = "it") -> None:
+    """Services are classes with methods that do nothing; only services are made. `package` is that of the component."""
     tree = ast.parse(source)
     assert {type(node).__name__ for node in ast.walk(tree)} <= _METHODS
     classes = {node.name for node in tree.body if isinstance(node, ast.ClassDef)}
     for node in ast.walk(tree):
         if isinstance(node, ast.Import | ast.ImportFrom):
-            known = ("__future__", "jauspy", "it.messages")
+            known = ("__future__", "jauspy", f"{package}.messages")
             assert node.module in known if isinstance(node, ast.ImportFrom) else node.names[0].name in known
         if isinstance(node, ast.FunctionDef):
             assert all(isinstance(each, ast.Expr | ast.Return) for each in node.body)

@@ -37,7 +37,7 @@ def wall(monkeypatch: pytest.MonkeyPatch) -> None:
         def measure(angles: Sequence[float]) -> list[float]:
             return [WALL / math.sin(angle) if math.sin(angle) > 0.1 else math.inf for angle in angles]
 
-        self._lidars = {name: Scanner(lidar.setup, measure) for name, lidar in self._lidars.items()}
+        self.lidars = {name: Scanner(lidar.setup, measure) for name, lidar in self.lidars.items()}
         self._measure()
 
     monkeypatch.setattr(KinematicRobot, "__init__", walled)

@@ -21,7 +21,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import av
 
 from jauspy.backends.kinematic import KinematicRobot
-from jauspy.platform.camera import CameraSetup, Frame
+from jauspy.platform.camera import CameraFrame, CameraSetup
 from jauspy.platform.imaging_settings import IDEAL
 from jauspy.platform.video_settings import StillFormat, StillSettings, VideoSettings
 from jauspy.robot.robot_files import load, robot_model
@@ -61,7 +61,7 @@ class SlowSession:
         self.looked.append((width, height))
         self.number += 1
         self.now += self.seconds * 0.6**self.lower * {160: 0.6}.get(width, 1.0)
-        return Frame(self.scene(self.number, width, height), self.now)
+        return CameraFrame(self.scene(self.number, width, height), self.now)
 
 
 class Bench:

@@ -726,12 +726,12 @@ class Camera(Facade[_Camera]):
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What was received for the last `frames` or `encoded`: `pictures`, packets `lost`, pictures `damaged`, ..."""
+        """Counters of the last `frames` or `encoded`: `pictures`, packets `lost`, pictures `damaged`, ..."""
         return self._async.counters
 
     @property
     def note(self) -> str:
-        """What the camera says of its stream while it is received; empty for nothing.
+        """Note of the camera about its stream while it is received; empty without one.
 
         A text for users: the camera is still starting, or its machine is too slow for what is set. It is not checked.
         """
@@ -816,7 +816,7 @@ class ModularArm(Facade[_ModularArm]):
         *,
         timeout: float | None = None,
     ) -> ModularArmState:
-        """Same as `begin`, and wait until the joints are there; returns the state.
+        """Begin a motion as `begin` does, and wait until the joints have arrived; returns the state.
 
         Raises `RequestError` when the robot refuses the motion, or has not ended it after `timeout` seconds: by default
         three times the duration, and at least 8 s.
@@ -837,11 +837,11 @@ class Connector(Facade[_Connector]):
 
     @property
     def number(self) -> int:
-        """Its number among those of the part, from 1."""
+        """Number of the connector among those of the part, from 1."""
         return self._async.number
 
     def state(self) -> ConnectorState:
-        """What it holds, with what force; `last_error` says why it holds nothing."""
+        """The part that it holds, and the force; `last_error` says why it holds nothing."""
         return self._portal.run(self._async.state())
 
     def enable(self) -> None:
@@ -865,7 +865,7 @@ class Conveyor(Facade[_Conveyor]):
     """A belt."""
 
     def state(self) -> ConveyorState:
-        """Its speed in m/s, and how far it has travelled, in metres."""
+        """Speed in m/s, and the distance travelled in metres."""
         return self._portal.run(self._async.state())
 
     def run(self, speed: float) -> None:
@@ -986,7 +986,7 @@ class ComponentClient(Facade[_ComponentClient]):
 
     @property
     def id(self) -> JausID:
-        """Its id."""
+        """JAUS id."""
         return self._async.id
 
     @property
@@ -1000,7 +1000,7 @@ class ComponentClient(Facade[_ComponentClient]):
 
     @property
     def camera(self) -> Camera:
-        """Its camera, if it has one only."""
+        """Camera of the component, if it has one only."""
         return Camera(self._portal, self._async.camera)
 
     @property
@@ -1014,17 +1014,17 @@ class ComponentClient(Facade[_ComponentClient]):
 
     @property
     def servo(self) -> ServoModule:
-        """Its servo."""
+        """Servo of the module."""
         return ServoModule(self._portal, self._async.servo)
 
     @property
     def conveyor(self) -> Conveyor:
-        """Its belt."""
+        """Belt of the conveyor."""
         return Conveyor(self._portal, self._async.conveyor)
 
     @property
     def part_station(self) -> PartStation:
-        """Its sensor of parts, and the power of modules."""
+        """Sensor of parts, and the power of modules."""
         return PartStation(self._portal, self._async.part_station)
 
 
@@ -1051,7 +1051,7 @@ class Robot(Facade[_Robot]):
 
     @property
     def nodes(self) -> tuple[NodeInfo, ...]:
-        """Its nodes."""
+        """Nodes of the robot."""
         return self._async.nodes
 
     @property
@@ -1131,12 +1131,12 @@ class Robot(Facade[_Robot]):
         return self._portal.run(self._async.joints())
 
     def force_torque(self, sensor: int = 1) -> ForceTorque:
-        """What a force-torque sensor measures, as between arm and gripper; `sensor` is its number from 1."""
+        """Measurement of a force-torque sensor, as between arm and gripper; `sensor` is its number from 1."""
         return self._portal.run(self._async.force_torque(sensor))
 
     @property
     def arm(self) -> Arm:
-        """Its arm: the component that moves a tool, or else the only one that moves joints to positions."""
+        """Arm of the robot: the component that moves a tool, or else the only one that moves joints to positions."""
         return Arm(self._portal, self._async.arm)
 
     def manipulator(self, which: int | str | JausID) -> Arm:
@@ -1145,7 +1145,7 @@ class Robot(Facade[_Robot]):
 
     @property
     def gripper(self) -> Gripper:
-        """Its gripper."""
+        """Gripper of the robot."""
         return Gripper(self._portal, self._async.gripper)
 
     def camera(self, name: str | None = None) -> Camera:
