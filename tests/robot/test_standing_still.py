@@ -235,9 +235,15 @@ def test_a_stop_because_the_program_hangs_is_told_by_the_robots_thread(
 ) -> None:
     clock = Clock()
     with RealTime(fake_robot, heartbeat_timeout=1.0, clock=clock) as runner:
-        fake_robot.wait_for_steps(2)
         clock.now += 2.0
         while not runner.counters["abandoned"]:
+            pass
+        assert "has not run" not in caplog.text, "it is starting"
+        runner.alive()
+        fake_robot.wait_for_steps(3)
+        clock.now += 2.0
+        abandoned = runner.counters["abandoned"]
+        while runner.counters["abandoned"] == abandoned:
             pass
         fake_robot.wait_for_steps(3)
         assert caplog.text.count("the program has not run for 1 s: the robot is stopped") == 1

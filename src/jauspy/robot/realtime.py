@@ -167,12 +167,14 @@ class StepTimer:
         self._due = now + self.step
 
     def wait(self, now: float) -> float:
-        """Seconds until the next step is due; 0 if it is due or late."""
-        return max(0.0, self._due - now)
+        """Seconds until the next step is due, at most one step; 0 if it is due or late."""
+        return min(self.step, max(0.0, self._due - now))
 
     def begin(self, now: float) -> None:
         """Count a step that starts now."""
         delay = now - self._due
+        if delay < -self.step:  # the clock was set back
+            self._due = now
         if delay > self.step:
             self.counters["late"] += 1
         if delay > self.max_delay:
@@ -223,7 +225,7 @@ class RealTime:
         self._enabling: tuple[Callable[[], None], Future[None]] | None = None
         self._warned_at = -math.inf
         self._abandoned = False
-        self._ended_early = False
+        self._ended_early = self._is_starting = False
         self._steps_ended = self._steps_seen = 0
         self._stood = 0.0
         self._is_enabling = self._is_to_stop = False
@@ -303,11 +305,13 @@ class RealTime:
             self._enabling = enable, done
         return done
 
-    def alive(self) -> None:
+    def alive(self, *, is_starting: bool = False) -> None:
         """The heartbeat: to be called regularly by the program that commands the robot.
 
-        Over several calls it notices a robot that does not advance; that is logged, and a fault.
+        Over several calls it notices a robot that does not advance; that is logged, and a fault. The pauses of a
+        program that `is_starting`, and commands nothing yet, are not logged.
         """
+        self._is_starting = is_starting
         now = self._clock()
         beat, self._alive = min(now - self._alive, LONGEST_BEAT), now
         if self._steps_ended != self._steps_seen:
@@ -350,7 +354,7 @@ class RealTime:
     def open(self) -> None:
         """Start the thread. May be called twice."""
         if self._executor is None:
-            self.alive()
+            self.alive(is_starting=True)
             self._timer = StepTimer(self._step, self._max_delay, start=self._clock())
             self._executor = ThreadPoolExecutor(1, thread_name_prefix="robot")
             self._ended = self._executor.submit(self._run)
@@ -484,7 +488,8 @@ class RealTime:
             self._timer.counters["abandoned"] += 1
             self._try(CHASSIS, self._robot.drive.stop)
             if not self._abandoned:  # repeated holds would follow joints that sag
-                _LOG.error("the program has not run for %g s: the robot is stopped", self._heartbeat_timeout)
+                if not self._is_starting:
+                    _LOG.error("the program has not run for %g s: the robot is stopped", self._heartbeat_timeout)
                 self._stop_all()
         self._abandoned = abandoned
 

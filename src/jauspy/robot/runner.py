@@ -387,7 +387,7 @@ class RobotRunner:
         clock = asyncio.get_running_loop().time
         while True:
             sent_at = clock()
-            realtime.alive()
+            realtime.alive(is_starting=self._realtime is None)
             await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
             if self._realtime is not None and clock() - sent_at > HEARTBEAT_TIMEOUT:
                 _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
