@@ -14,7 +14,7 @@ from jauspy.backends.kinematic import KinematicRobot
 from jauspy.messages.core import ReportStatus, Reset
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.robot import realtime
-from jauspy.robot.realtime import STALL_TIME, WHOLE_ROBOT, RealTime, StepTimer
+from jauspy.robot.realtime import RECOVERY_TIME, STALL_TIME, WHOLE_ROBOT, RealTime, StepTimer
 from jauspy.testing import VirtualNetwork
 from jauspy.virtual.environment import VirtualTime
 
@@ -43,8 +43,8 @@ class Clock:
 class HangingRobot(FakeRobot):
     """A robot whose second step ends only when the test says so."""
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, breaks_after: int | None = None) -> None:
+        super().__init__(breaks_after)
         self.hangs, self.goes_on = threading.Event(), threading.Event()
 
     def advance(self, dt: float) -> None:
@@ -114,9 +114,7 @@ def test_a_program_that_was_held_up_does_not_take_its_robot_for_hanging(hanging_
         hanging_robot.goes_on.set()
 
 
-def test_motors_that_take_long_to_be_enabled_are_told_and_no_fault(
-    fake_robot: FakeRobot, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_motors_that_are_enabled_have_more_time(fake_robot: FakeRobot) -> None:
     clock, began, goes_on = Clock(), threading.Event(), threading.Event()
 
     def enable() -> None:
@@ -127,11 +125,26 @@ def test_motors_that_take_long_to_be_enabled_are_told_and_no_fault(
         done = runner.enable(enable)
         assert began.wait(30.0)
         runner.alive()
-        beat(runner, clock, 3 * STALL_TIME)
+        beat(runner, clock, RECOVERY_TIME - 2 * BEAT)
         assert not runner.faults
-        assert caplog.text.count("the robot's motors have been enabling for 3 s") == 1
+        beat(runner, clock, 3 * BEAT)
+        assert runner.faults == {WHOLE_ROBOT: "no step has ended for 30 s: the backend or its thread hangs"}
         goes_on.set()
         done.result(30.0)
+
+
+def test_a_robot_that_recovers_has_more_time() -> None:
+    clock, robot = Clock(), HangingRobot(breaks_after=1)
+    with RealTime(robot, clock=clock) as runner:
+        while not runner.faults:
+            pass
+        runner.retry(WHOLE_ROBOT)
+        assert robot.hangs.wait(30.0), "as while its drives are configured"
+        runner.alive()
+        beat(runner, clock, 2 * STALL_TIME)
+        robot.goes_on.set()
+        robot.wait_for_steps(1)
+        assert not runner.faults
 
 
 def test_a_robot_that_cannot_be_closed_is_told(

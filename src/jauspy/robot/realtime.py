@@ -140,6 +140,8 @@ WARNING_INTERVAL: Final = 10.0
 
 STALL_TIME: Final = 3.0
 """Seconds without a step, while the program runs, after which a robot that does not advance is a fault."""
+RECOVERY_TIME: Final = 30.0
+"""The same for a step that enables the motors, or uses failed parts again: drives may have to be configured."""
 LONGEST_BEAT: Final = 0.5
 """Seconds between two heartbeats that count at most: a program that was held up has not watched its robot meanwhile."""
 CLOSING_TIME: Final = 5.0
@@ -199,8 +201,9 @@ class RealTime:
     that the command was for, or `WHOLE_ROBOT` when the robot cannot advance. Failed parts get no commands, and a robot
     that cannot advance stands still, until `retry`.
 
-    The thread and the program watch each other: `alive` notices when no step ends for `STALL_TIME`, which is a fault of
-    the robot as a whole, too. If the thread ends before `close`, that fault stays.
+    The thread and the program watch each other: `alive` notices when no step ends for `STALL_TIME` (`RECOVERY_TIME`
+    after `enable` and `retry`), which is a fault of the robot as a whole, too. If the thread ends before `close`, that
+    fault stays.
     """
 
     def __init__(
@@ -227,8 +230,8 @@ class RealTime:
         self._abandoned = False
         self._ended_early = self._is_starting = False
         self._steps_ended = self._steps_seen = 0
-        self._stood = 0.0
-        self._is_enabling = self._is_to_stop = False
+        self._stood, self._patience = 0.0, STALL_TIME
+        self._is_to_stop = False
         self._snapshot = Snapshot.of(robot)
         self._closing = threading.Event()
         self._executor: ThreadPoolExecutor | None = None
@@ -315,18 +318,14 @@ class RealTime:
         now = self._clock()
         beat, self._alive = min(now - self._alive, LONGEST_BEAT), now
         if self._steps_ended != self._steps_seen:
-            if self._stood >= STALL_TIME:
+            if self._stood >= STALL_TIME and WHOLE_ROBOT in self._faults:
                 _LOG.warning("the robot's thread steps again, after more than %.1f s", self._stood)
             self._steps_seen, self._stood = self._steps_ended, 0.0
             return
-        before, self._stood = self._stood, self._stood + beat
-        if self._stood < STALL_TIME or not self._is_open or WHOLE_ROBOT in self._faults:
-            return
-        if not self._is_enabling:
-            self._fail(WHOLE_ROBOT, f"no step has ended for {STALL_TIME:g} s: the backend or its thread hangs")
+        self._stood += beat
+        if self._stood >= self._patience and self._is_open and WHOLE_ROBOT not in self._faults:
+            self._fail(WHOLE_ROBOT, f"no step has ended for {self._patience:g} s: the backend or its thread hangs")
             self._is_to_stop = True
-        elif before < STALL_TIME:
-            _LOG.warning("the robot's motors have been enabling for %g s, and it waits for that", STALL_TIME)
 
     def end_early(self, what: str, error: BaseException | None) -> None:
         """Report that nobody steps or watches the robot any more before it was closed: a fault that stays.
@@ -403,6 +402,7 @@ class RealTime:
             commands, self._pending = self._pending, {}
             retried, self._retried = self._retried, set()
             enabling, self._enabling = self._enabling, None
+        self._patience = RECOVERY_TIME if retried or enabling is not None else STALL_TIME
         if enabling is not None and not enabling[1].set_running_or_notify_cancel():
             enabling = None
         refused = None if enabling is None else self._enable(*enabling)
@@ -429,7 +429,6 @@ class RealTime:
 
     def _enable(self, enable: Callable[[], None], done: Future[None]) -> ConfigError | None:
         """Enable the motors; return the error of a robot that cannot be used."""
-        self._is_enabling = True
         try:
             enable()
         except ConfigError as error:
@@ -442,8 +441,6 @@ class RealTime:
         except BaseException as error:
             done.set_exception(error)
             raise
-        finally:
-            self._is_enabling = False
         self._timer.restart(self._clock())
         return None
 
