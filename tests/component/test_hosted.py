@@ -140,6 +140,26 @@ async def test_timers_of_services_run(virtual_network):
         assert me.host.controller is None
 
 
+async def test_timers_run_on_after_one_that_panicked(virtual_network):
+    class PanicError(BaseException):
+        """As of extensions in Rust: not an `Exception`."""
+
+    def panic() -> None:
+        raise PanicError
+
+    loop, reported, called = asyncio.get_running_loop(), [], []
+    handler = loop.get_exception_handler()
+    loop.set_exception_handler(lambda _, context: reported.append(type(context["exception"])))
+    async with component(LoopbackHub()) as me:
+        me.host.set_timer("panic", loop_time() + 0.1, panic)
+        me.host.set_timer("other", loop_time() + 0.2, lambda: called.append(loop_time()))
+        me.wake()
+        await asyncio.sleep(1.0)
+    loop.set_exception_handler(handler)
+    assert reported == [PanicError]
+    assert len(called) == 1
+
+
 async def test_garbage_is_counted_and_valid_traffic_continues():
     hub = LoopbackHub()
     async with component(hub) as me, Peer(hub) as peer:

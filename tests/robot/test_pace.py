@@ -38,3 +38,11 @@ def test_long_delays_skip_steps(timer):
     timer.begin(105.0)
     assert timer.wait(105.0) > 0.0
     assert timer.counters["steps"] + timer.counters["skipped"] in (500, 501)
+
+
+def test_a_clock_that_is_set_back_does_not_stop_the_steps(timer):
+    timer.begin(100.01)
+    assert timer.wait(40.0) == pytest.approx(0.01)
+    timer.begin(40.01)
+    assert timer.wait(40.01) == pytest.approx(0.01)
+    assert timer.counters["skipped"] == timer.counters["late"] == 0

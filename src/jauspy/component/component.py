@@ -535,11 +535,13 @@ class Component:
         self._set_timer()
 
     def _on_timeout(self) -> None:
-        with self._guard:
-            room = self._transport is not None and self._transport.waiting < MAX_TRANSPORT_BACKLOG
-            self._endpoint.handle_timeout(self._clock(), room=room)
-            self.host.handle_timeout(self._clock(), room=room)
-        self._flush()
+        try:
+            with self._guard:
+                room = self._transport is not None and self._transport.waiting < MAX_TRANSPORT_BACKLOG
+                self._endpoint.handle_timeout(self._clock(), room=room)
+                self.host.handle_timeout(self._clock(), room=room)
+        finally:
+            self._flush()  # also after the panic of an extension: without a timer all watchdogs would end
 
     def _stop(self) -> None:
         self._loop = None

@@ -31,8 +31,8 @@ LIMIT_TOLERANCE: Final = 1e-3
 """Radians or metres from a limit within which a joint is at it."""
 GEOMETRY_ONLY: Final = 0
 """Presence vector of a query for the specification without base and names."""
-STEPS_PER_TURN: Final = 20
-"""Steps of inverse kinematics between two turns of the event loop, about three milliseconds."""
+STEPS_PER_TURN: Final = 10
+"""Steps of inverse kinematics between two turns of the event loop, about one millisecond."""
 
 
 class Reach:
@@ -55,7 +55,7 @@ class Reach:
         """
         if math.dist(forward_kinematics(self._links, start, self._tool).tool.position, tool) > AGREEMENT:
             return ""  # the arm moves, or it counts its joints otherwise than AS6057
-        found = await self._search(goal, start)
+        found = await self._search(goal, start, exactly=exactly)
         if found.distance > DISTANCE_TOLERANCE:
             way = f"{found.distance:.2f} m{self._at_limit(found)}"
             return f"the point is out of reach: the tool gets no nearer than {way}"
@@ -66,9 +66,13 @@ class Reach:
             )
         return ""
 
-    async def _search(self, goal: Transform, start: list[float]) -> Solution:
+    async def _search(self, goal: Transform, start: list[float], *, exactly: bool) -> Solution:
+        """The best solution, or the first one that gets there; which one the arm takes is its own matter."""
         search = InverseKinematics(self._links, self._tool, goal, start, self._limits)
-        while (found := search.advance(STEPS_PER_TURN)) is None:  # noqa: ASYNC110 - it computes, and waits for nothing
+        while (found := search.advance(STEPS_PER_TURN)) is None:
+            best = search.best
+            if best.reaches_pose or (best.reaches_point and not exactly):
+                return best
             await asyncio.sleep(0)
         return found
 

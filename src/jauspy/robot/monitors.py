@@ -52,7 +52,8 @@ class FaultMonitor:
         self._host.set_timer("faults", self._host.now + MONITOR_PERIOD, self._check)
         found = reason(self._module, self._robot.faults)
         if found and found != self._reason:
-            _LOG.error("%s (%s) is in Failure: %s; Reset tries again", self._host.id, self._module.type, found)
+            remedy = "close the robot, and open it again" if self._robot.ended_early else "Reset tries again"
+            _LOG.error("%s (%s) is in Failure: %s; %s", self._host.id, self._module.type, found, remedy)
         self._reason = found
         if found and "Failure" not in self._host.path and "Emergency" not in self._host.path:
             self._host.fire("Failure")

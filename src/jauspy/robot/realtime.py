@@ -7,7 +7,7 @@ import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from functools import partial
 from types import TracebackType
 from typing import Final, Self
@@ -138,6 +138,15 @@ SLOW_STEP: Final = 0.15
 WARNING_INTERVAL: Final = 10.0
 """Seconds between two warnings."""
 
+STALL_TIME: Final = 3.0
+"""Seconds without a step, while the program runs, after which a robot that does not advance is a fault."""
+RECOVERY_TIME: Final = 30.0
+"""The same for a step that enables the motors, or uses failed parts again: drives may have to be configured."""
+LONGEST_BEAT: Final = 0.5
+"""Seconds between two heartbeats that count at most: a program that was held up has not watched its robot meanwhile."""
+CLOSING_TIME: Final = 5.0
+"""Seconds after which the log says that the robot cannot be closed because its thread does not end."""
+
 WHOLE_ROBOT: Final = PartId(Robot)
 """The key in `RealTime.faults` for a failure of the robot as a whole."""
 
@@ -160,12 +169,14 @@ class StepTimer:
         self._due = now + self.step
 
     def wait(self, now: float) -> float:
-        """Seconds until the next step is due; 0 if it is due or late."""
-        return max(0.0, self._due - now)
+        """Seconds until the next step is due, at most one step; 0 if it is due or late."""
+        return min(self.step, max(0.0, self._due - now))
 
     def begin(self, now: float) -> None:
         """Count a step that starts now."""
         delay = now - self._due
+        if delay < -self.step:  # the clock was set back
+            self._due = now
         if delay > self.step:
             self.counters["late"] += 1
         if delay > self.max_delay:
@@ -189,6 +200,10 @@ class RealTime:
     An exception of the robot never ends the thread: it is logged, everything is stopped, and `faults` names the part
     that the command was for, or `WHOLE_ROBOT` when the robot cannot advance. Failed parts get no commands, and a robot
     that cannot advance stands still, until `retry`.
+
+    The thread and the program watch each other: `alive` notices when no step ends for `STALL_TIME` (`RECOVERY_TIME`
+    after `enable` and `retry`), which is a fault of the robot as a whole, too. If the thread ends before `close`, that
+    fault stays.
     """
 
     def __init__(
@@ -213,6 +228,10 @@ class RealTime:
         self._enabling: tuple[Callable[[], None], Future[None]] | None = None
         self._warned_at = -math.inf
         self._abandoned = False
+        self._ended_early = self._is_starting = False
+        self._steps_ended = self._steps_seen = 0
+        self._stood, self._patience = 0.0, STALL_TIME
+        self._is_to_stop = False
         self._snapshot = Snapshot.of(robot)
         self._closing = threading.Event()
         self._executor: ThreadPoolExecutor | None = None
@@ -257,8 +276,13 @@ class RealTime:
         return self._faults
 
     def retry(self, part: PartId) -> None:
-        """Use a failed part again: it is stopped first, and fails again if that raises an exception."""
+        """Use a failed part again: it is stopped first, and fails again if that raises an exception.
+
+        Without effect when the thread has ended early.
+        """
         with self._lock:
+            if self._ended_early:
+                return
             self._faults = {fault: why for fault, why in self._faults.items() if fault != part}
             self._retried.add(part)
 
@@ -284,14 +308,52 @@ class RealTime:
             self._enabling = enable, done
         return done
 
-    def alive(self) -> None:
-        """The heartbeat: to be called regularly by the program that commands the robot."""
-        self._alive = self._clock()
+    def alive(self, *, is_starting: bool = False) -> None:
+        """The heartbeat: to be called regularly by the program that commands the robot.
+
+        Over several calls it notices a robot that does not advance; that is logged, and a fault. The pauses of a
+        program that `is_starting`, and commands nothing yet, are not logged.
+        """
+        self._is_starting = is_starting
+        now = self._clock()
+        beat, self._alive = min(now - self._alive, LONGEST_BEAT), now
+        if self._steps_ended != self._steps_seen:
+            if self._stood >= STALL_TIME and WHOLE_ROBOT in self._faults:
+                _LOG.warning("the robot's thread steps again, after more than %.1f s", self._stood)
+            self._steps_seen, self._stood = self._steps_ended, 0.0
+            return
+        self._stood += beat
+        if self._stood >= self._patience and self._is_open and WHOLE_ROBOT not in self._faults:
+            self._fail(WHOLE_ROBOT, f"no step has ended for {self._patience:g} s: the backend or its thread hangs")
+            self._is_to_stop = True
+
+    def end_early(self, what: str, error: BaseException | None) -> None:
+        """Report that nobody steps or watches the robot any more before it was closed: a fault that stays.
+
+        `error` ended `what`; None if it was cancelled.
+        """
+        how = "it was cancelled" if error is None else _named(error)
+        why = f"{what} has ended: {how}"
+        with self._lock:
+            self._ended_early = self._is_to_stop = True
+            self._faults = {**self._faults, WHOLE_ROBOT: why}
+        self._timer.counters["faults"] += 1
+        _LOG.error("%s failed: %s", described(WHOLE_ROBOT), why, exc_info=error)
+
+    @property
+    def ended_early(self) -> bool:
+        """True if nobody steps or watches the robot any more, so that `retry` has no effect."""
+        return self._ended_early
+
+    @property
+    def _is_open(self) -> bool:
+        """True between `open` and `close`."""
+        return self._executor is not None and not self._closing.is_set()
 
     def open(self) -> None:
         """Start the thread. May be called twice."""
         if self._executor is None:
-            self.alive()
+            self.alive(is_starting=True)
             self._timer = StepTimer(self._step, self._max_delay, start=self._clock())
             self._executor = ThreadPoolExecutor(1, thread_name_prefix="robot")
             self._ended = self._executor.submit(self._run)
@@ -300,6 +362,11 @@ class RealTime:
         """Stop the robot and end the thread; the robot itself stays open. May be called twice."""
         self._closing.set()
         if self._executor is not None:
+            wait({self._ended}, CLOSING_TIME)
+            if not self._ended.done():
+                _LOG.error(
+                    "the robot cannot be closed: its thread has not ended for %g s, and is waited for", CLOSING_TIME
+                )
             self._executor.shutdown()
 
     def __enter__(self) -> Self:
@@ -317,7 +384,14 @@ class RealTime:
         try:
             while not self._closing.wait(self._timer.wait(self._clock())):
                 self._timer.begin(self._clock())
-                self._make_step()
+                try:
+                    self._make_step()
+                except BaseException as error:  # noqa: BLE001 - SystemExit, or the panic of an extension
+                    self._fail(WHOLE_ROBOT, error)
+                    self._stop_all()
+        except BaseException as error:
+            self.end_early("its thread", error)
+            raise
         finally:
             self._stop_all()
             if self._enabling is not None:
@@ -328,15 +402,19 @@ class RealTime:
             commands, self._pending = self._pending, {}
             retried, self._retried = self._retried, set()
             enabling, self._enabling = self._enabling, None
+        self._patience = RECOVERY_TIME if retried or enabling is not None else STALL_TIME
         if enabling is not None and not enabling[1].set_running_or_notify_cancel():
             enabling = None
-        refused = None if enabling is None else self._enable(enabling[0])
+        refused = None if enabling is None else self._enable(*enabling)
         began = self._clock()
         for part in retried:
             self._try(part, partial(_stop_part, self._robot, part))
         for command in commands.values():
             if command.part not in self._faults:
                 self._try(command.part, partial(command.apply, self._robot))
+        if self._is_to_stop:
+            self._is_to_stop = False
+            self._stop_all()
         self._stop_if_abandoned()
         if WHOLE_ROBOT not in self._faults:
             self._try(WHOLE_ROBOT, self._advance)
@@ -347,8 +425,9 @@ class RealTime:
             enabling[1].set_exception(refused)
         elif enabling is not None:
             enabling[1].set_result(None)
+        self._steps_ended += 1
 
-    def _enable(self, enable: Callable[[], None]) -> ConfigError | None:
+    def _enable(self, enable: Callable[[], None], done: Future[None]) -> ConfigError | None:
         """Enable the motors; return the error of a robot that cannot be used."""
         try:
             enable()
@@ -359,6 +438,9 @@ class RealTime:
         except Exception as error:  # noqa: BLE001 - whatever a backend raises
             self._fail(WHOLE_ROBOT, error)
             self._stop_all()
+        except BaseException as error:
+            done.set_exception(error)
+            raise
         self._timer.restart(self._clock())
         return None
 
@@ -378,19 +460,20 @@ class RealTime:
             self._fail(part, error)
             self._stop_all()
 
-    def _fail(self, part: PartId, error: Exception) -> None:
-        why = f"{type(error).__name__}: {error}"
+    def _fail(self, part: PartId, error: BaseException | str) -> None:
+        why = error if isinstance(error, str) else _named(error)
         if self._faults.get(part) != why:
             _LOG.error("%s failed: %s", described(part), why)
-            _LOG.debug("%s failed", described(part), exc_info=error)
+            if isinstance(error, BaseException):
+                _LOG.debug("%s failed", described(part), exc_info=error)
         self._timer.counters["faults"] += 1
         with self._lock:
             self._faults = {**self._faults, part: why}
 
     def _stop_all(self) -> None:
         """Stop each part, whether or not others can be stopped."""
-        joints = (PartId(JointGroup, name) for name in self._robot.groups)
-        for part in (CHASSIS, *joints, *(optional_part.id for optional_part in self._robot.optional_parts)):
+        joints = (PartId(JointGroup, name) for name in self.groups)
+        for part in (CHASSIS, *joints, *(optional_part.id for optional_part in self.optional_parts)):
             try:
                 _stop_part(self._robot, part)
             except Exception as error:  # noqa: BLE001 - whatever a backend raises
@@ -402,6 +485,8 @@ class RealTime:
             self._timer.counters["abandoned"] += 1
             self._try(CHASSIS, self._robot.drive.stop)
             if not self._abandoned:  # repeated holds would follow joints that sag
+                if not self._is_starting:
+                    _LOG.error("the program has not run for %g s: the robot is stopped", self._heartbeat_timeout)
                 self._stop_all()
         self._abandoned = abandoned
 
@@ -418,6 +503,10 @@ def described(part: PartId) -> str:
         return "the robot"
     kind = {CHASSIS.kind: "chassis", JointGroup: "joints"}.get(part.kind, part.kind.__name__)
     return f"the {kind} {part.name!r}" if part.name else f"the {kind}"
+
+
+def _named(error: BaseException) -> str:
+    return f"{type(error).__name__}: {error}"
 
 
 def _stop_part(robot: Robot, part: PartId) -> None:

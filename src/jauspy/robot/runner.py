@@ -272,7 +272,7 @@ class RobotRunner:
         async with AsyncExitStack() as stack:
             model = robot_model(self.config)
             realtime, enable = self._start_robot(stack, model)
-            stack.push_async_callback(_cancel, asyncio.create_task(self._send_heartbeats(realtime)))
+            _supervise(stack, asyncio.create_task(self._send_heartbeats(realtime), name="heartbeats"), realtime)
             videos = await self._open_cameras(stack, realtime)
             audit = self._open_audit_log(stack)
             make = partial(
@@ -295,7 +295,7 @@ class RobotRunner:
             self._realtime, self._videos, self._audit = realtime, videos, audit
             if model.cell is not None:
                 self._following = asyncio.create_task(modules.follow(), name="modules of the cell")
-                stack.push_async_callback(_cancel, self._following)
+                _supervise(stack, self._following, realtime)
             if enable is not None:
                 await asyncio.wrap_future(realtime.enable(enable))
             self._stack = stack.pop_all()
@@ -387,7 +387,7 @@ class RobotRunner:
         clock = asyncio.get_running_loop().time
         while True:
             sent_at = clock()
-            realtime.alive()
+            realtime.alive(is_starting=self._realtime is None)
             await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
             if self._realtime is not None and clock() - sent_at > HEARTBEAT_TIMEOUT:
                 _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
@@ -476,7 +476,20 @@ def _close(robot: Robot) -> None:
         _LOG.exception("the backend could not close the robot")
 
 
-async def _cancel(task: asyncio.Task[None]) -> None:
+def _supervise(stack: AsyncExitStack, task: asyncio.Task[None], realtime: RealTime) -> None:
+    """Cancel the task when the stack is closed; if it ends before, the robot has failed."""
+
+    def report(task: asyncio.Task[None]) -> None:
+        realtime.end_early(
+            f"the task {task.get_name()!r} of its program", None if task.cancelled() else task.exception()
+        )
+
+    task.add_done_callback(report)
+    stack.push_async_callback(_cancel, task, report)
+
+
+async def _cancel(task: asyncio.Task[None], report: Callable[[asyncio.Task[None]], None]) -> None:
+    task.remove_done_callback(report)
     task.cancel()
     with suppress(asyncio.CancelledError):
         await task

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
+from concurrent.futures import Future
 from contextlib import AbstractAsyncContextManager
 from dataclasses import replace
 from datetime import datetime
@@ -69,14 +70,34 @@ class VirtualTime(RealTime):
     def open(self) -> None:
         """Start the task; without effect when started."""
         if self._task is None:
+            self._ended = Future()
+            self._ended.set_running_or_notify_cancel()
             self._task = asyncio.create_task(self._step_on(), name="virtual robot")
+            self._task.add_done_callback(self._on_end)
 
     def close(self) -> None:
         """Stop the robot and end the task; without effect when closed."""
         task, self._task = self._task, None
         if task is not None:
+            task.remove_done_callback(self._on_end)
             task.cancel()
             self._stop_all()
+            if not self._ended.done():
+                self._ended.set_result(None)
+
+    @property
+    def _is_open(self) -> bool:
+        """True between `open` and `close`."""
+        return self._task is not None
+
+    def _on_end(self, task: asyncio.Task[None]) -> None:
+        """Report a task that was cancelled, or ended by an exception such as that of a test's time limit."""
+        error = None if task.cancelled() else task.exception()
+        self.end_early("the task that steps it", error)
+        self._stop_all()
+        self._ended.set_exception(error or RuntimeError("the task that steps the robot was cancelled"))
+        context = {"message": "the task that steps a virtual robot has ended", "exception": error, "task": task}
+        task.get_loop().call_exception_handler(context)
 
     async def _step_on(self) -> None:
         due = loop_time()

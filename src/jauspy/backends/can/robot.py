@@ -481,14 +481,14 @@ class _Clocked:
                 self.late.append(now - due)
             if now - due > self._period:  # no burst of what was missed
                 due = now
-            if self._advanced is not None and now - self._advanced > ROBOT_TIMEOUT:
-                self._master.hold_all()
             try:
+                if self._advanced is not None and now - self._advanced > ROBOT_TIMEOUT:
+                    self._master.hold_all()
                 self._master.cycle(now)
+                self._tick()
             except Exception as error:  # noqa: BLE001 - the thread must go on, or nothing stops the drives
                 _LOG.exception("a cycle failed")
                 self._master.bus_failed(f"{type(error).__name__}: {error}")
-            self._tick()
 
     def wait_cycle(self) -> None:
         """One period; the thread runs the cycle."""
@@ -497,8 +497,10 @@ class _Clocked:
             self._advanced = time.monotonic()  # the robot's thread is alive: it waits here
 
     def advance(self, dt: float) -> None:  # noqa: ARG002 - the clock does
-        """The robot's thread is alive."""
+        """The robot's thread is alive. Raises `DriveFault` if that of the cycles is not."""
         self._advanced = time.monotonic()
+        if self._thread is not None and not self._thread.is_alive():
+            raise DriveFault("the thread of the CAN bus has ended, and drives get no commands: start the robot again")
 
     def close(self) -> None:
         """End the threads, and close the bus."""
