@@ -68,7 +68,7 @@ class Handler(Workcell):
         return forward_kinematics(self.arm.geometry.links, self.arm.geometry.from_urdf(native), self.arm.tool).tool
 
     def random_pose(self, rng: random.Random) -> Transform:
-        """One that the arm reaches without touching robot or ground: at least 0.45 m above it, in front, beside the mast."""
+        """A pose reached without touching robot or ground: at least 0.45 m above it, in front, beside the mast."""
         while True:
             positions = [rng.uniform(0.9 * low + 0.1 * high, 0.1 * low + 0.9 * high) for low, high in self.arm.limits]
             tool = forward_kinematics(self.arm.geometry.links, positions, self.arm.tool).tool
