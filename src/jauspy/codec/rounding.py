@@ -6,7 +6,9 @@ import math
 import struct
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, Final, TypeVar
+from functools import lru_cache
+from typing import Any, Final, TypeAlias, TypeVar
+from weakref import WeakKeyDictionary
 
 from jauspy.codec.items import Blob, Choice, Formatted, Item, Number, Real
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
@@ -22,35 +24,73 @@ SINGLE_DIGITS: Final = 9
 
 M = TypeVar("M", bound=Message)
 
+Rounder: TypeAlias = Callable[[Any], Any]
+"""Function that rounds a value of one item."""
+
+_rounders: WeakKeyDictionary[type[Message], Rounder] = WeakKeyDictionary()
+"""Rounders of message classes, made at the first use of each."""
+
 
 def rounded(message: M) -> M:
-    """A copy of a decoded message with the fewest digits in each number that are encoded as the same bytes."""
-    found: M = _composite(message.layout(), message)
+    """A copy of a decoded message with the fewest digits in each number that are encoded as the same bytes.
+
+    The message itself if no number gets shorter.
+    """
+    kind = type(message)
+    rounder = _rounders.get(kind)
+    if rounder is None:
+        rounder = _rounders[kind] = _composite(kind.layout())
+    found: M = rounder(message)
     return found
 
 
 def shortest(value: float, scaling: Scaling) -> float:
     """The number with the fewest decimals that is encoded as the same raw value; outside of the range, the value."""
+    found: float = _real(scaling)(value)
+    return found
+
+
+@lru_cache(maxsize=1024)
+def _real(scaling: Scaling) -> Rounder:
+    """Round reals of one scaling: the first number of decimals that leaves the raw value as it is."""
+    lower, upper, factor, step, top = scaling.lower, scaling.upper, scaling.factor, scaling.step, scaling.top
+    first = math.floor(math.log10(factor))
+    margin = SAFE_PART * step
+    floor = math.floor
+    if scaling.function != "round" or first < 0:
+        return lambda value: _with_decimals(value, scaling, first)
+    scales = [10.0**decimals for decimals in range(first, first + EXTRA_DIGITS)]
+
+    def rounder(value: float) -> float:
+        if not lower <= value <= upper:
+            return value
+        raw = floor((value - lower) * factor + 0.5)
+        centre = upper if raw >= top else lower + raw * step
+        least, most = max(lower, centre - margin), min(upper, centre + margin)
+        for scale in scales:  # a whole number by a power of ten is the double that is nearest to the decimal
+            number = floor(value * scale + 0.5) / scale
+            if least <= number <= most and number:
+                return number
+            if not number and exact_raw(0.0, scaling) == exact_raw(value, scaling):
+                return 0.0  # halfway between two steps of a symmetric range, so beyond the margin
+        return value
+
+    return rounder
+
+
+def _with_decimals(value: float, scaling: Scaling, first: int) -> float:
     if not scaling.contains(value):
         return value
-    first = math.floor(math.log10(scaling.factor))
     for decimals in range(first, first + EXTRA_DIGITS):
         number = round(value, decimals) + 0.0  # no negative zero
-        if scaling.contains(number) and _same_raw(number, value, scaling):
+        if scaling.contains(number) and exact_raw(number, scaling) == exact_raw(value, scaling):
             return number
     return value
 
 
-def _same_raw(number: float, value: float, scaling: Scaling) -> bool:
-    if scaling.function == "round" and number:  # zero is halfway between two steps of a symmetric range
-        centre = scaling.real(min(scaling.top, math.floor((value - scaling.lower) * scaling.factor + 0.5)))
-        return abs(number - centre) <= SAFE_PART * scaling.step
-    return exact_raw(number, scaling) == exact_raw(value, scaling)
-
-
-def _single(value: float) -> float:
-    """The shortest number that is the same float of 32 bits."""
-    if not math.isfinite(value):
+def _single(value: Any) -> Any:
+    """The shortest number that is the same float of 32 bits; integers are returned as they are."""
+    if not isinstance(value, float) or not math.isfinite(value):
         return value
     packed = struct.pack("<f", value)
     for digits in range(1, SINGLE_DIGITS):
@@ -60,49 +100,72 @@ def _single(value: float) -> float:
     return value
 
 
-def _rounded(item: Item, value: Any) -> Any:
+def _rounder(item: Item) -> Rounder | None:
+    """The rounder of an item; None if it has no number with more digits than it needs."""
     if isinstance(item, Real):
-        return shortest(value, item.scaling)
+        return _real(item.scaling)
     if isinstance(item, Number):
-        return _single(value) if item.code == "f" and isinstance(value, float) else value
+        return _single if item.code == "f" else None
     make = _CONTAINERS.get(type(item))
-    return make(item, value) if make else value
+    return None if make is None else make(item)
 
 
-def _composite(item: Any, value: Any) -> Any:
-    parts = {slot.name: getattr(value, slot.name) for slot in item.slots}
-    changed = {slot.name: _rounded(slot.item, parts[slot.name]) for slot in item.slots if parts[slot.name] is not None}
-    return replace(value, **changed)
+def _composite(item: Any) -> Rounder:
+    rounders = [(slot.name, found) for slot in item.slots if (found := _rounder(slot.item)) is not None]
+
+    def rounder(record: Any) -> Any:
+        changed = {}
+        for name, function in rounders:
+            value = getattr(record, name)
+            if value is not None and (new := function(value)) is not value:
+                changed[name] = new
+        return replace(record, **changed) if changed else record
+
+    return rounder
 
 
-def _list(item: Any, value: Any) -> Any:
-    return [_rounded(item.item, part) for part in value]
+def _list(item: Any) -> Rounder | None:
+    function = _rounder(item.item)
+    return None if function is None else lambda parts: [function(part) for part in parts]
 
 
-def _grid(item: Any, value: Any) -> Any:
+def _grid(item: Any) -> Rounder | None:
     inner = Grid(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item
-    return [_rounded(inner, part) for part in value]
+    function = _rounder(inner)
+    return None if function is None else lambda parts: [function(part) for part in parts]
 
 
-def _union(item: Any, value: Any) -> Any:
-    arm = next((arm for arm in item.arms.values() if arm.cls is type(value)), None)
-    return value if arm is None else _composite(arm, value)
+def _union(item: Any) -> Rounder:
+    arms = {arm.cls: _composite(arm) for arm in item.arms.values()}
+
+    def rounder(value: Any) -> Any:
+        function = arms.get(type(value))
+        return value if function is None else function(value)
+
+    return rounder
 
 
-def _choice(item: Any, value: Any) -> Any:
-    chosen = item.items.get(value.choice)
-    return value if chosen is None else replace(value, value=_rounded(chosen, value.value))
+def _choice(item: Any) -> Rounder:
+    rounders = {choice: _rounder(chosen) for choice, chosen in item.items.items()}
+
+    def rounder(choice: Any) -> Any:
+        function = rounders.get(choice.choice)
+        if function is None or (new := function(choice.value)) is choice.value:
+            return choice
+        return replace(choice, value=new)
+
+    return rounder
 
 
-def _blob(_: Any, value: Any) -> Any:
-    return rounded(value) if isinstance(value, Message) else value
+def _blob(_: Any) -> Rounder:
+    return lambda value: rounded(value) if isinstance(value, Message) else value
 
 
-def _formatted(_: Any, value: Any) -> Any:
-    return replace(value, data=rounded(value.data)) if isinstance(value.data, Message) else value
+def _formatted(_: Any) -> Rounder:
+    return lambda value: replace(value, data=rounded(value.data)) if isinstance(value.data, Message) else value
 
 
-_CONTAINERS: Final[dict[type[Item], Callable[[Any, Any], Any]]] = {
+_CONTAINERS: Final[dict[type[Item], Callable[[Any], Rounder | None]]] = {
     Composite: _composite,
     Repeat: _list,
     Grid: _grid,
