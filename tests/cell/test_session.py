@@ -75,7 +75,6 @@ class TestFilm:
             with pytest.raises(ConfigError, match=r"film\.mp4 cannot be written: "):
                 await Film(path, camera).__aenter__()
 
-
     async def test_a_complete_one_has_no_problem(self, tmp_path: Path) -> None:
         film = filming(tmp_path / "film.mp4", pictures=1000)
         async with film:
@@ -101,10 +100,14 @@ class TestFilm:
 
     async def test_an_error_of_the_program_says_it_too(self, tmp_path: Path) -> None:
         film = filming(tmp_path / "film.mp4", pictures=0)
-        with pytest.raises(ZeroDivisionError) as raised:
+
+        async def run() -> None:
             async with film:
                 await asyncio.sleep(0.1)
                 raise ZeroDivisionError
+
+        with pytest.raises(ZeroDivisionError) as raised:
+            await run()
         assert raised.value.__notes__ == [film.problem]
 
 

@@ -144,7 +144,7 @@ FILM_CODEC: Final = "libx264"
 class Film:
     """`async with Film(path, camera)`: films 25 pictures for each second of the event loop's time.
 
-    An error while filming ends the film only: `problem` names it, after the block or before.
+    An error while filming ends the film only; `problem` names it after the block.
     """
 
     def __init__(self, path: Path, camera: CameraSource | None, *, size: tuple[int, int] = FILM_SIZE) -> None:
@@ -206,7 +206,8 @@ class Film:
         if not self.problem:
             _LOG.debug("filming has failed", exc_info=error)
             seconds = self.pictures / FILM_RATE
-            self.problem = f"the film {self.path} is incomplete: it ends after {seconds:.1f} s: {str(error) or repr(error)}"
+            why = str(error) or repr(error)
+            self.problem = f"the film {self.path} is incomplete: it ends after {seconds:.1f} s: {why}"
 
     async def _record(self) -> None:
         loop = asyncio.get_running_loop()

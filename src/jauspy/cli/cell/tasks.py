@@ -82,8 +82,8 @@ def assemble(
     another way. Without --connect the cell is simulated in this process, as fast as the machine can; with it the task
     is carried out by a running cell, such as `jauspy up cell`.
 
-    Exit status 1 when the arm could not be built; the reason is printed, and the cell is left at rest. It is 1, too, when
-    a film is incomplete.
+    Exit status 1 when the arm could not be built, or when a film is incomplete; the reason is printed, and the cell is
+    left at rest.
     """
     check_extra()
     if connect is not None and (record or view or exact):
