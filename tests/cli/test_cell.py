@@ -78,6 +78,18 @@ def test_a_task_that_fails_says_why(given: dict[str, bool]) -> None:
     assert "the box is lost" in found.output
 
 
+@pytest.mark.parametrize("task", ["assemble", "lift", "step", "car"])
+def test_an_incomplete_film_is_said_once(given: dict[str, bool], monkeypatch: pytest.MonkeyPatch, task: str) -> None:
+    async def run_one(task: str, seed: int, *_: Any, **__: Any) -> Measured:
+        return Measured(seed, task, success=True, film_problem="the film x.mp4 is incomplete")
+
+    monkeypatch.setattr(tasks, "run_one", run_one)
+    for more in ([], ["--json"]):
+        found = runner.invoke(app, ["cell", task, *more])
+        assert found.exit_code == 1
+        assert found.output.count("the film x.mp4 is incomplete") == 1
+
+
 def test_trials_need_a_rate(given: dict[str, bool], tmp_path: Path) -> None:
     arguments = ["cell", "trials", "lift", "--seeds", "4", "--out", str(tmp_path)]
     found = runner.invoke(app, arguments)

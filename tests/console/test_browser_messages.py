@@ -27,7 +27,7 @@ from jauspy.console.browser_messages import (
 )
 from jauspy.console.console import Console
 from jauspy.console.operation import MAX_SPEED, MAX_TURN_RATE
-from jauspy.console.server import make_app
+from jauspy.console.server import MAX_REQUESTS, make_app
 from jauspy.console.users import Session, User, current
 from jauspy.ocu.robot import Robot
 from jauspy.testing import VirtualNetwork
@@ -157,6 +157,70 @@ async def test_the_socket_for_stops_is_never_closed(
         assert stop.code is None
         assert at.console.events[-1].user == "anna"
         assert at.console.events[-1].text.startswith("emergency stop of 101: ")
+
+
+def noting_emergencies(console: Console, monkeypatch: pytest.MonkeyPatch) -> list[tuple[float, str]]:
+    """Messages that set or clear emergencies, as they are sent, with times in seconds."""
+    ocu, sent = console._emergency_ocu, list[tuple[float, str]]()
+    send = ocu.send
+
+    async def noted(to: Any, message: Any, **options: Any) -> None:
+        sent.append((asyncio.get_running_loop().time(), message.NAME))
+        await send(to, message, **options)
+
+    monkeypatch.setattr(ocu, "send", noted)
+    return sent
+
+
+@pytest.mark.parametrize("by_another", [False, True])
+async def test_a_stop_waits_for_no_release_and_is_not_undone_by_one(
+    virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch, by_another: bool
+) -> None:
+    async with desk(virtual_network, monkeypatch) as at, at.socket("/ws/stop") as stop, at.socket("/ws/stop") as other:
+        sent = noting_emergencies(at.console, monkeypatch)
+        stop.send("stop all")
+        stop.send("release all")
+        await asyncio.sleep(1.2)
+        assert {name for _, name in sent} == {"SetEmergency", "ClearEmergency"}, "the release has begun"
+        (other if by_another else stop).send("stop all")
+        begun = asyncio.get_running_loop().time()
+        await asyncio.sleep(3.0)
+        times = [time for time, name in sent if name == "SetEmergency" and time >= begun]
+        assert times[0] - begun < 0.01
+        assert not [name for time, name in sent if name == "ClearEmergency" and time > begun]
+        assert stop.said[1] == "not released: a stop came meanwhile"
+        assert str((other if by_another else stop).said[-1]).endswith("components stopped")
+
+
+async def test_a_key_that_is_held_sends_one_stop_and_a_release_follows_it(
+    virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with desk(virtual_network, monkeypatch) as at, at.socket("/ws/stop") as stop:
+        sent = noting_emergencies(at.console, monkeypatch)
+        for _ in range(90):
+            stop.send("stop all")
+        stop.send("release all")
+        await asyncio.sleep(3.0)
+        assert [str(text).rpartition(" components ")[2] for text in stop.said] == [
+            "stopped",
+            "released from the emergency",
+        ]
+        names = [name for _, name in sent]
+        assert names == sorted(names, reverse=True), "no release before the end of the stop"
+
+
+async def test_stops_of_many_targets_wait_their_turn(
+    virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with desk(virtual_network, monkeypatch) as at, at.socket("/ws/stop") as stop:
+        for number in range(1, 4 * MAX_REQUESTS):
+            stop.send(f"stop {number}")
+        stop.send("leave")
+        await asyncio.sleep(0.1)
+        running = [task for task in asyncio.all_tasks() if task.get_name() == "console: emergency"]
+        assert len(running) == MAX_REQUESTS
+        await asyncio.sleep(10.0)
+        assert len(stop.said) == 4 * MAX_REQUESTS - 1
 
 
 async def test_numbers_out_of_range_stop_whoever_sends_them(

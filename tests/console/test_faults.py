@@ -15,7 +15,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from tests.helpers.browser import BROWSER_MARKS, WAIT, chromium, console_for, new_page
+from tests.helpers.browser import BROWSER_MARKS, WAIT, chromium, console_for, new_page, sync_api
 from tests.helpers.command_line import shared_robot
 
 import jauspy
@@ -44,8 +44,8 @@ MAX_STATUS_QUERIES = 1
 The console stops a robot after 0.2 s of silence and queries its status at most twice a second, both by its own clock,
 so that the number does not depend on how busy the machine is.
 """
-MAX_BLOCKS = 2
-"""Tasks of a flooded page that may come between a key and what it sends: the one that runs, and one that is due."""
+MIN_QUERIES_OF_SILENCE = 8
+"""Periodic queries of the console in the 8 s that a silent page has: one each 0.5 s, and 0.5 s for its answer."""
 STANDS = 0.02
 """m/s."""
 DRIVER = JausID(101, 1, 102)
@@ -167,11 +167,28 @@ class WatchedRobot:
         queries = [each for each in before if each.source == last.source and isinstance(each.message, QueryStatus)]
         assert len(queries) <= MAX_STATUS_QUERIES
         stop = next(each for each in after if each.stops_at_once)
-        assert stop.source == last.source
+        assert (stop.source.subsystem, stop.source.node) == (last.source.subsystem, last.source.node), "its console"
         assert isinstance(stop.message, kinds or Message)
         moved = [at for at, speed in self._realtime.samples.copy() if abs(speed) >= STANDS]
         assert moved[-1] >= last.time, "it moved until it was stopped"
         assert moved[-1] - stop.time <= STOP_TIME
+
+    def assert_released_at_once(self) -> None:
+        """Released by its console, long before a page that is silent counts as closed."""
+
+        def releases() -> list[int]:
+            after = self._after_last_command()
+            return [index for index, each in enumerate(after) if isinstance(each.message, ReleaseControl)]
+
+        _wait_until(lambda: bool(releases()), "nothing releases the robot")
+        last, *after = self._after_last_command()
+        before = after[: releases()[0] - 1]
+        queries = [each for each in before if each.source == last.source and isinstance(each.message, QueryStatus)]
+        assert len(queries) < MIN_QUERIES_OF_SILENCE
+
+    def has_received(self, kind: type[Message]) -> bool:
+        """True if a message of this kind has come since the last command."""
+        return any(isinstance(each.message, kind) for each in self._after_last_command())
 
     def _after_last_command(self) -> list[Received]:
         """The last command to drive, and what came after it."""
@@ -220,28 +237,60 @@ def page(browser: Any) -> Iterator[Any]:
     opened.close()
 
 
+def take(page: Any) -> None:
+    """Take control, again when it is refused: on a busy machine a component may not be Ready in time."""
+    operates = page.get_by_text("you operate this robot")
+    button = page.get_by_role("button", name=re.compile("^take( over)?$"))
+    operates.or_(button).first.wait_for()
+
+    def is_taken() -> bool:
+        if operates.is_visible():
+            return True
+        with suppress(sync_api.TimeoutError):
+            button.click(timeout=1_000)  # away when control was granted meanwhile
+            operates.wait_for(timeout=5_000)
+        return bool(operates.is_visible())
+
+    _wait_until(is_taken, "control is not granted")
+
+
+def clear_emergency(page: Any) -> None:
+    """Clear it, again until all components have answered in time."""
+    cleared = page.locator("#stop-answer", has_text=re.compile(r"^(\d+) of \1 components released"))
+
+    def is_cleared() -> bool:
+        page.get_by_role("button", name="clear emergency").click()
+        with suppress(sync_api.TimeoutError):
+            cleared.wait_for(timeout=5_000)
+        return bool(cleared.is_visible())
+
+    _wait_until(is_cleared, "the emergency is not cleared")
+
+
 def drive(page: Any, url: str, robot: WatchedRobot) -> None:
     """Take control, and hold a key until the robot moves."""
     page.goto(url)
     page.get_by_text("101 inc1").first.wait_for()
-    page.get_by_role("button", name=re.compile("^take( over)?$")).click()
-    page.get_by_text("you operate this robot").wait_for()
+    take(page)
     page.keyboard.down("KeyW")
     robot.wait(moving=True)
 
 
 def note_what_is_sent_after(page: Any, event: str) -> None:
-    """Have the page keep what it sends once this event has come to it, and how long ago the event was then."""
+    """Have the page keep what it sends once this event has come to it, and in the handler of which event."""
     page.evaluate(
         f"""() => {{
             const send = WebSocket.prototype.send;
             WebSocket.prototype.send = function (data) {{
-                if (/^\\[|^stop/.test(data)) window.sentAfter?.push(data); // NiceGUI's begin with a digit
+                if (/^\\[|^stop/.test(data)) {{ // NiceGUI's begin with a digit
+                    window.sentAfter?.push(data);
+                    window.sentDuring?.push(window.event?.type ?? "another task");
+                }}
                 return send.call(this, data);
             }};
-            addEventListener('{event}', (event) => {{
-                window.blocksBetween = (window.blocks ?? []).filter((start) => start > event.timeStamp).length;
+            addEventListener('{event}', () => {{
                 window.sentAfter ??= [];
+                window.sentDuring ??= [];
             }}, true);
         }}"""
     )
@@ -261,11 +310,12 @@ def test_the_robot_stands_when_the_key_is_up_or_the_focus_is_lost(
     drive(page, url, robot)
     note_what_is_sent_after(page, event)
     if event == "blur":
-        page.evaluate("window.sentAfter = []; window.dispatchEvent(new Event('blur'))")
+        page.evaluate("window.sentAfter = []; window.sentDuring = []; window.dispatchEvent(new Event('blur'))")
     else:
         page.keyboard.up("KeyW")
     robot.assert_stopped(SetWrenchEffort)
     assert set(sent_after(page)) == {"[0,0]"}
+    assert set(page.evaluate("sentDuring")) == {event}
 
 
 def test_the_robot_stands_when_the_tab_is_closed(browser: Any, url: str, robot: WatchedRobot) -> None:
@@ -279,9 +329,12 @@ def test_a_page_that_is_closed_releases_the_robot_at_once(browser: Any, url: str
     tab, other = new_page(browser), new_page(browser)
     drive(tab, url, robot)
     other.goto(url)
+    other.get_by_text("another browser operates it").or_(other.get_by_text("observing")).first.wait_for()
+    take(tab)  # a busy machine may have lost control meanwhile
     other.get_by_text("another browser operates it").wait_for()
     tab.close()
-    other.get_by_text("observing").wait_for(timeout=5_000)  # a page that only falls silent has 8 s to reconnect
+    robot.assert_released_at_once()
+    other.get_by_text("observing").wait_for()
     other.close()
 
 
@@ -337,15 +390,15 @@ def test_the_robot_stands_when_the_network_is_away(
         drive(page, parts._replace(netloc=f"127.0.0.1:{port}").geturl(), robot)
         background.run(proxy.cut())
         robot.assert_stopped(SetWrenchEffort)
+        page.keyboard.press("Escape")
+        page.get_by_text("NOT CONFIRMED: the console does not answer").wait_for()
     finally:
         background.run(proxy.close())
         page.close()
 
 
 FLOOD = """() => {
-    window.blocks = [];
     setInterval(() => {
-        blocks.push(performance.now());
         for (let i = 0; i < 200; i++) document.querySelector('.centre').append(document.createElement('p'));
         const end = performance.now() + 100; while (performance.now() < end);
     }, 120);
@@ -374,13 +427,13 @@ def test_the_robot_stands_soon_after_the_emergency_stop_while_the_page_is_floode
     note_what_is_sent_after(page, "keydown")
     page.evaluate(FLOOD)
     page.keyboard.press("Escape")
-    robot.wait(moving=False)
+    robot.assert_stopped(SetWrenchEffort, SetEmergency)
     background.loop.call_soon_threadsafe(flooding.cancel)
     assert sent_after(page)[:2] == ["[0,0]", "stop all"]
-    assert page.evaluate("blocksBetween") <= MAX_BLOCKS
-    page.get_by_text("components stopped").first.wait_for()
-    page.get_by_role("button", name="clear emergency").click()
-    page.get_by_text("released from the emergency").first.wait_for()
+    assert page.evaluate("sentDuring")[:2] == ["keydown", "keydown"], "in the first task after the key"
+    _wait_until(lambda: robot.has_received(SetEmergency), "no emergency stop comes")
+    page.locator("#stop-answer", has_text=re.compile("components stopped|no component answered")).wait_for()
+    clear_emergency(page)
     page.close()
 
 
@@ -455,7 +508,7 @@ def test_the_keyboard_alone(page: Any, url: str, robot: WatchedRobot) -> None:
     page.goto(url)
     page.get_by_text("101 inc1").first.wait_for()
     page.get_by_role("button", name=re.compile("^take( over)?$")).wait_for()
-    assert page.evaluate(UNNAMED) == [], "everything that takes the focus has a name"
+    _wait_until(lambda: page.evaluate(UNNAMED) == [], f"without a name: {page.evaluate(UNNAMED)}")
 
     seen: list[str] = []
     for _ in range(60):

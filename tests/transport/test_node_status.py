@@ -8,6 +8,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -75,3 +76,28 @@ async def test_a_location_has_the_ports_of_the_node_managers(root: Path) -> None
     assert found["42.1.1"] == Location(hosts=frozenset({"192.0.2.7"}), ports=frozenset({4794, 4795}))
     assert found["7.1.1"] == Location(ports=frozenset({4794}))
     assert found["101.1.102"] == found["8.1.1"] == node_status.this_machine()._replace(ports=frozenset({4794}))
+
+
+async def test_a_status_that_does_not_come_leaves_no_connection_open(
+    root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[asyncio.StreamWriter] = []
+    connect = asyncio.open_unix_connection
+
+    async def noted(path: Path) -> Any:
+        reader, writer = await connect(path)
+        opened.append(writer)
+        return reader, writer
+
+    async def say_nothing(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        await reader.read()  # until the connection is closed
+        writer.close()
+
+    monkeypatch.setattr(asyncio, "open_unix_connection", noted)
+    monkeypatch.setattr(node_status, "READ_TIMEOUT", 0.05)
+    async with await asyncio.start_unix_server(say_nothing, root / node_status.SOCKET_NAME):
+        while not opened:
+            with pytest.raises(TransportError, match="no answer"):
+                await node_status.read(root)
+        assert all(writer.transport.is_closing() for writer in opened)
+        await opened[-1].wait_closed()

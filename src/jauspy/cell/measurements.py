@@ -39,11 +39,13 @@ class Measured:
     """Figures by name, SI units."""
     rows: list[dict[str, Any]] = field(default_factory=list)
     """Lines of a table."""
+    film_problem: str = ""
+    """Why the film of the run is incomplete, as a sentence; empty if it is complete, or was not wanted."""
 
     def comparable(self) -> dict[str, Any]:
         """All that is the same in each run with this seed."""
         found = asdict(self)
-        del found["wall"]
+        del found["wall"], found["film_problem"]
         return found
 
 

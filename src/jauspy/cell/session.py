@@ -18,6 +18,7 @@ from jauspy.cell.client import CellClient
 from jauspy.cell.judge import Judge, WatchedBackend
 from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError
+from jauspy.logs import get_logger
 from jauspy.ocu import OCU
 from jauspy.platform.camera import CameraSession, CameraSource
 from jauspy.platform.contract import Robot
@@ -26,6 +27,8 @@ from jauspy.robot.config import RobotConfig
 from jauspy.robot.runner import RobotRunner
 from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork
+
+_LOG: Final = get_logger(__name__)
 
 ROBOT: Final = "cell"
 OCU_ID: Final = "42.1.1"
@@ -139,13 +142,18 @@ FILM_CODEC: Final = "libx264"
 
 
 class Film:
-    """`async with Film(path, camera)`: films 25 pictures for each second of the event loop's time."""
+    """`async with Film(path, camera)`: films 25 pictures for each second of the event loop's time.
+
+    An error while filming ends the film only; `problem` names it after the block.
+    """
 
     def __init__(self, path: Path, camera: CameraSource | None, *, size: tuple[int, int] = FILM_SIZE) -> None:
         if camera is None:
             raise ConfigError("the cell has no camera to film with")
         self.path = path
         self.pictures = 0
+        self.problem = ""
+        """Why the film is incomplete, as a sentence; empty if it is not."""
         self._camera = camera
         self._size = size
         self._session: CameraSession | None = None
@@ -173,15 +181,33 @@ class Film:
         self._task = asyncio.create_task(self._record(), name="film")
         return self
 
-    async def __aexit__(self, *_: object) -> None:
-        if self._task is not None:
-            self._task.cancel()
-            await asyncio.wait({self._task})
-        for packet in self._stream.encode():
-            self._container.mux(packet)
-        self._container.close()
-        if self._session is not None:
-            self._session.close()
+    async def __aexit__(self, _type: object, raised: BaseException | None, _traceback: object) -> None:
+        assert self._task is not None
+        assert self._session is not None
+        self._task.cancel()
+        await asyncio.wait({self._task})
+        if not self._task.cancelled():
+            self._note(self._task.exception())
+        try:
+            for packet in self._stream.encode():
+                self._container.mux(packet)
+        except self._av.FFmpegError as error:
+            self._note(error)
+        try:
+            self._container.close()
+        except self._av.FFmpegError as error:
+            self._note(error)
+        self._session.close()
+        if raised is not None and self.problem:
+            raised.add_note(self.problem)
+
+    def _note(self, error: BaseException | None) -> None:
+        """Keep the first error: those after it are its consequences."""
+        if not self.problem:
+            _LOG.debug("filming has failed", exc_info=error)
+            seconds = self.pictures / FILM_RATE
+            why = str(error) or repr(error)
+            self.problem = f"the film {self.path} is incomplete: it ends after {seconds:.1f} s: {why}"
 
     async def _record(self) -> None:
         loop = asyncio.get_running_loop()

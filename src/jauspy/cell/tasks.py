@@ -223,7 +223,10 @@ async def run_one(
     film: Path | None = None,
     view: bool = False,
 ) -> Measured:
-    """One run; `film` is a file, `view` opens a window. A task that raises is a failure with that reason."""
+    """One run; `film` is a file, `view` opens a window. A task that raises is a failure with that reason.
+
+    A film that is incomplete changes nothing else of the result, which says so.
+    """
     begun = time.perf_counter()
     camera = FILMED_BY.get(task, "overview")
     async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:
@@ -233,4 +236,6 @@ async def run_one(
         except JausError as error:
             found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
     found.wall = time.perf_counter() - begun
+    if session.film is not None:
+        found.film_problem = session.film.problem
     return found

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import asyncio
 from collections import Counter, deque
-from collections.abc import Callable, Mapping
+from collections.abc import Awaitable, Callable, Coroutine, Mapping
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
+from jauspy.console.emergency import Emergencies, destination
 from jauspy.console.fleet import NOTHING, Fleet
 from jauspy.console.killed_console import Watchdog
 from jauspy.console.motion import Jogging
@@ -25,7 +26,7 @@ from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.ocu import OCU
 from jauspy.ocu.arm import POSITION_DRIVER
-from jauspy.ocu.emergency import obeys, set_emergency
+from jauspy.ocu.emergency import Reports, obeys
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
 from jauspy.robot.audit import MAX_PAYLOAD, AuditLog
@@ -37,9 +38,8 @@ MAX_EVENT: Final = 500
 """Characters of a line of the log."""
 BY_ITSELF: Final = "(console)"
 """The operator of commands without a user, in the audit log; no user has this name."""
+NO_ANSWER: Final = "no component answered"
 RECORDINGS: Final = Path.home() / "jauspy-recordings"
-STOP_TIME: Final = 1.0
-"""Seconds in which an emergency stop is repeated until all obey."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +88,7 @@ class Console:
             client.trace(self._trace)
         self._audit = audit
         self._emergency_ocu = emergency_ocu
+        self.emergencies = Emergencies(emergency_ocu)
         self._operations: dict[int, Operation] = {}
         self._jogging: dict[JausID, Jogging] = {}
         self._cameras: dict[JausID, SharedCamera] = {}
@@ -216,17 +217,29 @@ class Console:
         self._cameras[id] = SharedCamera(camera, str(id), self.note, state, self._attitudes[robot.id])
         return self._cameras[id]
 
-    async def stop(self, target: str, *, release: bool = False) -> str:
-        """Set or clear the emergency of a robot or of all; returns a text with the components that obeyed."""
-        destination = JausID(int(target), 255, 255) if target.isdecimal() else JausID(65535, 255, 255)
+    def stop(self, target: str) -> Coroutine[Any, Any, str]:
+        """Set the emergency of a robot or of all, from now on; await a text with the components that obeyed."""
         for operation in self._operations.values():
-            if destination.subsystem in (65535, operation.robot.id) and operation.operator and not release:
+            if destination(target).subsystem in (65535, operation.robot.id) and operation.operator:
                 operation.drive(operation.operator, 0.0, 0.0)
-        found = await set_emergency(self._emergency_ocu, destination, release=release, within=STOP_TIME)
-        obeyed = sum(obeys(report, release=release) for report in found.values())
-        what = "released from the emergency" if release else "stopped"
-        text = f"{obeyed} of {len(found)} components {what}" if found else "no component answered"
-        self.act(f"emergency {'release' if release else 'stop'} of {target}: {text}")
+        return self._stopped(target, self.emergencies.stop(target))
+
+    async def _stopped(self, target: str, reports: Awaitable[Reports]) -> str:
+        found = await reports
+        obeyed = sum(obeys(report, release=False) for report in found.values())
+        text = f"{obeyed} of {len(found)} components stopped" if found else NO_ANSWER
+        self.act(f"emergency stop of {target}: {text}")
+        return text
+
+    async def release(self, target: str) -> str:
+        """Clear the emergency of a robot or of all; returns a text with the components that obeyed."""
+        found = await self.emergencies.release(target)
+        if found is None:
+            text = "not released: a stop came meanwhile"
+        else:
+            obeyed = sum(obeys(report, release=True) for report in found.values())
+            text = f"{obeyed} of {len(found)} components released from the emergency" if found else NO_ANSWER
+        self.act(f"emergency release of {target}: {text}")
         return text
 
     async def close(self) -> None:

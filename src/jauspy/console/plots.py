@@ -11,6 +11,7 @@ from collections.abc import Callable
 from contextlib import aclosing
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
+from functools import partial
 from typing import Final
 
 from nicegui import ui
@@ -171,7 +172,7 @@ class PlotsPanel:
         self._queries: dict[str, Message] = {}
         self._fields: dict[str, Field] = {}
         self._sent: dict[int, int] = {}
-        self._listed: tuple[tuple[int, str], ...] = ()
+        self._shown: dict[int, _Chip] = {}
         with ui.element("div").classes("choice"):
             self._component = _select("component", self._choose_component).classes("wide named")
             self._message = _select("message", self._choose_message).classes("wide")
@@ -253,10 +254,7 @@ class PlotsPanel:
     def _update(self) -> None:
         """Send the values that are new to the browser, which keeps as many as the recorder."""
         traces = list(self.recorder.traces.values())
-        listed = tuple((trace.number, trace.problem) for trace in traces)
-        if listed != self._listed:
-            self._listed = listed
-            self._show_chips(traces)
+        self._show_chips(traces)
         if traces or self._sent:
             parts = [self._part(trace) for trace in traces]
             self._sent = {trace.number: trace.total for trace in traces}
@@ -274,15 +272,14 @@ class PlotsPanel:
         }
 
     def _show_chips(self, traces: list[Trace]) -> None:
-        self._chips.clear()
-        with self._chips:
-            for place, trace in enumerate(traces):
-                with attributes(ui.element("div").classes("trace"), data_place=place % 6):
-                    ui.label(printable(trace.name))
-                    if trace.problem:
-                        ui.label(printable(trace.problem)).classes("problem")
-                    remove = ui.button("\u00d7", on_click=lambda number=trace.number: self.recorder.remove(number))
-                    remove.props('flat dense aria-label="remove"')
+        """Add and remove what has changed; all else stays, so that a click on it is not lost."""
+        for number in self._shown.keys() - self.recorder.traces.keys():
+            self._shown.pop(number).element.delete()
+        for place, trace in enumerate(traces):
+            if trace.number not in self._shown:
+                with self._chips:
+                    self._shown[trace.number] = _Chip(trace, self.recorder)
+            self._shown[trace.number].update(place)
 
     # --- buttons ----------------------------------------------------------------------------------------------------
 
@@ -297,6 +294,24 @@ class PlotsPanel:
 
     def _download(self) -> None:
         ui.download.content(self.recorder.csv(), f"jauspy-{datetime.now().astimezone():%Y%m%d-%H%M%S}.csv", "text/csv")
+
+
+class _Chip:
+    """The name of a trace, its problem, and the button that removes it."""
+
+    def __init__(self, trace: Trace, recorder: Recorder) -> None:
+        self._trace = trace
+        with ui.element("div").classes("trace") as self.element:
+            ui.label(printable(trace.name))
+            self._problem = ui.label("").classes("problem")
+            remove = ui.button("\u00d7", on_click=partial(recorder.remove, trace.number))
+            remove.props('flat dense aria-label="remove"')
+
+    def update(self, place: int) -> None:
+        """Show the present problem, and the colour of this place in the chart."""
+        attributes(self.element, data_place=place % 6)
+        self._problem.set_text(printable(self._trace.problem))
+        self._problem.set_visibility(bool(self._trace.problem))
 
 
 def _select(label: str, on_change: Callable[[], object], *, multiple: bool = False) -> ui.select:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import secrets
 import socket
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Coroutine
 from contextlib import asynccontextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import partial
@@ -20,7 +20,7 @@ from starlette.staticfiles import StaticFiles
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from jauspy.console.body_limit import BodyLimit
-from jauspy.console.browser_messages import drive_message, jog_message, messages, stop_request
+from jauspy.console.browser_messages import StopRequest, drive_message, jog_message, messages, stop_request
 from jauspy.console.certificates import check_certificate
 from jauspy.console.connections import Connections
 from jauspy.console.console import RECORDINGS, Console
@@ -40,6 +40,8 @@ MAX_FRAME: Final = 1 << 16
 """Bytes of a message of a browser."""
 BACKLOG: Final = 512
 """Connections that the kernel keeps until they are accepted."""
+MAX_REQUESTS: Final = 8
+"""Stops and releases of one browser that are under way at the same time; further ones wait."""
 GRACE: Final = 2
 """Seconds that browsers have to leave when the console ends."""
 LOGGERS: Final = ("nicegui", "engineio.server", "socketio.server", "uvicorn", "uvicorn.error", "uvicorn.access")
@@ -80,31 +82,7 @@ def make_app(console: Console) -> FastAPI:
             return
         await camera.serve(page, partial(console.refused, "/ws/video"))
 
-    @app.websocket("/ws/stop/{token}")
-    async def stop(page: WebSocket, token: str) -> None:
-        """Receive `stop 101`, `stop all`, `release 101`, on a separate connection that nothing can block.
-
-        `leave` means that the page was closed or reloaded; a page that only falls silent may reconnect.
-        """
-        if not await _accepted(page, console, token):
-            return
-        async for request in messages(page, stop_request, partial(console.refused, "/ws/stop"), closes=False):
-            if request is None:
-                await _answer(page, "not understood: stop or release, and a robot's number or all")
-                continue
-            if request.verb == "leave":
-                console.forget(token)
-                return
-            user = current_user()
-            if request.verb == "release" and user is not None and not user.may_operate:
-                await _answer(page, f"{user.name} may stop robots, and not release them ({user.role})")
-                continue
-            try:
-                said = await console.stop(request.target, release=request.verb == "release")
-            except JausError as error:
-                said = str(error)
-            await _answer(page, said)
-
+    _add_stop(app, console)
     add_world(
         app,
         console.worlds,
@@ -114,6 +92,50 @@ def make_app(console: Console) -> FastAPI:
     )
     _add_jog(app, console)
     return app
+
+
+def _add_stop(app: FastAPI, console: Console) -> None:
+    @app.websocket("/ws/stop/{token}")
+    async def stop(page: WebSocket, token: str) -> None:
+        """Receive `stop 101`, `stop all`, `release 101`, on a separate connection that nothing can block.
+
+        `leave` means that the page was closed or reloaded; a page that only falls silent may reconnect.
+        """
+        if not await _accepted(page, console, token):
+            return
+        running: dict[asyncio.Task[None], StopRequest] = {}
+        async for request in messages(page, stop_request, partial(console.refused, "/ws/stop"), closes=False):
+            if request is None:
+                await _answer(page, "not understood: stop or release, and a robot's number or all")
+                continue
+            if request.verb == "leave":
+                console.forget(token)
+                break
+            user = current_user()
+            if request.verb == "release" and user is not None and not user.may_operate:
+                await _answer(page, f"{user.name} may stop robots, and not release them ({user.role})")
+                continue
+            if request.verb == "stop":
+                console.emergencies.end_releases()
+                if request in running.values() and console.emergencies.is_stopping(request.target):
+                    continue  # as when a key is held
+            while len(running) >= MAX_REQUESTS:
+                await asyncio.wait(list(running), return_when=asyncio.FIRST_COMPLETED)
+            work = console.stop(request.target) if request.verb == "stop" else console.release(request.target)
+            task = asyncio.create_task(_tell(page, work), name="console: emergency")
+            running[task] = request
+            task.add_done_callback(running.pop)
+        if running:
+            await asyncio.wait(list(running))
+
+
+async def _tell(page: WebSocket, work: Coroutine[Any, Any, str]) -> None:
+    """Tell a browser the result of what it has requested."""
+    try:
+        said = await work
+    except JausError as error:
+        said = str(error)
+    await _answer(page, said)
 
 
 def _add_jog(app: FastAPI, console: Console) -> None:

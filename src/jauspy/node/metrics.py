@@ -17,7 +17,7 @@ from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.node.status import NodeState
 from jauspy.protocol.addressing import format_port
-from jauspy.transport.listener import Listener, stream_protocol
+from jauspy.transport.listener import StreamServer
 
 REQUEST_TIMEOUT: Final = 5.0
 """Seconds for a request and its answer."""
@@ -63,7 +63,7 @@ class MetricsServer:
         self._registry = CollectorRegistry(auto_describe=False)
         self._collector = NodeCollector(state)
         self._readers = 0
-        self._listener: Listener | None = None
+        self._server: StreamServer | None = None
 
     async def __aenter__(self) -> None:
         self._registry.register(self._collector)
@@ -74,11 +74,11 @@ class MetricsServer:
             problem = f"cannot serve metrics on {self._where[0]}:{self._where[1]}: {why}"
             raise TransportError(f"{problem}; choose another with --metrics") from error
         counters = self._state().router.counters
-        self._listener = Listener(sock, lambda: stream_protocol(self._serve, MAX_REQUEST), counters)
+        self._server = StreamServer(sock, self._serve, counters, MAX_REQUEST)
 
     async def __aexit__(self, *error: object) -> None:
-        if self._listener is not None:
-            self._listener.close()
+        if self._server is not None:
+            await self._server.close()
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         if self._readers >= MAX_READERS:

@@ -21,7 +21,7 @@ from jauspy.protocol.addressing import NetworkPort, format_port
 from jauspy.protocol.gateway import Refused
 from jauspy.protocol.routing import Router
 from jauspy.transport import local
-from jauspy.transport.listener import Listener, stream_protocol
+from jauspy.transport.listener import StreamServer
 from jauspy.transport.node_status import READ_TIMEOUT, SOCKET_NAME, read
 
 __all__ = ["SOCKET_NAME", "NodeState", "StatusServer", "read", "with_rates"]
@@ -112,7 +112,7 @@ class StatusServer:
         self._state = state
         self._started = asyncio.get_running_loop().time()
         self._readers = 0
-        self._listener: Listener | None = None
+        self._server: StreamServer | None = None
 
     async def __aenter__(self) -> None:
         with ExitStack() as stack:
@@ -127,11 +127,11 @@ class StatusServer:
                 raise TransportError(f"{problem}; {local.OTHER_DIRECTORY}, or set `status` to false") from error
             local.give_to_group(self._path, self._group)
             stack.pop_all()
-        self._listener = Listener(sock, lambda: stream_protocol(self._serve), self._state().router.counters)
+        self._server = StreamServer(sock, self._serve, self._state().router.counters)
 
     async def __aexit__(self, *error: object) -> None:
-        if self._listener is not None:
-            self._listener.close()
+        if self._server is not None:
+            await self._server.close()
         self._path.unlink(missing_ok=True)
 
     async def _serve(self, _: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:

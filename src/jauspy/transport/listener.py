@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import socket
-from collections.abc import Awaitable, Callable
-from typing import Final
+from collections.abc import Callable, Coroutine
+from typing import Any, Final
 
 from jauspy.protocol.counters import Counters
 
@@ -14,7 +14,7 @@ ACCEPT_BURST: Final = 8
 RETRY_INTERVAL: Final = 0.5
 """Seconds without accepting after the process or the system had no descriptor for a connection."""
 
-StreamHandler = Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]]
+StreamHandler = Callable[[asyncio.StreamReader, asyncio.StreamWriter], Coroutine[Any, Any, None]]
 
 
 class Listener:
@@ -74,6 +74,36 @@ class Listener:
             connection.close()
 
 
-def stream_protocol(handle: StreamHandler, limit: int = 2**16) -> asyncio.StreamReaderProtocol:
-    """A protocol that calls `handle(reader, writer)` in a task, as `asyncio.start_server` does."""
-    return asyncio.StreamReaderProtocol(asyncio.StreamReader(limit=limit), handle)
+class StreamServer:
+    """Calls `handle(reader, writer)` in a task for each connection on a listening socket, which it owns.
+
+    A handler closes its writer. `limit`: bytes that `reader` keeps.
+    """
+
+    def __init__(self, sock: socket.socket, handle: StreamHandler, counters: Counters, limit: int = 2**16) -> None:
+        self._handle = handle
+        self._writers: dict[asyncio.Task[None], asyncio.StreamWriter] = {}
+        self._closed = False
+        self._listener = Listener(
+            sock,
+            lambda: asyncio.StreamReaderProtocol(asyncio.StreamReader(limit=limit), self._connected),
+            counters,
+        )
+
+    async def close(self) -> None:
+        """Stop accepting, close all connections immediately, and wait until their handlers have ended."""
+        self._closed = True
+        self._listener.close()
+        for task, writer in self._writers.items():
+            task.cancel()
+            writer.transport.abort()  # also for a handler that has not begun, which closes nothing
+        if self._writers:
+            await asyncio.wait(list(self._writers))
+
+    def _connected(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        if self._closed:
+            writer.transport.abort()
+            return
+        task = asyncio.get_running_loop().create_task(self._handle(reader, writer), name="stream server: connection")
+        self._writers[task] = writer
+        task.add_done_callback(self._writers.pop)

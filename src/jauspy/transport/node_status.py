@@ -34,12 +34,12 @@ async def read(root: Path) -> dict[str, Any]:
     try:
         async with asyncio.timeout(READ_TIMEOUT):
             reader, writer = await asyncio.open_unix_connection(path)
-            text = bytearray()
-            while part := await reader.read(1 << 16):
-                text += part
-                if len(text) > MAX_STATUS:
-                    break
-            writer.close()
+            try:
+                text = bytearray()
+                while len(text) <= MAX_STATUS and (part := await reader.read(1 << 16)):
+                    text += part
+            finally:
+                writer.transport.abort()  # nothing was written
         status = _parsed(text)
     except (OSError, TimeoutError, TypeError, ValueError) as error:
         raise TransportError(

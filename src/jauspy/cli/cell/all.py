@@ -79,7 +79,10 @@ def _filmed(task: str, seed: int, film: Path | None) -> Measured:
     from jauspy.cell.tasks import run_one
 
     console.note(f"{task}, seed {seed}")
-    return run(run_one(task, seed, film=film)) or Measured(seed, task, failure="stopped")
+    found = run(run_one(task, seed, film=film)) or Measured(seed, task, failure="stopped")
+    if found.film_problem:
+        console.error(found.film_problem)
+    return found
 
 
 def _once(
@@ -93,7 +96,8 @@ def _once(
     promise = Promise(title, wanted, measured, found.success)
     table: list[Sequence[str]] = [("figure", "value")]
     table += [(name.replace("_", " "), figure_text(name, value)) for name, value in found.values.items()]
-    section = Section(title, f"Seed {found.seed}: {measured}.", table, film=film)
+    incomplete = f" Film: {found.film_problem}." if found.film_problem else ""
+    section = Section(title, f"Seed {found.seed}: {measured}.{incomplete}", table, film=film)
     if found.rows and "slot" in found.rows[0]:
         section.table += [
             (f"{row['slot']}: {row['part']}", f"{row['fetch_time'] + row['join_time']:.1f} s to fetch and to join")

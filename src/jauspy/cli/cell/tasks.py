@@ -19,7 +19,8 @@ def lift(
 ) -> None:
     """Take a box off the moving conveyor with the modular arm, and throw it into the marked area.
 
-    The arm is there already; `jauspy cell assemble` builds one. Exit status 1 when the box does not rest in the area.
+    The arm is there already; `jauspy cell assemble` builds one. Exit status 1 when the box does not rest in the area,
+    or when a film is incomplete.
     """
     _run("lift", seed, exact=exact, film=record, view=view, json=json)
 
@@ -58,7 +59,9 @@ def _run(task: str, seed: int, *, exact: bool, film: Path | None, view: bool, js
         console.stdout(140).print(values_table(found))
         if found.failure:
             console.error(f"{task}: {found.failure}")
-    if not found.success:
+        if found.film_problem:
+            console.error(found.film_problem)
+    if not found.success or found.film_problem:
         raise typer.Exit(1)
 
 
@@ -79,7 +82,8 @@ def assemble(
     another way. Without --connect the cell is simulated in this process, as fast as the machine can; with it the task
     is carried out by a running cell, such as `jauspy up cell`.
 
-    Exit status 1 when the arm could not be built; the reason is printed, and the cell is left at rest.
+    Exit status 1 when the arm could not be built, or when a film is incomplete; the reason is printed, and the cell is
+    left at rest.
     """
     check_extra()
     if connect is not None and (record or view or exact):
@@ -113,7 +117,9 @@ def assemble(
             f"{values.get('parts', 0):.0f} parts in {found.duration:.1f} s{speed}; smallest distance "
             f"{millimetres(values.get('clearance', 0.0))} mm; {values.get('retries', 0):.0f} retries"
         )
-    if not found.success:
-        if not json:
+        if not found.success:
             console.error(f"the arm was not finished: {found.failure}")
+        if found.film_problem:
+            console.error(found.film_problem)
+    if not found.success or found.film_problem:
         raise typer.Exit(1)

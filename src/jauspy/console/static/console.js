@@ -14,7 +14,7 @@ const jauspy = {
   // --- emergency stop: Escape, or the button --------------------------------------------------------------------
   connectStop() {
     const socket = new WebSocket(jauspy.url("stop"));
-    socket.onmessage = (event) => jauspy.say(event.data);
+    socket.onmessage = (event) => { clearTimeout(jauspy.unconfirmed); jauspy.say(event.data); };
     socket.onclose = () => setTimeout(jauspy.connectStop, 500);
     jauspy.stopSocket = socket;
   },
@@ -58,6 +58,8 @@ const jauspy = {
     if (jauspy.stopSocket?.readyState === WebSocket.OPEN) {
       jauspy.stopSocket.send(`stop ${target}`);
       jauspy.say("stopping …");
+      clearTimeout(jauspy.unconfirmed);
+      jauspy.unconfirmed = setTimeout(() => jauspy.say("NOT CONFIRMED: the console does not answer; stop the robot by other means"), 3000);
     } else {
       jauspy.say("NOT STOPPED: no connection to the console; stop the robot by other means");
     }
