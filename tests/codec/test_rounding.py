@@ -79,6 +79,11 @@ def test_what_is_outside_of_the_range_stays() -> None:
     assert math.isnan(shortest(math.nan, scaling))
 
 
+def test_a_float_near_the_greatest_of_32_bits_is_rounded_within_them() -> None:
+    command = registry.by_name("CBRNScanWindowConfigurationCommand")
+    check(command(station_number=0, set_elevation_scan_rate=3.4025001647762064e38))
+
+
 def check(message: Message) -> None:
     decoded = type(message).decode(message.encode())
     short = rounded(decoded)

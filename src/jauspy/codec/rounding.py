@@ -22,6 +22,9 @@ EXTRA_DIGITS: Final = 3
 SINGLE_DIGITS: Final = 9
 """Significant digits that identify a float of 32 bits."""
 
+GREATEST_SINGLE: Final = float.fromhex("0x1.fffffep127")
+"""The greatest float of 32 bits; with fewer digits, numbers near it would be greater (IEEE 754)."""
+
 M = TypeVar("M", bound=Message)
 
 Rounder: TypeAlias = Callable[[Any], Any]
@@ -95,7 +98,7 @@ def _single(value: Any) -> Any:
     packed = struct.pack("<f", value)
     for digits in range(1, SINGLE_DIGITS):
         number = float(f"{value:.{digits}g}")
-        if struct.pack("<f", number) == packed:
+        if abs(number) <= GREATEST_SINGLE and struct.pack("<f", number) == packed:
             return number
     return value
 
