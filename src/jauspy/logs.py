@@ -34,7 +34,7 @@ class LogRateLimit(logging.Filter):
     def __init__(self) -> None:
         super().__init__()
         self._kinds: OrderedDict[_Kind, tuple[float, float, int]] = OrderedDict()
-        """For each kind: lines that may be written, the time of that number, and the lines left out since the last
+        """Counts by kind: lines that may be written, the time of that number, and the lines left out since the last
         one."""
 
     def filter(self, record: logging.LogRecord) -> bool:

@@ -119,7 +119,7 @@ class AssemblyResult:
     @property
     def retries(self) -> int:
         """Attempts that failed."""
-        return sum(len(each.attempts) for each in self.parts)
+        return sum(len(part.attempts) for part in self.parts)
 
 
 @dataclass(slots=True)
@@ -260,10 +260,10 @@ class Assembler:
         for name, seen in self.seen.items():
             if name not in self.used and name not in self.carried and (self.held is None or name != self.held.name):
                 self.scene.put(name, self.handling.pieces(name), seen.pose)
-        for each in self.layout.setup.parts:
-            known = each.fixed or each.name in self.used or each.name in self.seen
+        for part in self.layout.setup.parts:
+            known = part.fixed or part.name in self.used or part.name in self.seen
             if not known:
-                self.scene.remove(each.name)
+                self.scene.remove(part.name)
 
     def _choose(self, slot: Slot) -> str | None:
         """The next part of a fitting type that lies somewhere and was not rejected."""
@@ -417,7 +417,7 @@ class Assembler:
         """Let the part lie where there is room on the floor, so that another one can be taken."""
         self.rejected.add(part)
         solve, down = self.layout.kinematics.solve, turned("x", math.pi)
-        postures = [each for x, y in PUT_DOWN for each in solve(shifted(x, y, PUT_DOWN_HEIGHT) * down, self.at)]
+        postures = [solution for x, y in PUT_DOWN for solution in solve(shifted(x, y, PUT_DOWN_HEIGHT) * down, self.at)]
         try:
             path = await self.cell.compute(partial(self.planner.to_any, self.at, postures))
         except NoPath as error:
@@ -462,9 +462,9 @@ class Assembler:
 
     async def _base_pose(self, base: str) -> pin.SE3:
         await self.look()
-        for each in self.layout.setup.parts:
-            if each.name == base and each.fixed:
-                return se3_of_pose(each.pose)
+        for part in self.layout.setup.parts:
+            if part.name == base and part.fixed:
+                return se3_of_pose(part.pose)
         if base not in self.seen:
             raise TaskFailed(f"the sensor does not see {base}, on which the arm is to be built")
         return self.seen[base].pose
@@ -480,7 +480,7 @@ class Tip:
         self.connector = connector
         self.part = part
         self.frame = frame
-        """Its frame in the world."""
+        """Frame of the part in the world."""
         self.square = pin.SE3.Identity()
         """The turn about the connector's axis after which a part is square to the base."""
 

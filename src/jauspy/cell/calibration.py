@@ -153,7 +153,7 @@ class ArmGeometry:
                     turned[number] = quarter
                     trial = Parameters(self.nominal.offsets, self.nominal.connectors, turned)
                     trials.append((self._cost(trial, positions, poses), number, quarter, turned))
-            found = min(trials, key=lambda each: each[:3])
+            found = min(trials, key=lambda trial: trial[:3])
             if found[0] >= 0.8 * cost:
                 break
             cost, best = found[0], found[3]

@@ -114,7 +114,7 @@ class CarTask:
         pieces = list(pieces_of_part(self.layout.type_of(root)))
         for name in members:
             offset = at.actInv(scene.poses[name])
-            pieces += [Piece(each.shape, offset * each.frame) for each in scene.pieces(name)]
+            pieces += [Piece(piece.shape, offset * piece.frame) for piece in scene.pieces(name)]
         handling.composites[root] = pieces
         for name in members:
             scene.remove(name)
@@ -198,7 +198,7 @@ class CarTask:
     def _plan_carry(
         self, grasped: str, root: str, frames: dict[str, pin.SE3], top: pin.SE3
     ) -> tuple[Path, Path, Path, Path, pin.SE3]:
-        """To the bracket, up, across, and down to the car's connector; the arm stays upright all the way."""
+        """Paths to the bracket, up, sideways, and down to the car's connector; the arm stays upright on them."""
         ur10 = self.ur10
         scene, planner, k = ur10.scene, ur10.planner, self.layout.kinematics
         for name, frame in frames.items():
@@ -223,9 +223,9 @@ class CarTask:
     ) -> tuple[Path, Path]:
         scene, planner = self.ur10.scene, self.ur10.planner
         pieces = [
-            Piece(each.shape, contact.actInv(frame) * each.frame)
+            Piece(piece.shape, contact.actInv(frame) * piece.frame)
             for name, frame in frames.items()
-            for each in pieces_of_part(self.layout.type_of(name))
+            for piece in pieces_of_part(self.layout.type_of(name))
         ]
         foot = frames[root]
         try:

@@ -269,7 +269,7 @@ class CellClient:
         until = self.now() + APPEAR_TIME
         while id not in self._components:
             assert self._robot is not None
-            if any(each.id == id for each in self._robot.components):
+            if any(component.id == id for component in self._robot.components):
                 self._components[id] = self._robot.component(str(id))
             elif self.now() > until:
                 raise RequestError(f"component {id} has not appeared within {APPEAR_TIME:g} s; has it power?")

@@ -62,5 +62,5 @@ def tilt_between(a: pin.SE3, b: pin.SE3) -> float:
 def averaged(frames: list[pin.SE3]) -> pin.SE3:
     """The mean of frames that differ little, such as measurements of one pose."""
     first = frames[0]
-    mean = np.mean([pin.log3(first.rotation.T @ each.rotation) for each in frames], axis=0)
-    return pin.SE3(first.rotation @ pin.exp3(mean), np.mean([each.translation for each in frames], axis=0))
+    mean = np.mean([pin.log3(first.rotation.T @ frame.rotation) for frame in frames], axis=0)
+    return pin.SE3(first.rotation @ pin.exp3(mean), np.mean([frame.translation for frame in frames], axis=0))

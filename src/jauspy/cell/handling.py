@@ -104,8 +104,8 @@ class Handling:
                 for posture in k.solve(over, start, condition=CONDITION)
                 if self.scene.is_free(posture.positions, self.planner.margin)
             ]
-        options.sort(key=lambda each: each[0])
-        options = [each for each in options if not goals or self._reaches(each[1], each[2], goals)]
+        options.sort(key=lambda option: option[0])
+        options = [option for option in options if not goals or self._reaches(option[1], option[2], goals)]
         if not options:
             raise NoPath(f"{part} cannot be grasped where it is, or not so that it could be put where it belongs")
         pieces = self.pieces(part)
@@ -154,7 +154,7 @@ class Handling:
                 for posture in k.solve(before * grasp, start, condition=CONDITION)
                 if self.scene.is_free(posture.positions, self.planner.margin)
             ]
-        options.sort(key=lambda each: each[0])
+        options.sort(key=lambda option: option[0])
         if not options:
             raise NoPath(f"{part} cannot be brought to where it belongs: no posture of the arm is free there")
 

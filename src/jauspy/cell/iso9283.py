@@ -86,9 +86,9 @@ class Accuracy:
 def accuracy(commanded: pin.SE3, attained: Sequence[pin.SE3]) -> Accuracy:
     """AP and RP of a pose; a single measurement has no spread."""
     mean = averaged(list(attained))
-    distances = np.array([float(np.linalg.norm(each.translation - mean.translation)) for each in attained])
+    distances = np.array([float(np.linalg.norm(pose.translation - mean.translation)) for pose in attained])
     spread = float(np.std(distances, ddof=1)) if len(attained) > 1 else 0.0
-    angles = np.array([pin.log3(mean.rotation.T @ each.rotation) for each in attained])
+    angles = np.array([pin.log3(mean.rotation.T @ pose.rotation) for pose in attained])
     deviations = np.std(angles, axis=0, ddof=1) if len(attained) > 1 else np.zeros(3)
     return Accuracy(
         float(np.linalg.norm(mean.translation - commanded.translation)),
@@ -116,10 +116,10 @@ class Run:
     def worst(self) -> Accuracy:
         """The largest figures of all poses."""
         return Accuracy(
-            max(each.accuracy for each in self.poses),
-            max(each.repeatability for each in self.poses),
-            max(each.angle_accuracy for each in self.poses),
-            max(each.angle_repeatability for each in self.poses),
+            max(pose.accuracy for pose in self.poses),
+            max(pose.repeatability for pose in self.poses),
+            max(pose.angle_accuracy for pose in self.poses),
+            max(pose.angle_repeatability for pose in self.poses),
         )
 
 

@@ -99,7 +99,7 @@ class Judge:
         return self._truth.velocity(part)
 
     def attached(self) -> dict[str, str]:
-        """Which part each connector holds."""
+        """Parts that connectors hold, by connector."""
         found = {}
         for part in self._robot.optional_parts:
             if isinstance(part, VacuumConnector) and (held := part.state().attached_to):
@@ -116,7 +116,7 @@ class Judge:
         return Placement(part, distance, tilt_between(plate, frame), abs(math.remainder(turn, math.pi / 2.0)))
 
     def camera(self, name: str) -> CameraSource | None:
-        """That camera of the cell, for films; the first one if there is none with this name."""
+        """Camera of the cell by name, for films; the first one if there is none with this name."""
         cameras = self._robot.cameras
         return cameras.get(name) or next(iter(cameras.values()), None)
 
@@ -130,7 +130,7 @@ class WatchedBackend:
 
     @property
     def name(self) -> str:
-        """That of the other backend."""
+        """Name of the other backend."""
         return self._backend.name
 
     def open(self, robot: RobotModel, world: str) -> Robot:

@@ -195,12 +195,12 @@ class ArmKinematics:
             if q is None:
                 continue
             q = self.unwound(q, near)
-            if q is None or any(np.max(np.abs(q - each.positions)) < 1e-3 for each in found):
+            if q is None or any(np.max(np.abs(q - solution.positions)) < 1e-3 for solution in found):
                 continue
             value = self.condition(q)
             if value >= condition:
                 found.append(Posture(q, value))
-        found.sort(key=lambda each: self.distance(each.positions, near))
+        found.sort(key=lambda solution: self.distance(solution.positions, near))
         return found
 
     def distance(self, a: Array, b: Array) -> float:
@@ -223,7 +223,7 @@ class ArmKinematics:
         for angle in (0.0, math.pi):
             base = self.model.jointPlacements[1] * shifted(z=-UR10.d1) * turned("z", angle)
             tools = [(base * forward(UR10, q)).actInv(self.forward(q)) for q in samples]
-            if all(max(offset_between(each, tools[0])) < FRAME_TOLERANCE for each in tools):
+            if all(max(offset_between(tool, tools[0])) < FRAME_TOLERANCE for tool in tools):
                 return URFrames(UR10, base, tools[0])
         return None
 

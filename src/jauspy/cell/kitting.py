@@ -59,7 +59,7 @@ class Product:
 
 @dataclass(slots=True)
 class Kit:
-    """What was put on the tray."""
+    """Products that were put on the tray."""
 
     products: list[tuple[Product, str]] = field(default_factory=list)
     """Each product, and the part that was taken for it."""
@@ -105,7 +105,7 @@ class Kitter:
         self.arm = arm
         self.tray = shifted(*TRAY, layout.setup.conveyor.pose.z)
         self._taken: set[str] = set()
-        self._boxes = [each.name for each in layout.setup.parts if layout.type_of(each.name).kind is PartKind.BOX]
+        self._boxes = [part.name for part in layout.setup.parts if layout.type_of(part.name).kind is PartKind.BOX]
 
     # --- poses ----------------------------------------------------------------------------------------------------
 
@@ -194,7 +194,7 @@ class Kitter:
     async def _face(self, product: Product) -> None:
         """Turn the UR10 towards the first part of a type, so that ways are short."""
         ur10 = self.ur10
-        free = [each for each in self.layout.of_types((product.type,)) if each in ur10.seen and each not in self._taken]
+        free = [name for name in self.layout.of_types((product.type,)) if name in ur10.seen and name not in self._taken]
         if not free:
             return
         x, y, _ = ur10.seen[free[0]].pose.translation
@@ -248,7 +248,7 @@ class Kitter:
         self._taken.add(box)
         pose = (await self.cell.observe())[box].pose
         top = pose * self.layout.grasp(box)
-        x, y, z = (float(each) for each in top.translation)
+        x, y, z = (float(coordinate) for coordinate in top.translation)
         await arm.look(*self._boxes)
         over = arm.above((x, y, z + ABOVE), await arm.positions())[0]
         await arm.go(over)

@@ -66,7 +66,7 @@ class Lifter:
         self.arm = arm
         self.belt: ConveyorSetup = layout.setup.conveyor
         self.target: TargetArea = layout.setup.target
-        self.boxes = [each.name for each in layout.setup.parts if layout.type_of(each.name).kind is PartKind.BOX]
+        self.boxes = [part.name for part in layout.setup.parts if layout.type_of(part.name).kind is PartKind.BOX]
 
     async def run(self) -> LiftResult:
         """Take the next box off the belt, and throw it. Raises `TaskFailed` when no box could be taken."""

@@ -53,8 +53,8 @@ class ArmOperator:
         self.base = base
         """The frame in the world of the connector that carries the arm at first."""
         self.base_name = ""
-        """Its name."""
-        self.last_goal: Array = np.zeros(sum(each.type.servo is not None for each in self.members))
+        """Name of that connector."""
+        self.last_goal: Array = np.zeros(sum(member.type.servo is not None for member in self.members))
         """Goal of the last motion."""
         self.clearance = Clearance(1.0)
         self.stand(Chain(base, self.members))
@@ -73,8 +73,8 @@ class ArmOperator:
     ) -> ArmOperator:
         """The operator of the arm that stands on a base, by what its connectors report."""
         owner, _, connector = base.partition("/")
-        pose = next(se3_of_pose(each.pose) for each in layout.setup.parts if each.name == owner)
-        if not any(each.fixed and each.name == owner for each in layout.setup.parts):
+        pose = next(se3_of_pose(part.pose) for part in layout.setup.parts if part.name == owner)
+        if not any(part.fixed and part.name == owner for part in layout.setup.parts):
             pose = (await cell.observe())[owner].pose
         members, at = [], base
         for part in parts:
@@ -166,8 +166,8 @@ class ArmOperator:
         """Free postures with the tip at a point, pointing down, the closest first; raises `NoPath` without one."""
         found = self.chain.pointing(np.array(point), np.array(direction), near)
         if not found:
-            raise NoPath(f"the arm cannot point down at {', '.join(f'{each:.2f}' for each in point)}")
-        free = [each for each in found if self.scene.is_free(each, 0.0)]
+            raise NoPath(f"the arm cannot point down at {', '.join(f'{coordinate:.2f}' for coordinate in point)}")
+        free = [posture for posture in found if self.scene.is_free(posture, 0.0)]
         if not free:
             raise NoPath(f"no posture at the point is free: {self.scene.explain(found[0])}")
         return free
@@ -202,9 +202,9 @@ class Member:
     name: str
     type: PartType
     offset: pin.SE3
-    """Its frame in that of the connector that holds it."""
+    """Frame of the part in that of the connector that holds it."""
     connector: str
-    """Its connector that holds the next part, or is the tip."""
+    """Connector of the part that holds the next part, or is the tip."""
 
 
 class Chain:
@@ -215,11 +215,11 @@ class Chain:
         self.model = pin.Model()
         self.joints: list[str] = []
         self.links: list[LinkPiece] = []
-        """Their shapes, each with the number of the joint that moves it."""
+        """Shapes of the parts, each with the number of the joint that moves it."""
         joint, frame = self._build(base)
         self.tool = self.model.addFrame(pin.Frame("tip", joint, 0, frame, pin.FrameType.OP_FRAME))
         self.data = self.model.createData()
-        fastest = {each.name: each.type.servo.max_speed for each in self.members if each.type.servo is not None}
+        fastest = {member.name: member.type.servo.max_speed for member in self.members if member.type.servo is not None}
         self.speeds = np.array([fastest[name] for name in self.joints])
         self.lower, self.upper = np.full(len(fastest), -math.tau), np.full(len(fastest), math.tau)
 
@@ -278,9 +278,9 @@ class Chain:
             if q is None:
                 continue
             q = near + np.mod(q - near + math.pi, math.tau) - math.pi
-            if all(np.max(np.abs(q - each)) > 1e-2 for each in found):
+            if all(np.max(np.abs(q - posture)) > 1e-2 for posture in found):
                 found.append(q)
-        return sorted(found, key=lambda each: float(np.max(np.abs(each - near))))
+        return sorted(found, key=lambda posture: float(np.max(np.abs(posture - near))))
 
     def _starts(self, position: Array, near: Array, bends: Sequence[float]) -> Iterable[Array]:
         yield near

@@ -122,7 +122,7 @@ class MotionPlanner:
     def to_any(self, start: Array, goals: Sequence[Posture], *, margin: float | None = None) -> Path:
         """A free path to the posture that is reached soonest; raises `NoPath`."""
         least = self._margin_at(start, self.margin if margin is None else margin)
-        free = [each.positions for each in goals if self.scene.is_free(each.positions, least)]
+        free = [goal.positions for goal in goals if self.scene.is_free(goal.positions, least)]
         if not free:
             reason = (
                 self._reason(goals[0].positions) if goals else "the pose is out of reach, or close to a singularity"

@@ -41,23 +41,23 @@ def figure(path: Path, *, columns: int = 1, size: tuple[float, float] = (10.0, 4
 
 def plot_trials(results: Sequence[Measured], summary: Summary, path: Path) -> None:
     """The time of each run, with failures marked, and the distribution of the placement errors."""
-    good = [each for each in results if each.success]
-    bad = [each for each in results if not each.success]
+    good = [run for run in results if run.success]
+    bad = [run for run in results if not run.success]
     with figure(path, columns=2) as (times, errors):
-        times.bar([each.seed for each in good], [each.duration for each in good], color=GOOD, label="success")
-        times.bar([each.seed for each in bad], [each.duration for each in bad], color=BAD, label="failure")
+        times.bar([run.seed for run in good], [run.duration for run in good], color=GOOD, label="success")
+        times.bar([run.seed for run in bad], [run.duration for run in bad], color=BAD, label="failure")
         times.set_xlabel("seed")
         times.set_ylabel("time of the cell, s")
         times.set_title(f"{summary.task}: {summary.successes} of {summary.runs} succeeded")
         times.legend(loc="lower right")
-        rows = [row for each in results for row in each.rows]
+        rows = [row for run in results for row in run.rows]
         found = [1000.0 * row["error"] for row in rows if "error" in row]
         if found:
             errors.hist(found, bins=30, color=ACCENT)
             errors.set_xlabel("placement error of a part, mm")
             errors.set_ylabel("parts")
         else:
-            errors.hist([each.duration for each in good], bins=20, color=ACCENT)
+            errors.hist([run.duration for run in good], bins=20, color=ACCENT)
             errors.set_xlabel("time of the cell, s")
             errors.set_ylabel("runs")
 
@@ -103,8 +103,10 @@ def page(title: str, lead: str, promises: Sequence[Promise], sections: Sequence[
     """The HTML of the whole page."""
     rows: list[Sequence[str]] = [("what", "promised", "measured", "")]
     body = [f"<h1>{escape(title)}</h1>", f'<p class="lead">{escape(lead)}</p>']
-    marks = ['<span class="yes">kept</span>' if each.kept else '<span class="no">not kept</span>' for each in promises]
-    body.append(_table(rows + [(each.what, each.wanted, each.measured, "") for each in promises], marks))
+    marks = [
+        '<span class="yes">kept</span>' if promise.kept else '<span class="no">not kept</span>' for promise in promises
+    ]
+    body.append(_table(rows + [(promise.what, promise.wanted, promise.measured, "") for promise in promises], marks))
     for section in sections:
         body.append(f"<h2>{escape(section.title)}</h2>")
         if section.text:

@@ -71,7 +71,7 @@ class Kinematics(Protocol):
 def pieces_of(solids: Iterable[PartSolid], frame: pin.SE3 | None = None) -> list[Piece]:
     """The shapes of solids whose frame is `frame` in that of the thing."""
     frame = frame or pin.SE3.Identity()
-    return [Piece(_shape(each), frame * se3(each.pose)) for each in solids]
+    return [Piece(_shape(solid), frame * se3(solid.pose)) for solid in solids]
 
 
 def pieces_of_part(type: PartType, position: float = 0.0) -> list[Piece]:
@@ -113,7 +113,7 @@ class _Object:
     name: str
     shape: Any
     frame: pin.SE3
-    """In the frame of the thing, or of the arm's link."""
+    """Placement in the frame of the thing, or of the arm's link."""
     joint: int = 0
     body: Any = None
     """The shape where it is, for coal."""
@@ -132,9 +132,9 @@ class PlanningScene:
 
     def __init__(self, kinematics: Kinematics, links: Iterable[LinkPiece], *, wrist: int | None = HAND) -> None:
         self.kinematics = kinematics
-        self._links = [_Object(each.name, each.piece.shape, each.piece.frame, each.joint) for each in links]
+        self._links = [_Object(link.name, link.piece.shape, link.piece.frame, link.joint) for link in links]
         self._last_checked = math.inf if wrist is None else wrist
-        """Of two links of the arm, one must be moved by this joint or one before."""
+        """Number of the joint: of two links of the arm, one must be moved by it or by one before."""
         self._things: dict[str, list[_Object]] = {}
         self._poses: dict[str, pin.SE3] = {}
         self._ignored: set[str] = set()
@@ -154,23 +154,23 @@ class PlanningScene:
 
     def pieces(self, name: str) -> list[Piece]:
         """The shapes of a thing."""
-        return [Piece(each.shape, each.frame) for each in self._things[name]]
+        return [Piece(thing.shape, thing.frame) for thing in self._things[name]]
 
     def links_at(self, positions: Array) -> list[tuple[str, Piece, pin.SE3]]:
         """The arm's links in a posture: name, shape and the frame of the joint that moves it, in the world."""
         k = self.kinematics
         pin.forwardKinematics(k.model, k.data, positions)
         return [
-            (f"{number} {each.name}", Piece(each.shape, each.frame), k.data.oMi[each.joint].copy())
-            for number, each in enumerate(self._links)
+            (f"{number} {link.name}", Piece(link.shape, link.frame), k.data.oMi[link.joint].copy())
+            for number, link in enumerate(self._links)
         ]
 
     def put(self, name: str, pieces: Iterable[Piece], pose: pin.SE3) -> None:
         """Add a thing at a pose, or move it there."""
         self.remove(name)
-        objects = [_Object(name, each.shape, each.frame) for each in pieces]
-        for each in objects:
-            each.place(pose)
+        objects = [_Object(name, piece.shape, piece.frame) for piece in pieces]
+        for piece in objects:
+            piece.place(pose)
         self._things[name], self._poses[name] = objects, pose
         if name not in self._ignored:
             self._register(objects)
@@ -185,7 +185,7 @@ class PlanningScene:
     def hold(self, name: str, pieces: Iterable[Piece], frame: pin.SE3) -> None:
         """Attach a thing to the tool, with `frame` in the tool's frame; it is no longer an obstacle."""
         self.remove(name)
-        self._held = [_Object(name, each.shape, frame * each.frame) for each in pieces]
+        self._held = [_Object(name, piece.shape, frame * piece.frame) for piece in pieces]
         self._held_name = name
 
     def release(self) -> None:
@@ -194,7 +194,7 @@ class PlanningScene:
 
     @property
     def held(self) -> tuple[str, Sequence[Any]]:
-        """What the arm holds, for `restore`."""
+        """The load of the arm, for `restore`."""
         return self._held_name, self._held
 
     def restore(self, held: tuple[str, Sequence[Any]]) -> None:
@@ -225,10 +225,10 @@ class PlanningScene:
         self.checks += 1
         self._place(positions)
         best = Clearance(min(enough, FAR))
-        for each in (*self._held, *reversed(self._links)):
-            if each.joint == 0 and each not in self._held:
+        for piece in (*self._held, *reversed(self._links)):
+            if piece.joint == 0 and piece not in self._held:
                 continue  # the foot of the arm does not move
-            best = self._nearest(each, best)
+            best = self._nearest(piece, best)
             if best.distance <= 0.0:
                 return best
         for a, b in self._pairs:
@@ -260,8 +260,8 @@ class PlanningScene:
         best = self.clearance(positions)
         if best.distance >= FAR or all(best.between):
             return best
-        moving = [each for each in (*self._links, *self._held) if each.name == best.between[0]]
-        things = [each for name, found in self._things.items() if name not in self._ignored for each in found]
+        moving = [link for link in (*self._links, *self._held) if link.name == best.between[0]]
+        things = [piece for name, found in self._things.items() if name not in self._ignored for piece in found]
         nearest = Clearance(math.inf)
         for a in moving:
             for b in things:
@@ -273,11 +273,11 @@ class PlanningScene:
     def _place(self, positions: Array) -> None:
         k = self.kinematics
         pin.framesForwardKinematics(k.model, k.data, positions)
-        for each in self._links:
-            each.place(k.data.oMi[each.joint])
+        for link in self._links:
+            link.place(k.data.oMi[link.joint])
         tool = k.data.oMf[k.tool]
-        for each in self._held:
-            each.place(tool)
+        for piece in self._held:
+            piece.place(tool)
 
     def _nearest(self, moving: _Object, best: Clearance) -> Clearance:
         query = coal.DistanceCallBackDefault()
@@ -287,13 +287,13 @@ class PlanningScene:
         return Clearance(found, (moving.name, "")) if found < best.distance else best
 
     def _register(self, objects: Iterable[_Object]) -> None:
-        for each in objects:
-            self._manager.registerObject(each.body)
+        for piece in objects:
+            self._manager.registerObject(piece.body)
         self._manager.setup()
 
     def _unregister(self, objects: Iterable[_Object]) -> None:
-        for each in objects:
-            self._manager.unregisterObject(each.body)
+        for piece in objects:
+            self._manager.unregisterObject(piece.body)
         self._manager.setup()
 
     def _self_pairs(self) -> list[tuple[_Object, _Object]]:
@@ -317,7 +317,10 @@ def links_of_urdf(urdf: str, joints: Sequence[str]) -> list[LinkPiece]:
     if others:
         _, shapes = pin.buildReducedModel(model, shapes, others, pin.neutral(model))
     return [
-        LinkPiece(each.name, Piece(each.geometry, each.placement), each.parentJoint) for each in shapes.geometryObjects
+        LinkPiece(
+            geometryObject.name, Piece(geometryObject.geometry, geometryObject.placement), geometryObject.parentJoint
+        )
+        for geometryObject in shapes.geometryObjects
     ]
 
 
@@ -356,7 +359,7 @@ class Layout:
         """rad/s."""
         self.accelerations: Array = self.speeds / ACCELERATION_TIME
         """rad/s^2."""
-        self._types: Mapping[str, str] = {each.name: each.type for each in self.setup.parts}
+        self._types: Mapping[str, str] = {part.name: part.type for part in self.setup.parts}
 
     def type_of(self, part: str) -> PartType:
         """The type of a part. Raises `ConfigError` for an unknown name."""
@@ -364,7 +367,7 @@ class Layout:
 
     def of_types(self, types: tuple[str, ...]) -> list[str]:
         """The names of the parts of these types: those of the first type first."""
-        return [name for type in types for name, each in self._types.items() if each == type]
+        return [name for type in types for name, kind in self._types.items() if kind == type]
 
     def scene(self) -> PlanningScene:
         """A scene with all that is fixed, and the parts where the file has them."""

@@ -44,12 +44,12 @@ class Timeline:
     @property
     def total(self) -> float:
         """Seconds until the last action ended."""
-        return max((each.end for each in self.entries), default=0.0)
+        return max((entry.end for entry in self.entries), default=0.0)
 
     @property
     def saved(self) -> float:
         """Seconds by which it was shorter than all actions one after the other."""
-        return sum(each.end - each.start for each in self.entries) - self.total
+        return sum(entry.end - entry.start for entry in self.entries) - self.total
 
 
 class Schedule:
@@ -87,7 +87,7 @@ class Schedule:
                         task = asyncio.create_task(_run(action), name=action.name)
                         running[task] = action, self._clock() - start
                 ended, _ = await asyncio.wait(running, return_when=asyncio.FIRST_COMPLETED)
-                for task in sorted(ended, key=lambda each: each.get_name()):
+                for task in sorted(ended, key=lambda ended_task: ended_task.get_name()):
                     action, begun = running.pop(task)
                     self.timeline.entries.append(Entry(action.name, begun, self._clock() - start, action.uses))
                     busy -= action.uses

@@ -41,7 +41,7 @@ class StepResult:
     attempts: int = 0
     """Number of further presses until an end held."""
     log: list[str] = field(default_factory=list)
-    """Which connectors held when one was released, in order."""
+    """Connectors that held when one was released, in order."""
 
 
 class Stepper:
@@ -60,9 +60,9 @@ class Stepper:
         return self._platform(owner) * connector_frame(self.layout.type_of(owner), name)
 
     def _platform(self, name: str) -> pin.SE3:
-        for each in self.layout.setup.parts:
-            if each.name == name and each.fixed:
-                return se3_of_pose(each.pose)
+        for part in self.layout.setup.parts:
+            if part.name == name and part.fixed:
+                return se3_of_pose(part.pose)
         raise TaskFailed(f"there is no platform {name!r} that stands still")
 
     async def run(self, other: str = "platform_2/top") -> StepResult:

@@ -48,7 +48,7 @@ SETTLE_TIME: Final = 4.0
 
 @dataclass(frozen=True, slots=True)
 class Swing:
-    """What the IMU of the last module measured; times in seconds from the release."""
+    """Measurements of the IMU of the last module; times in seconds from the release."""
 
     controller: ArmController
     times: Array
@@ -180,12 +180,12 @@ def plot_swing(comparison: SwingComparison, path: Path) -> None:
     colours = {ArmController.PID: "#b3423a", ArmController.MODEL: "#3b6ea5"}
     labels = {ArmController.PID: "PID for each joint", ArmController.MODEL: "model of the arm"}
     both = comparison.pid, comparison.model
-    longest = min(OBSERVED, 1.3 * max(each.settled for each in both))
+    longest = min(OBSERVED, 1.3 * max(swing.settled for swing in both))
     with figure(path, columns=4, size=(13.0, 4.0)) as axes:
         for column, (axis, name) in enumerate(zip(axes, names, strict=True)):
-            for each in both:
-                rows = each.speeds if column == 3 else each.rates[:, column]
-                axis.plot(each.times, rows, color=colours[each.controller], label=labels[each.controller], lw=1.6)
+            for swing in both:
+                rows = swing.speeds if column == 3 else swing.rates[:, column]
+                axis.plot(swing.times, rows, color=colours[swing.controller], label=labels[swing.controller], lw=1.6)
             axis.axvline(both[1].end, color="0.5", lw=1.0, ls="--")
             axis.set_xlim(0.0, longest)
             axis.set_xlabel("seconds after the release")
@@ -195,7 +195,7 @@ def plot_swing(comparison: SwingComparison, path: Path) -> None:
         axes[3].set_ylim(1e-3, None)
         axes[3].axhline(AT_REST, color="#2f7d4f", lw=1.2)
         axes[3].annotate(f"at rest: {AT_REST:g} rad/s", (longest, 1.2e-3), ha="right", va="bottom", color="#2f7d4f")
-        for each in both:
-            axes[3].axvline(each.settled, color=colours[each.controller], lw=1.0, ls=":")
+        for swing in both:
+            axes[3].axvline(swing.settled, color=colours[swing.controller], lw=1.0, ls=":")
         axes[1].annotate("end of the commanded motion", (1.3 * both[1].end, -1.0), fontsize=9)
         axes[0].legend(loc="best")

@@ -55,8 +55,8 @@ async def assemble(session: Session, seed: int) -> Measured:
         "parts": float(len(joined) if placements else sum(row.joint_force > 0.0 for row in result.parts)),
         "retries": float(result.retries),
         "clearance": result.clearance.distance,
-        "largest_error": max((each.distance for each in joined), default=0.0),
-        "largest_tilt": max((each.tilt for each in joined), default=0.0),
+        "largest_error": max((placement.distance for placement in joined), default=0.0),
+        "largest_tilt": max((placement.tilt for placement in joined), default=0.0),
         "saved_by_schedule": result.timeline.saved,
     }
     if found.success and placements and len(joined) < len(result.parts):

@@ -88,20 +88,20 @@ class Summary:
 
 def summarised(results: Iterable[Measured]) -> Summary:
     """The summary of the runs of one task."""
-    found = sorted(results, key=lambda each: each.seed)
-    good = [each for each in found if each.success]
+    found = sorted(results, key=lambda run: run.seed)
+    good = [run for run in found if run.success]
     low, high = wilson(len(good), len(found))
-    wall = sum(each.wall for each in found)
+    wall = sum(run.wall for run in found)
     return Summary(
         task=found[0].task if found else "",
         runs=len(found),
         successes=len(good),
         low=low,
         high=high,
-        duration=median(each.duration for each in good) if good else math.nan,
-        longest=max((each.duration for each in good), default=math.nan),
-        speed=sum(each.duration for each in found) / wall if wall else math.nan,
-        failures=tuple((each.seed, each.failure) for each in found if not each.success),
+        duration=median(run.duration for run in good) if good else math.nan,
+        longest=max((run.duration for run in good), default=math.nan),
+        speed=sum(run.duration for run in found) / wall if wall else math.nan,
+        failures=tuple((run.seed, run.failure) for run in found if not run.success),
     )
 
 
@@ -117,5 +117,5 @@ def wilson(successes: int, runs: int) -> tuple[float, float]:
 
 def mean_of(results: Iterable[Measured], name: str) -> float:
     """The mean of a figure over the runs that have it."""
-    found = [each.values[name] for each in results if name in each.values]
+    found = [run.values[name] for run in results if name in run.values]
     return fmean(found) if found else math.nan

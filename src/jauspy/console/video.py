@@ -129,7 +129,7 @@ QUIET_TIME: Final = 2.0
 KEY_INTERVAL: Final = 2.0
 """Seconds after which a key picture is requested while a browser receives only those: slow cameras make few."""
 _HEADER: Final = struct.Struct("<?xxxxxxxdd")
-"""Whether it is a key picture, its time stamp in microseconds, and when it was taken, in milliseconds since 1970 by the
+"""Key picture or not, time stamp in microseconds, and when it was taken, in milliseconds since 1970 by the
 robot's clock (NaN when unknown)."""
 
 

@@ -1,4 +1,4 @@
-"""What a simulated robot touches, to judge what it does: no robot measures this, and no service reports it."""
+"""Contacts of a simulated robot, to judge what it does: no robot measures this, and no service reports it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TypeAlias
 from jauspy.platform.contract import OptionalPart, PartId, RobotLink
 
 ContactCounts: TypeAlias = Mapping[str, Mapping[str, int]]
-"""By joint group and body of the world: samples in which a link of the group, or what is mounted on it, touched it."""
+"""Samples by joint group and body of the world in which a link of the group, or what is mounted on it, touched it."""
 
 
 class Contacts(OptionalPart):

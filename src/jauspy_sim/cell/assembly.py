@@ -48,11 +48,11 @@ SPRING_LOSS: Final = 0.0005
 """Seconds: damping of the spring as a fraction of its stiffness."""
 
 BIN_FRICTION: Final = 0.2
-"""Of the floors of bins, on which parts slide to the lower edge."""
+"""Friction of the floors of bins, on which parts slide to the lower edge."""
 
 PART_FRICTION: Final = 0.6
 RUBBER_FRICTION: Final = 1.0
-"""Of wheels and of the belt."""
+"""Friction of wheels and of the belt."""
 
 BELT_MASS: Final = 60.0
 """Kilograms of belt and rollers, as they resist acceleration."""
@@ -98,7 +98,11 @@ def build_cell(robot: RobotModel, world: str) -> CellModel:
         _fixture(spec, fixture)
     if setup.conveyor is not None:
         _conveyor(spec, setup.conveyor)
-        static = ("conveyor", *(each.name for each in setup.bins), *(each.name for each in setup.fixtures))
+        static = (
+            "conveyor",
+            *(bin_setup.name for bin_setup in setup.bins),
+            *(fixture.name for fixture in setup.fixtures),
+        )
         for name in static:
             spec.add_exclude(bodyname1="belt", bodyname2=name)  # a ramp that ends at the belt does not hold it
     for part in setup.parts:

@@ -41,9 +41,11 @@ class SimulatedCar(Car):
         self._kinds = {part.name: cell.types[part.type].kind for part in cell.parts}
         self._name = cell.car
         self._servos, self._connectors = servos, connectors
-        own = [each for each in connectors.values() if each.part == cell.car]
+        own = [connector for connector in connectors.values() if connector.part == cell.car]
         # a wheel on a side whose connector points to y rolls forward when it turns about y
-        self._sides = [(each, math.copysign(1.0, each.frame.rotation[1][2])) for each in own if _sideways(each)]
+        self._sides = [
+            (connector, math.copysign(1.0, connector.frame.rotation[1][2])) for connector in own if _sideways(connector)
+        ]
         self._wheels: tuple[tuple[SimulatedServo, float], ...] = ()
         self._driving = False
 

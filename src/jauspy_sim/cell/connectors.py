@@ -57,7 +57,7 @@ class Face:
     body: int
     frame: Transform
     half_size: tuple[float, float] | None = None
-    """Of a face on which a plate may be anywhere: along x and y. None: in the middle only."""
+    """Half the size along x and y of a face on which a plate may be anywhere. None: in the middle only."""
 
 
 class SimulatedConnector(VacuumConnector):
@@ -69,7 +69,7 @@ class SimulatedConnector(VacuumConnector):
         """The part with this connector; empty for the gripper of the robot."""
         self.body = body
         self.frame = frame
-        """In its body."""
+        """Frame of the connector in its body."""
         self.weld = weld
         self.held: Face | None = None
         self.failing = False
@@ -77,7 +77,7 @@ class SimulatedConnector(VacuumConnector):
         self.load = (0.0, 0.0)
         """Newtons, newton metres."""
         self.enabled = False
-        """Whether its pump runs."""
+        """True while its pump runs."""
         self._state = ConnectorState()
 
     @cached_property
@@ -133,7 +133,7 @@ class Attachments:
         self._random = random
         self.revision = 0
         self.connectors = _make(cell)
-        self._by_weld = {each.weld: each for each in self.connectors.values()}
+        self._by_weld = {connector.weld: connector for connector in self.connectors.values()}
         self._faces = list(_faces(cell))
         self._face_bodies = np.array([face.body for face in self._faces], np.int64)
         self._face_positions = np.array([face.frame.position for face in self._faces])
@@ -147,7 +147,7 @@ class Attachments:
 
     def attached(self) -> Iterable[tuple[SimulatedConnector, Face]]:
         """The connectors that hold something, with the face that each holds."""
-        return ((each, each.held) for each in self.connectors.values() if each.held is not None)
+        return ((connector, connector.held) for connector in self.connectors.values() if connector.held is not None)
 
     def control(self) -> None:
         """Attach parts in contact, release those of disabled connectors, and break off overloaded ones."""
@@ -237,7 +237,7 @@ class Attachments:
             return ConnectorError.NO_CONTACT, f"not in contact with {part}"
         far = f"{1e3 * distance:.0f} mm" if distance > limits.max_distance else ""
         tilted = f"{math.degrees(angle):.0f} degrees" if angle > limits.max_angle else ""
-        what = " and ".join(each for each in (far, tilted) if each)
+        what = " and ".join(deviation for deviation in (far, tilted) if deviation)
         most = f"{1e3 * limits.max_distance:.1f} mm and {math.degrees(limits.max_angle):.1f} degrees"
         error = ConnectorError.TOO_FAR if far else ConnectorError.NOT_ALIGNED
         return error, f"not aligned with {part}: {what} off, at most {most} hold"
@@ -304,9 +304,9 @@ class Attachments:
     def _changed(self) -> None:
         self.revision += 1
         held = [
-            (min(each.body, face.body) << 16) + max(each.body, face.body)
-            for each, face in self.attached()
-            if each.body != face.body
+            (min(connector.body, face.body) << 16) + max(connector.body, face.body)
+            for connector, face in self.attached()
+            if connector.body != face.body
         ]
         free = self._unused_exclusions[len(held) :]
         signatures = np.concatenate([self._own_exclusions, np.array(held, np.int32), free])
@@ -364,7 +364,7 @@ class Attachments:
 
 
 def to_transform(position: list[float], matrix: list[float]) -> Transform:
-    """From MuJoCo's position and rotation matrix."""
+    """A transform from MuJoCo's position and rotation matrix."""
     x, y, z = position
     a, b, c, d, e, f, g, h, i = matrix
     return Transform(((a, b, c), (d, e, f), (g, h, i)), (x, y, z))
@@ -407,8 +407,8 @@ def _box_faces(part: str, kind: PartType, body: int) -> Iterable[Face]:
             continue
         for axis in range(3):
             for sign in (1.0, -1.0):
-                normal = tuple(-sign if each == axis else 0.0 for each in range(3))
-                position = tuple(sign * solid.size[axis] / 2.0 if each == axis else 0.0 for each in range(3))
+                normal = tuple(-sign if index == axis else 0.0 for index in range(3))
+                position = tuple(sign * solid.size[axis] / 2.0 if index == axis else 0.0 for index in range(3))
                 u, v = (axis + 1) % 3, (axis + 2) % 3
                 frame = solid.pose @ Transform(_facing(normal, u), (position[0], position[1], position[2]))
                 halves = (solid.size[u] / 2.0, solid.size[v] / 2.0)

@@ -45,7 +45,7 @@ class SimulatedConveyor(Conveyor):
         self._braking = False
 
     def state(self) -> ConveyorState:
-        """Its speed and travel."""
+        """Speed and travel."""
         return ConveyorState(self._qvel[self._dof], self._travel)
 
     def set_speed(self, speed: float) -> None:
@@ -74,7 +74,7 @@ class SimulatedPartSensor(PartSensor):
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, setup: PartSensorSetup) -> None:
         self._data = data
         self._setup = setup
-        self._parts = [(each.name, each.type, int(model.body(each.name).id)) for each in cell.parts if not each.fixed]
+        self._parts = [(part.name, part.type, int(model.body(part.name).id)) for part in cell.parts if not part.fixed]
         self._random = np.random.default_rng((setup.seed, cell.seed))
         self._state = Observation()
         self._due = 0.0

@@ -108,8 +108,8 @@ class Dresser:
         self._dress_robot()
         for part in self._setup.parts:
             self._dress_part(part.name, self._setup.types[part.type])
-        for each in self._setup.bins:
-            self._dress_bin(each)
+        for bin_setup in self._setup.bins:
+            self._dress_bin(bin_setup)
         for fixture in self._setup.fixtures:
             body = self._spec.body(fixture.name)
             for solid in fixture.solids:

@@ -184,7 +184,7 @@ class SimulatedCell:
 
     @property
     def cameras(self) -> Mapping[str, SimulatedCamera]:
-        """Its cameras, by name."""
+        """Cameras by name."""
         return self._cameras.cameras
 
     @property

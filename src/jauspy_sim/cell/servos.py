@@ -53,7 +53,7 @@ class SimulatedServo(ServoModule):
         self._qpos, self._qvel, self._qacc, self._applied = map(
             view, (data.qpos, data.qvel, data.qacc, data.qfrc_applied)
         )
-        motor, spring, free = (model.joint(each) for each in (f"{name}.motor", f"{name}.spring", name))
+        motor, spring, free = (model.joint(joint) for joint in (f"{name}.motor", f"{name}.spring", name))
         self._motor, self._spring = int(motor.qposadr[0]), int(spring.qposadr[0])
         self._motor_dof, self._spring_dof = int(motor.dofadr[0]), int(spring.dofadr[0])
         self._free, self._free_dof = int(free.qposadr[0]), int(free.dofadr[0])
@@ -101,7 +101,7 @@ class SimulatedServo(ServoModule):
 
     @property
     def powered(self) -> bool:
-        """Whether it has power."""
+        """True while it has power."""
         return self._powered
 
     @cached_property

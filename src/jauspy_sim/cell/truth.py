@@ -82,11 +82,11 @@ class Truth:
                 continue
             mujoco.mj_contactForce(model, data, number, force)
             found.append(TrueContact(first, second, max(0.0, -float(contact.dist)), float(force[0])))
-        return sorted(found, key=lambda each: -each.depth)
+        return sorted(found, key=lambda contact: -contact.depth)
 
     def penetration(self) -> float:
         """Metres of the deepest overlap of shapes in the last step."""
-        return max((each.depth for each in self.contacts()), default=0.0)
+        return max((contact.depth for contact in self.contacts()), default=0.0)
 
     def _name(self, geom: int) -> str:
         body = self._model.body(self._model.geom_bodyid[geom]).name
