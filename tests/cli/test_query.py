@@ -59,8 +59,9 @@ def test_a_zero_is_printed_as_zero(show, capsys):
     assert "e-05" not in printed
 
 
-def test_a_report_is_no_query():
-    result = CliRunner().invoke(app, ["query", "7.1.1", "ReportStatus", "status=1", "reserved=0"])
+@pytest.mark.parametrize("fields", [[], ["status=1", "reserved=0"]])
+def test_a_report_is_no_query(fields):
+    result = CliRunner().invoke(app, ["query", "7.1.1", "ReportStatus", *fields])
     assert result.exit_code == 1
     sentence = "ReportStatus is not a query but the answer to one; `jauspy query ID QueryStatus` asks for it"
     assert sentence in " ".join(result.stderr.split())

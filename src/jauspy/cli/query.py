@@ -12,7 +12,7 @@ from rich.text import Text
 
 from jauspy.cli import client, console
 from jauspy.cli.definitions import SchemasOption, ServiceName, ServiceVersion, definitions
-from jauspy.cli.fields import message_from
+from jauspy.cli.fields import message_class, message_from
 from jauspy.cli.options import Connect, Json, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.render import field_lines
@@ -81,9 +81,11 @@ def query(
     """
     recipient = client.destination(destination)
     known = definitions(sources)
-    query_message = message_from(known.registry, message, fields or [], known.hints(service, version))
-    if not query_message.IS_QUERY:
-        raise ConfigError(f"{query_message.NAME} {_no_query(query_message)}")
+    hints = known.hints(service, version)
+    cls = message_class(known.registry, message, hints)
+    if not cls.IS_QUERY:  # before its fields, which nobody needs to give
+        raise ConfigError(f"{cls.NAME} {_no_query(cls)}")
+    query_message = message_from(known.registry, message, fields or [], hints)
     if count is not None and every is None:
         raise typer.BadParameter("it requires --every", param_hint="--count")
     ocu = client.make_ocu(own_id, connect, timeout, known.registry)
@@ -98,7 +100,7 @@ def query(
     run(repeated(ocu, ask, every, count))
 
 
-def _no_query(message: Message) -> str:
+def _no_query(message: type[Message]) -> str:
     """Explain what a message that is no query is, and which verb is meant."""
     if message.IS_COMMAND or not message.NAME.startswith("Report"):
         return "is not a query and has no answer; use `jauspy send`"
