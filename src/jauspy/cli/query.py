@@ -69,7 +69,7 @@ def query(
     as in 101.1.255, all answers within the timeout are printed. Without a presence vector, every field is requested.
     Lengths are in metres, angles in radians, times in seconds. Poses and velocities of messages have the axes of JAUS:
     x forward, y right, z down; `jauspy tf` shows poses with y to the left (REP-103). With --every, a missing answer is
-    noted on stderr, and the next query is sent all the same.
+    noted on stderr, and the next query is sent all the same; the exit status is 1 if none was answered.
 
     Examples:
       jauspy query 101.1.102 QueryStatus
@@ -111,7 +111,7 @@ def _no_query(message: type[Message]) -> str:
 async def repeated(ocu: OCU, ask: Callable[[bool], Awaitable[None]], every: float | None, count: int | None) -> None:
     """Call `ask` once, or at an interval in seconds; `count` times, or until cancelled.
 
-    Its argument is true the first time.
+    Its argument is true the first time. Raises `ResponseTimeout` if none of several queries was answered.
     """
     async with ocu:
         if every is None:
@@ -119,14 +119,18 @@ async def repeated(ocu: OCU, ask: Callable[[bool], Awaitable[None]], every: floa
             return
         clock = asyncio.get_running_loop().time
         due = clock()
+        answered = 0
         for number in range(count) if count is not None else itertools.count():
             due = max(due, clock())
             await asyncio.sleep(due - clock())
             due += every
             try:
                 await ask(number == 0)
+                answered += 1
             except ResponseTimeout as error:
                 console.note(str(error))
+        if not answered:
+            raise ResponseTimeout(f"none of {count} queries was answered")
 
 
 async def _ask(ocu: OCU, to: JausID, query_message: Message, show: Show, *, first: bool) -> None:
