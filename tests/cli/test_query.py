@@ -49,6 +49,15 @@ async def test_a_query_is_repeated_and_goes_on_after_a_missing_answer(virtual_ne
     assert "7.1.1 did not answer" in printed.err
 
 
+async def test_repeated_queries_without_any_answer_fail(virtual_network, capsys):
+    async def ask(first):
+        raise ResponseTimeout("7.1.1 did not answer")
+
+    with pytest.raises(ResponseTimeout, match="none of 2 queries was answered"):
+        await repeated(virtual_network.ocu(), ask, 0.5, 2)
+    assert capsys.readouterr().err.count("7.1.1 did not answer") == 2
+
+
 @pytest.mark.parametrize("show", [_show_json, _show_yaml])
 def test_a_zero_is_printed_as_zero(show, capsys):
     pose = ReportLocalPose.decode(ReportLocalPose(x=0.0, yaw=0.5).encode())
@@ -59,8 +68,9 @@ def test_a_zero_is_printed_as_zero(show, capsys):
     assert "e-05" not in printed
 
 
-def test_a_report_is_no_query():
-    result = CliRunner().invoke(app, ["query", "7.1.1", "ReportStatus", "status=1", "reserved=0"])
+@pytest.mark.parametrize("fields", [[], ["status=1", "reserved=0"]])
+def test_a_report_is_no_query(fields):
+    result = CliRunner().invoke(app, ["query", "7.1.1", "ReportStatus", *fields])
     assert result.exit_code == 1
     sentence = "ReportStatus is not a query but the answer to one; `jauspy query ID QueryStatus` asks for it"
     assert sentence in " ".join(result.stderr.split())

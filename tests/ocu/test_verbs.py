@@ -529,6 +529,15 @@ async def test_tool_out_of_reach_says_at_once_how_far_it_is(inc1):
             await inc1.arm.move_tool(position=(0.6, 0.0, 0.3), rpy=(0, 90, 0))
 
 
+@pytest.mark.parametrize("bad", [math.nan, math.inf])
+async def test_tool_pose_that_is_no_place_is_refused_before_it_is_sent(inc1, bad):
+    async with inc1.control("arm"):
+        with pytest.raises(ConfigError, match=r"position is three finite numbers, as in \(0\.6, 0\.0, 0\.3\), not"):
+            await inc1.arm.move_tool((bad, 0.0, 0.6))
+        with pytest.raises(ConfigError, match="rpy is three finite numbers"):
+            await inc1.arm.move_tool((0.6, 0.0, 0.6), rpy=(0.0, bad, 0.0))
+
+
 async def test_gripper_closes_with_a_force_and_opens(inc1):
     async with inc1.control("gripper"):
         closed = await inc1.gripper.close(force=20)

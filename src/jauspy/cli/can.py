@@ -13,6 +13,7 @@ from jauspy.backends.can.cia402 import LIMIT_ACTIVE, error_text, register_text, 
 from jauspy.backends.can.faults import DriveFault
 from jauspy.cli import console
 from jauspy.cli.options import Bus, Json, World, on_bus
+from jauspy.cli.processes import stoppable
 from jauspy.errors import ConfigError
 from jauspy.platform.servo_drives import CanSetup
 from jauspy.robot import robot_files
@@ -193,20 +194,21 @@ def simulate(
     plant = plant_of(behind, model, setup, world or "empty")
     opened = buses.open_bus(setup.bus, setup.bit_rate)
     fleet = RealTimeFleet(model, setup, opened, plant)
-    console.print_lines(
-        f"{len(setup.drives)} simulated drives on {setup.bus}, {behind} behind them",
-        f"drive it:  jauspy up {robot} --backend can --bus {setup.bus}",
-        f"see them:  jauspy can drives {robot} --bus {setup.bus}",
-        f"break one: jauspy can fault {next(iter(setup.drives))} overcurrent --robot {robot} --bus {setup.bus}",
-        "stop it:   Ctrl-C",
-    )
-    try:
-        fleet.run()
-    except KeyboardInterrupt:
-        raise typer.Exit(130) from None
-    finally:
-        fleet.fleet.close()
-        opened.shutdown()
+    with stoppable() as exit_status:
+        try:
+            console.print_lines(
+                f"{len(setup.drives)} simulated drives on {setup.bus}, {behind} behind them",
+                f"drive it:  jauspy up {robot} --backend can --bus {setup.bus}",
+                f"see them:  jauspy can drives {robot} --bus {setup.bus}",
+                f"break one: jauspy can fault {next(iter(setup.drives))} overcurrent --robot {robot} --bus {setup.bus}",
+                "stop it:   Ctrl-C",
+            )
+            fleet.run()
+        except KeyboardInterrupt:
+            raise typer.Exit(exit_status()) from None
+        finally:
+            fleet.fleet.close()
+            opened.shutdown()
 
 
 def home(*, robot: Robot, bus: Bus = None) -> None:

@@ -49,7 +49,7 @@ def message_from(registry: Registry, name: str, assignments: Sequence[str], hint
     A query without a presence vector requests every field, and bits that are not named are 0. Raises `ConfigError`,
     which lists the fields with types, ranges and units.
     """
-    cls = _named(registry, name, hints)
+    cls = message_class(registry, name, hints)
     layout = cls.layout()
     assert isinstance(layout, Composite)
     data: dict[str, Any] = {}
@@ -72,7 +72,8 @@ def message_from(registry: Registry, name: str, assignments: Sequence[str], hint
     return message
 
 
-def _named(registry: Registry, name: str, hints: Hints) -> type[Message]:
+def message_class(registry: Registry, name: str, hints: Hints) -> type[Message]:
+    """The class with this JAUS name, of the service and version in `hints`; raises `ConfigError`."""
     try:
         return registry.by_name(name, service=hints.service, version=hints.version)
     except ConfigError as error:

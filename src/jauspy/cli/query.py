@@ -12,7 +12,7 @@ from rich.text import Text
 
 from jauspy.cli import client, console
 from jauspy.cli.definitions import SchemasOption, ServiceName, ServiceVersion, definitions
-from jauspy.cli.fields import message_from
+from jauspy.cli.fields import message_class, message_from
 from jauspy.cli.options import Connect, Json, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.render import field_lines
@@ -69,7 +69,7 @@ def query(
     as in 101.1.255, all answers within the timeout are printed. Without a presence vector, every field is requested.
     Lengths are in metres, angles in radians, times in seconds. Poses and velocities of messages have the axes of JAUS:
     x forward, y right, z down; `jauspy tf` shows poses with y to the left (REP-103). With --every, a missing answer is
-    noted on stderr, and the next query is sent all the same.
+    noted on stderr, and the next query is sent all the same; the exit status is 1 if none was answered.
 
     Examples:
       jauspy query 101.1.102 QueryStatus
@@ -81,9 +81,11 @@ def query(
     """
     recipient = client.destination(destination)
     known = definitions(sources)
-    query_message = message_from(known.registry, message, fields or [], known.hints(service, version))
-    if not query_message.IS_QUERY:
-        raise ConfigError(f"{query_message.NAME} {_no_query(query_message)}")
+    hints = known.hints(service, version)
+    cls = message_class(known.registry, message, hints)
+    if not cls.IS_QUERY:  # before its fields, which nobody needs to give
+        raise ConfigError(f"{cls.NAME} {_no_query(cls)}")
+    query_message = message_from(known.registry, message, fields or [], hints)
     if count is not None and every is None:
         raise typer.BadParameter("it requires --every", param_hint="--count")
     ocu = client.make_ocu(own_id, connect, timeout, known.registry)
@@ -98,7 +100,7 @@ def query(
     run(repeated(ocu, ask, every, count))
 
 
-def _no_query(message: Message) -> str:
+def _no_query(message: type[Message]) -> str:
     """Explain what a message that is no query is, and which verb is meant."""
     if message.IS_COMMAND or not message.NAME.startswith("Report"):
         return "is not a query and has no answer; use `jauspy send`"
@@ -109,7 +111,7 @@ def _no_query(message: Message) -> str:
 async def repeated(ocu: OCU, ask: Callable[[bool], Awaitable[None]], every: float | None, count: int | None) -> None:
     """Call `ask` once, or at an interval in seconds; `count` times, or until cancelled.
 
-    Its argument is true the first time.
+    Its argument is true the first time. Raises `ResponseTimeout` if none of several queries was answered.
     """
     async with ocu:
         if every is None:
@@ -117,14 +119,18 @@ async def repeated(ocu: OCU, ask: Callable[[bool], Awaitable[None]], every: floa
             return
         clock = asyncio.get_running_loop().time
         due = clock()
+        answered = 0
         for number in range(count) if count is not None else itertools.count():
             due = max(due, clock())
             await asyncio.sleep(due - clock())
             due += every
             try:
                 await ask(number == 0)
+                answered += 1
             except ResponseTimeout as error:
                 console.note(str(error))
+        if not answered:
+            raise ResponseTimeout(f"none of {count} queries was answered")
 
 
 async def _ask(ocu: OCU, to: JausID, query_message: Message, show: Show, *, first: bool) -> None:

@@ -90,7 +90,7 @@ def touched(contacts: Mapping[str, Mapping[str, int]], goals: Plan) -> StageResu
     how = f"touched {where} in {count} samples of the physics" if count else f"never touched {where}"
     return StageResult(
         "contacts",
-        f"arm and gripper {how}, and the {thing.name} in {held}",
+        f"arm and gripper {how}, and touched the {thing.name} in {held} samples",
         not count,
         {"support_contacts": count, "thing_contacts": held},
     )

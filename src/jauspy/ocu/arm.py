@@ -574,6 +574,8 @@ def _vector(values: Sequence[float], name: str) -> Vector:
     for number in numbers:
         check_number(number, name)
     x, y, z = map(float, numbers)
+    if not all(map(math.isfinite, (x, y, z))):
+        raise ConfigError(f"{name} is three finite numbers, as in (0.6, 0.0, 0.3), not {(x, y, z)}")
     return x, y, z
 
 

@@ -6,6 +6,7 @@ import errno
 import os
 import queue
 import socket
+import sys
 import threading
 from collections.abc import Callable, Iterator
 
@@ -161,6 +162,19 @@ def test_a_foreign_datagram_on_a_multicast_bus_ends_nothing(multicast_bus: tuple
     receiver.close()
     assert arrived
     assert receiver.counters["unreadable"] == 1
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="an option of Linux")
+def test_frames_of_another_group_are_not_received(multicast_bus: tuple[can.BusABC, int]) -> None:
+    bus, port = multicast_bus
+    foreign = can.Message(arbitration_id=0x80, is_extended_id=False)
+    with open_bus(f"udp_multicast:239.0.0.97,port={port}", 1_000_000) as other:
+        other.send(foreign)
+        assert other.recv(5.0) is not None  # its own echo: the frame has been sent
+    bus.send(can.Message(arbitration_id=0x181, is_extended_id=False))
+    first = bus.recv(5.0)
+    assert first is not None
+    assert first.arbitration_id == 0x181
 
 
 def test_the_kernel_keeps_more_frames_than_by_default(multicast_bus: tuple[can.BusABC, int]) -> None:

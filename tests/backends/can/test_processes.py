@@ -57,16 +57,35 @@ pytestmark = [
 ]
 
 
+def free_port() -> int:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("", 0))
+        return int(probe.getsockname()[1])
+
+
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
+def test_simulated_drives_that_a_script_started_end_in_order(sent: signal.Signals) -> None:
+    simulate = [sys.executable, "-m", "jauspy.cli.main", "can", "simulate", "inc1", "--bus"]
+    script = 'trap "" INT; exec "$@"'  # as the shell does for a program that a script starts with &
+    command = ["sh", "-c", script, "sh", *simulate, f"udp_multicast:239.0.0.99,port={free_port()}"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    try:
+        assert process.stdout is not None
+        assert "stop it:   Ctrl-C\n" in iter(process.stdout.readline, "")
+        process.send_signal(sent)
+        assert process.wait(10.0) == 128 + sent
+    finally:
+        process.kill()
+        process.communicate()
+
+
 @pytest.fixture
 def on_bus(tmp_path: Path) -> Iterator[list[str]]:
     """The arguments `ROBOT --bus BUS`, with simulated drives on that bus."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("", 0))
-        port = probe.getsockname()[1]
     file = tmp_path / "onbus.toml"
     drives = (Path(__file__).parents[3] / "src/jauspy/robots/inc1.toml").read_text().partition("[can.drives]")[2]
     file.write_text(ROBOT_FILE + drives.partition("\n")[2])
-    arguments = [str(file), "--bus", f"udp_multicast:239.0.0.99,port={port}"]
+    arguments = [str(file), "--bus", f"udp_multicast:239.0.0.99,port={free_port()}"]
     process = subprocess.Popen(
         [sys.executable, "-m", "jauspy.cli.main", "can", "simulate", *arguments], stdout=subprocess.PIPE, text=True
     )

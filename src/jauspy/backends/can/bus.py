@@ -8,6 +8,7 @@ import ipaddress
 import logging
 import os
 import socket
+import sys
 import threading
 import time
 from collections import Counter, deque
@@ -30,6 +31,12 @@ VIRTUAL: Final = "virtual"
 
 ECHOING: Final = frozenset({"udp_multicast"})
 """Interfaces that echo sent frames."""
+
+IP_MULTICAST_ALL: Final = 49
+"""Option of Linux: receive the groups that any program has joined (linux/in.h). Python does not name it."""
+
+IPV6_MULTICAST_ALL: Final = 29
+"""The same for IPv6 (linux/in6.h)."""
 
 OPEN: Final = frozenset({"udp_multicast"})
 """Interfaces on which each program of the network may send, and also frames that say that the bus has failed."""
@@ -89,9 +96,21 @@ def open_bus(bus: str, bit_rate: int) -> can.BusABC:
         else:
             _enlarge_buffer(opened)
             if interface in OPEN:
+                _leave_other_groups(opened)
                 _warn_if_reachable(bus, channel)
             return opened
     raise ConfigError(f"can.bus = {bus!r}: cannot be opened: {why}")
+
+
+def _leave_other_groups(bus: can.BusABC) -> None:
+    """Receive this bus's group only: Linux passes on those of all programs, and robots would move others' drives."""
+    if sys.platform != "linux":
+        return
+    with socket.socket(fileno=os.dup(bus.fileno())) as copy:
+        if copy.family == socket.AF_INET6:
+            copy.setsockopt(socket.IPPROTO_IPV6, IPV6_MULTICAST_ALL, 0)
+        else:
+            copy.setsockopt(socket.IPPROTO_IP, IP_MULTICAST_ALL, 0)
 
 
 def _warn_if_reachable(bus: str, group: str) -> None:

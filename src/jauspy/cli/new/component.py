@@ -338,7 +338,7 @@ async def test_it_is_found_with_its_services(virtual_network: VirtualNetwork, oc
         robot = await ocu.discover({number})
         found = robot.component({last}).info
         assert found.name == "{name}"
-        assert {{each.urn for each in found.services}} >= {{
+        assert {{service.urn for service in found.services}} >= {{
 {urns}        }}
         assert (await ocu.query("{id}", QueryStatus())).status is not None
         assert "host.action_failed" not in component.counters
