@@ -321,6 +321,22 @@ async def test_a_step_task_that_ended_by_a_tests_time_limit_is_told(
     assert [type(error) for error in reported] == [PanicError]
 
 
+async def test_heartbeats_that_end_while_the_robot_is_closed_are_no_failure(
+    virtual_network: VirtualNetwork, caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As with a second Ctrl-C, which cancels all tasks of a program."""
+    async with virtual_network.robot("inc1") as robot:
+        close = robot.components[-1].close
+
+        async def slow_close() -> None:
+            next(task for task in asyncio.all_tasks() if task.get_name() == "heartbeats").cancel()
+            await asyncio.sleep(0.1)
+            await close()
+
+        monkeypatch.setattr(robot.components[-1], "close", slow_close)
+    assert "heartbeats" not in caplog.text
+
+
 async def test_heartbeats_that_end_are_told(virtual_network: VirtualNetwork, caplog: pytest.LogCaptureFixture) -> None:
     async with virtual_network.robot() as runner, virtual_network.ocu("42.1.2") as ocu:
         driver = (await ocu.discover(101)).service("PrimitiveDriver")

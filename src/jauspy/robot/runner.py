@@ -184,6 +184,7 @@ class RobotRunner:
         self._heads: HeadSender | None = None
         self._counting: Counting | None = None
         self._stack = AsyncExitStack()
+        self._is_closing = False
 
     @property
     def audit(self) -> AuditLog | None:
@@ -269,10 +270,12 @@ class RobotRunner:
         """Start everything; if a part cannot start, the others are stopped again."""
         if self._modules is not None:
             return
+        self._is_closing = False
         async with AsyncExitStack() as stack:
             model = robot_model(self.config)
             realtime, enable = self._start_robot(stack, model)
-            _supervise(stack, asyncio.create_task(self._send_heartbeats(realtime), name="heartbeats"), realtime)
+            heartbeats = asyncio.create_task(self._send_heartbeats(realtime), name="heartbeats")
+            self._supervise(stack, heartbeats, realtime)
             videos = await self._open_cameras(stack, realtime)
             audit = self._open_audit_log(stack)
             make = partial(
@@ -295,7 +298,7 @@ class RobotRunner:
             self._realtime, self._videos, self._audit = realtime, videos, audit
             if model.cell is not None:
                 self._following = asyncio.create_task(modules.follow(), name="modules of the cell")
-                _supervise(stack, self._following, realtime)
+                self._supervise(stack, self._following, realtime)
             if enable is not None:
                 await asyncio.wrap_future(realtime.enable(enable))
             self._stack = stack.pop_all()
@@ -339,6 +342,7 @@ class RobotRunner:
 
     async def close(self) -> None:
         """Stop everything, in order. May be called twice."""
+        self._is_closing = True
         await self._stack.aclose()
 
     async def run(self) -> None:
@@ -391,6 +395,17 @@ class RobotRunner:
             await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
             if self._realtime is not None and clock() - sent_at > HEARTBEAT_TIMEOUT:
                 _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
+
+    def _supervise(self, stack: AsyncExitStack, task: asyncio.Task[None], realtime: RealTime) -> None:
+        """Cancel the task when the stack is closed; if it ends before, the robot has failed."""
+
+        def report(task: asyncio.Task[None]) -> None:
+            if not self._is_closing:  # a second Ctrl-C cancels all tasks of a program that closes the robot
+                error = None if task.cancelled() else task.exception()
+                realtime.end_early(f"the task {task.get_name()!r} of its program", error)
+
+        task.add_done_callback(report)
+        stack.push_async_callback(_cancel, task, report)
 
     def _find_backend(self) -> Backend:
         try:
@@ -474,18 +489,6 @@ def _close(robot: Robot) -> None:
         robot.close()
     except Exception:  # noqa: BLE001 - whatever a backend raises
         _LOG.exception("the backend could not close the robot")
-
-
-def _supervise(stack: AsyncExitStack, task: asyncio.Task[None], realtime: RealTime) -> None:
-    """Cancel the task when the stack is closed; if it ends before, the robot has failed."""
-
-    def report(task: asyncio.Task[None]) -> None:
-        realtime.end_early(
-            f"the task {task.get_name()!r} of its program", None if task.cancelled() else task.exception()
-        )
-
-    task.add_done_callback(report)
-    stack.push_async_callback(_cancel, task, report)
 
 
 async def _cancel(task: asyncio.Task[None], report: Callable[[asyncio.Task[None]], None]) -> None:

@@ -397,7 +397,7 @@ class Master:
         self._make_ready()
         with self.lock:
             for drive in self.drives.values():
-                drive.answers.reset(drive.unanswered)  # those that were lost before leave no room for late ones
+                drive.answers.restart()
                 drive.start()
         self._others.sends_nmt()
         self._set_phase(Phase.ENABLING)

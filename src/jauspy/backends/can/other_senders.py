@@ -43,9 +43,16 @@ class Balance:
         if self.received > self._due:
             self._due += 1
 
-    def reset(self, pending: int = 0) -> None:
-        """Begin again, while `pending` frames are still due."""
-        self._due = self.received + pending
+    def reset(self) -> None:
+        """Begin again: no frame is due."""
+        self._due = self.received
+
+    def restart(self) -> None:
+        """Begin again, but wait for frames that are due and not later than they could be.
+
+        A program or drive that was held up answers all that waited for it one after the other, when it runs again.
+        """
+        self._due = self.received + min(max(self._due - self.received, 0), self._late)
 
 
 class OtherMasters:
