@@ -26,7 +26,7 @@ from jauspy.ocu.connection import Connection
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.stills import Photo
-from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.ocu.subsystems import ComponentInfo, choose_sensor
 from jauspy.platform.video_settings import RTP_SERVER_TYPE, SUPPORTED_FRAME_SIZES, FrameSize, frame_size
 from jauspy.video import need_video
 from jauspy.video.h264_payload import Picture
@@ -240,18 +240,10 @@ class Camera:
     async def _search(self) -> tuple[ComponentInfo, int]:
         if not self._components:
             raise ConfigError(f"this robot has no camera: it does not offer {VIDEO}")
-        known: dict[str, tuple[ComponentInfo, int]] = {}
-        for component in self._components:
-            for sensor, name in await self._names(component):
-                known[name if name and name not in known else f"{component.id} sensor {sensor}"] = component, sensor
-        if self.name is None and len(known) == 1:
-            return next(iter(known.values()))
-        if self.name in known:
-            return known[self.name]
-        wanted = "which camera is meant" if self.name is None else f"there is no camera {self.name!r}"
-        raise ConfigError(
-            f"{wanted}? This robot has {', '.join(map(repr, known))}, as in robot.camera({next(iter(known))!r})"
-        )
+        sensors = [
+            (component, sensor, name) for component in self._components for sensor, name in await self._names(component)
+        ]
+        return choose_sensor(sensors, self.name, "camera")
 
     async def _names(self, component: ComponentInfo) -> list[tuple[int, str]]:
         """Number and name of each sensor; sensor 1 of a component that does not name its sensors."""

@@ -25,7 +25,7 @@ from jauspy.messages.environment_sensing.v2_0.range_sensor import (
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.state import RobotPose, datetime_of
 from jauspy.ocu.subscription import subscribe
-from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.ocu.subsystems import ComponentInfo, choose_sensor
 from jauspy.printable import printable
 
 RANGE_SENSOR: Final = "environmentSensing:RangeSensor"
@@ -138,25 +138,18 @@ class Lidar:
     async def _search(self) -> tuple[ComponentInfo, int]:
         if not self._components:
             raise ConfigError(f"this robot has no lidar: it does not offer {RANGE_SENSOR}")
-        known: dict[str, tuple[ComponentInfo, int]] = {}
+        sensors: list[tuple[ComponentInfo, int, str]] = []
         for component in self._components:
             kind = QueryRangeSensorCapabilities
             query = kind([kind.QueryRangeSensorCapabilitiesRec(kind.SensorID.ALL_SENSORS, 0)])
             report = await self._connection.query(component.id, query, expects=ReportRangeSensorCapabilities)
             assert isinstance(report, ReportRangeSensorCapabilities)
-            for found in report.range_sensor_capabilities_list:
-                name, sensor = found.sensor_name, int(found.sensor_id)
-                known[name if name and name not in known else f"{component.id} sensor {sensor}"] = component, sensor
-        if self.name is None and len(known) == 1:
-            return next(iter(known.values()))
-        if self.name in known:
-            return known[self.name]
-        if not known:
+            sensors += [
+                (component, int(found.sensor_id), found.sensor_name) for found in report.range_sensor_capabilities_list
+            ]
+        if not sensors:
             raise ConfigError(f"{self._components[0].id} reports no lidar")
-        wanted = "which lidar is meant" if self.name is None else f"there is no lidar {self.name!r}"
-        raise ConfigError(
-            f"{wanted}? This robot has {', '.join(map(repr, known))}, as in robot.lidar({next(iter(known))!r})"
-        )
+        return choose_sensor(sensors, self.name, "lidar")
 
 
 _NATIVE: Final = QueryRangeSensorData.ReportCoordinateSystem.NATIVE

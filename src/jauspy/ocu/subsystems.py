@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import groupby, islice
 from operator import attrgetter
 from typing import Final, TypeAlias
 
 from jauspy.codec.message import Message
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID, is_called
 from jauspy.messages.core import QueryIdentification, ReportIdentification, ReportServices
 from jauspy.printable import printable
@@ -285,3 +286,24 @@ def name_owner(level: int, id: JausID) -> JausID:
     if level <= Level.SUBSYSTEM:
         return JausID(id.subsystem, 0, 0)
     return JausID(id.subsystem, id.node, 0) if level == Level.NODE else id
+
+
+def choose_sensor(
+    sensors: Iterable[tuple[ComponentInfo, int, str]], name: str | None, kind: str
+) -> tuple[ComponentInfo, int]:
+    """The component and number of the sensor with a name; of the only one for None. `kind` is "camera" or "lidar".
+
+    Sensors without a name of their own are named by component and number. Raises `ConfigError` with the names.
+    """
+    known: dict[str, tuple[ComponentInfo, int]] = {}
+    for component, number, own_name in sensors:
+        key = own_name if own_name and own_name not in known else f"{component.id} sensor {number}"
+        known[key] = component, number
+    if name is None and len(known) == 1:
+        return next(iter(known.values()))
+    if name is not None and name in known:
+        return known[name]
+    wanted = f"which {kind} is meant" if name is None else f"there is no {kind} {name!r}"
+    raise ConfigError(
+        f"{wanted}? This robot has {', '.join(map(repr, known))}, as in robot.{kind}({next(iter(known))!r})"
+    )

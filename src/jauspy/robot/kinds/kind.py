@@ -148,7 +148,7 @@ class Kind(ABC, Generic[C]):
     services: ClassVar[Mapping[str, ServiceEntry[Any]]]
     """Services by the names that robots' files use, in the order in which hosts have them."""
     own_keys: ClassVar[frozenset[str]] = frozenset()
-    """Which of the keys `group`, `part` and `camera` of `ModuleConfig` its table has."""
+    """Keys of `ModuleConfig` that its table has, of `group`, `part` and `camera`."""
     group: ClassVar[str | None] = None
     """The joints that it moves unless its table names others."""
     needs_part: ClassVar[bool] = False
