@@ -8,7 +8,7 @@ import pytest
 pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
-from jauspy.cell.swing import AT_REST, Swing, SwingComparison, compare, plot_swing
+from jauspy.cell.swing import AT_REST, Swing, SwingComparison, compare, joint_errors, plot_swing
 from jauspy.platform.modular.arm import ArmController
 
 
@@ -45,6 +45,11 @@ def test_plot(tmp_path: Path) -> None:
     path = tmp_path / "swing.svg"
     plot_swing(SwingComparison(decaying(ArmController.PID, 1.0, 1.0), decaying(ArmController.MODEL, 8.0, 1.0)), path)
     assert path.stat().st_size > 10_000
+
+
+def test_errors_of_the_joints_are_those_of_the_seed() -> None:
+    assert joint_errors(1) == joint_errors(1)
+    assert joint_errors(1) != joint_errors(2)
 
 
 @pytest.mark.slow

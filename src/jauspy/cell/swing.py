@@ -19,6 +19,8 @@ from jauspy.cell.measurements import Measured
 from jauspy.cell.report import figure
 from jauspy.cell.session import UNDISTURBED, Session, simulated
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import rotation_about
 from jauspy.platform.modular.arm import ArmController
 
 ARM: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_4", "servo_5")
@@ -44,6 +46,9 @@ PERIOD: Final = 0.01
 """Seconds from one report to the next."""
 SETTLE_TIME: Final = 4.0
 """Seconds at rest before the swing."""
+JOIN_SHIFT: Final = 0.0006
+JOIN_TILT: Final = 0.002
+"""Metres and radians by which each part is off its connector at most: what the assembly leaves."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,13 +167,28 @@ async def swing(session: Session, controller: ArmController) -> Swing:
     return Swing(controller, np.array(times), np.array(rates), end, state.payload)
 
 
+def joint_errors(seed: int) -> dict[str, Transform]:
+    """The poses of the arm's parts on their connectors, drawn with a seed."""
+    random = np.random.default_rng(seed)
+    found = {}
+    for part in ARM:
+        x, y = random.uniform(-JOIN_SHIFT, JOIN_SHIFT, 2).tolist()
+        tilt, direction = random.uniform(0.0, JOIN_TILT), random.uniform(0.0, math.tau)
+        rotation = rotation_about((math.cos(direction), math.sin(direction), 0.0), tilt)
+        found[part] = Transform(rotation, (x, y, 0.0))
+    return found
+
+
 async def compare(seed: int, report: Callable[[str], None] = lambda _: None) -> SwingComparison:
-    """The swing with both controllers, each in a separate simulated cell with the arm prepared."""
+    """The swing with both controllers, each in a separate simulated cell with the arm prepared.
+
+    The seed is that of the joints' errors and of the sensors' noise.
+    """
     found = {}
     for controller in ArmController:
         report(f"swing with the controller {controller.value}")
         async with simulated(seed, UNDISTURBED) as session:
-            session.true.prepare(BASE, ARM)
+            session.true.prepare(BASE, ARM, joint_errors(seed))
             session.true.prepare(TIP, (BOX,))
             found[controller] = await swing(session, controller)
     return SwingComparison(found[ArmController.PID], found[ArmController.MODEL])

@@ -114,7 +114,7 @@ class SimulatedCell:
         mujoco.mj_forward(cell.model, data)
         self._drive = FixedBase()
         setups = {part.name: kind for part in setup.parts if (kind := setup.types[part.type].servo) is not None}
-        self._servos = servos_of(cell.model, data, setups)
+        self._servos = servos_of(cell.model, data, setups, setup.seed)
         self._powered: tuple[SimulatedServo, ...] = ()
         self._attachments = Attachments(cell, data, random)
         self._power = SimulatedPower(setup, self._pairs, self._set_powered)
@@ -258,6 +258,8 @@ class SimulatedCell:
             self._sensor.step(self.time)
 
     def _control(self) -> None:
+        for servo in self._powered:
+            servo.sample()
         if not self._steps % CONTROL_EVERY:
             self._attachments.control()
             if self._attachments.revision != self._revision:

@@ -17,6 +17,7 @@ from jauspy.platform.joints import ControlMode, Gains, JointGains, Target
 from jauspy.platform.modular.parts import ServoData
 from jauspy.platform.modular.servo import ServoModule, ServoReading, ServoState
 from jauspy_sim.assembly import TIMESTEP, view
+from jauspy_sim.cell.servo_sensors import Encoders, Imu, Noise
 
 UNLIMITED: Final = 1e9
 """Radians: servo modules turn without limits."""
@@ -47,7 +48,7 @@ THERMAL_CYCLES: Final = 50
 class SimulatedServo(ServoModule):
     """One module; also the `ServoDrive` of a modular arm. Its controller acts at each physics step, at 500 Hz."""
 
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, name: str, setup: ServoData) -> None:
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, name: str, setup: ServoData, seed: int = 0) -> None:
         self.name = name
         self.setup = setup
         self._qpos, self._qvel, self._qacc, self._applied = map(
@@ -59,6 +60,9 @@ class SimulatedServo(ServoModule):
         self._free, self._free_dof = int(free.qposadr[0]), int(free.dofadr[0])
         self.tree = int(model.body_treeid[model.body(name).id])
         self._loss = float(model.dof_damping[self._spring_dof].flat[0])
+        self._encoders = Encoders(setup.sensors, Noise(seed, f"{name} encoders"))
+        self._imu = Imu(setup.sensors, Noise(seed, f"{name} imu"))
+        self._start_encoders()
         limit = setup.max_torque
         self._joint = Joint(
             name,
@@ -86,17 +90,32 @@ class SimulatedServo(ServoModule):
 
     @property
     def position(self) -> float:
-        """Radians at the output, any number of turns."""
-        return self._qpos[self._motor] + self._qpos[self._spring]
+        """Radians at the output, any number of turns, by the encoder there."""
+        return self._encoders.output
 
     @property
     def velocity(self) -> float:
-        """rad/s at the output."""
-        return self._qvel[self._motor_dof] + self._qvel[self._spring_dof]
+        """rad/s at the output, by the encoder there."""
+        return self._encoders.output_rate
 
     @property
     def torque(self) -> float:
-        """Newton metres through the spring, positive if it accelerates the output."""
+        """Newton metres by the deflection of the spring, positive if it accelerates the output."""
+        return self.setup.stiffness * (self._encoders.motor - self._encoders.output)
+
+    @property
+    def true_position(self) -> float:
+        """Radians at the output, for measurements only."""
+        return self._qpos[self._motor] + self._qpos[self._spring]
+
+    @property
+    def true_velocity(self) -> float:
+        """rad/s at the output, for measurements only."""
+        return self._qvel[self._motor_dof] + self._qvel[self._spring_dof]
+
+    @property
+    def true_torque(self) -> float:
+        """Newton metres through the spring and its damping, for measurements only."""
         return -self.setup.stiffness * self._qpos[self._spring] - self._loss * self._qvel[self._spring_dof]
 
     @property
@@ -129,8 +148,8 @@ class SimulatedServo(ServoModule):
             temperature=self._temperature,
             voltage=SUPPLY_VOLTAGE - LINE_RESISTANCE * (IDLE_CURRENT + abs(current)),
             orientation=orientation,
-            angular_velocity=(qvel[dof + 3], qvel[dof + 4], qvel[dof + 5]),
-            acceleration=_turned_back(orientation, specific_force),
+            angular_velocity=self._imu.angular_velocity((qvel[dof + 3], qvel[dof + 4], qvel[dof + 5])),
+            acceleration=self._imu.acceleration(_turned_back(orientation, specific_force)),
             claimed_by=self._claimed_by,
         )
         return self._last
@@ -189,17 +208,23 @@ class SimulatedServo(ServoModule):
         self._command = self._feed_forward = 0.0
         self._torque = None
         self._applied[self._motor_dof] = 0.0
+        self._start_encoders()
         self._restart()
+
+    def sample(self) -> None:
+        """Read the encoders, once in each physics step."""
+        motor = self._qpos[self._motor]
+        self._encoders.sample(motor, motor + self._qpos[self._spring])
 
     def control(self) -> None:
         """Set the torque of the motor for the next physics step."""
-        velocity = self._qvel[self._motor_dof]
+        velocity = self._encoders.motor_rate
         if (torque := self._torque) is None:
             controller, forward = self._controller, self._feed_forward
             torque = controller.effort(self.position, velocity, TIMESTEP, forward)
             if forward and controller.mode is ControlMode.EFFORT:
                 torque += forward
-        self._command = torque = self._available(torque, velocity)
+        self._command = torque = self._available(torque, self._qvel[self._motor_dof])
         self._applied[self._motor_dof] = torque
         self._heat += torque * torque
         self._cycles += 1
@@ -224,6 +249,10 @@ class SimulatedServo(ServoModule):
 
     def _current(self) -> float:
         return self._command / self.setup.torque_constant
+
+    def _start_encoders(self) -> None:
+        motor = self._qpos[self._motor]
+        self._encoders.start(motor, motor + self._qpos[self._spring])
 
     def _restart(self) -> None:
         """Hold the present position."""
@@ -253,6 +282,8 @@ def _turned_back(rotation: Quaternion, vector: Vector) -> Vector:
     return a + w * tx + ty * z - tz * y, b + w * ty + tz * x - tx * z, c + w * tz + tx * y - ty * x
 
 
-def servos_of(model: mujoco.MjModel, data: mujoco.MjData, setups: Mapping[str, ServoData]) -> dict[str, SimulatedServo]:
-    """The servo modules of a cell, by name."""
-    return {name: SimulatedServo(model, data, name, setup) for name, setup in setups.items()}
+def servos_of(
+    model: mujoco.MjModel, data: mujoco.MjData, setups: Mapping[str, ServoData], seed: int = 0
+) -> dict[str, SimulatedServo]:
+    """The servo modules of a cell, by name; `seed` is of their sensors' errors."""
+    return {name: SimulatedServo(model, data, name, setup, seed) for name, setup in setups.items()}

@@ -68,7 +68,7 @@ class Truth:
     def servo(self, name: str) -> tuple[float, float, float]:
         """True position (rad), velocity (rad/s) and torque of the spring (N m) of a module, powered or not."""
         servo = self._servos[name]
-        return servo.position, servo.velocity, servo.torque
+        return servo.true_position, servo.true_velocity, servo.true_torque
 
     def contacts(self, bodies: Iterable[str] = ()) -> list[TrueContact]:
         """Contacts of the last step, deepest first; of these parts or bodies only, if any are named."""

@@ -123,12 +123,12 @@ def test_the_imu_measures_gravity_and_attitude() -> None:
     state = cell.servos["servo_5"].state()
     assert state.powered
     frame = cell.truth.frame("servo_5")
-    assert state.acceleration == pytest.approx(frame.inverse().rotate((0.0, 0.0, 9.81)), abs=0.05)
+    assert state.acceleration == pytest.approx(frame.inverse().rotate((0.0, 0.0, 9.81)), abs=0.3)  # its bias
     w, x, y, z = state.orientation
     matrix = frame.rotation
     assert 1.0 - 2.0 * (x * x + y * y) == pytest.approx(matrix[2][2], abs=1e-3)
     assert 2.0 * (w * z + x * y) == pytest.approx(matrix[1][0], abs=1e-3)
-    assert state.angular_velocity == pytest.approx((0.0, 0.0, 0.0), abs=0.01)
+    assert state.angular_velocity == pytest.approx((0.0, 0.0, 0.0), abs=0.015)
 
 
 def test_power_comes_through_attachments_and_switches() -> None:

@@ -17,7 +17,7 @@ from annotated_types import Interval, MaxLen, MinLen
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, ORIGIN, Transform
-from jauspy.geometry.vectors import Vector, add, difference, dot, product, scaled, transposed
+from jauspy.geometry.vectors import GRAVITY, Vector, add, difference, dot, product, scaled, transposed
 from jauspy.platform.joints import Gains
 from jauspy.platform.tables import (
     Converted,
@@ -94,6 +94,44 @@ def _unit(axis: Vector) -> Vector:
     return axis[0] / length, axis[1] / length, axis[2] / length
 
 
+@dataclass(frozen=True, slots=True)
+class ServoSensors(Table):
+    """Errors of the sensors in a servo module, as standard deviations of each measurement where not said otherwise.
+
+    The spring's torque is its stiffness times the difference of two encoders like this, one on each side of it, so its
+    noise is sqrt(2) times `encoder_noise` (and the rounding) times the stiffness. Sources: docs/cell.md.
+    """
+
+    encoder_step: NotNegative = math.tau / 2**17
+    """Radians of one count; 0 reads without steps."""
+    encoder_noise: NotNegative = 0.5 * math.tau / 2**17
+    """Radians, before the rounding to counts."""
+    velocity_time: NotNegative = 0.004
+    """Seconds over which differences of counts are averaged (first-order) to a velocity."""
+    gyro_density: NotNegative = math.radians(0.014)
+    """rad/s per square root of a hertz."""
+    gyro_bias: NotNegative = math.radians(0.1)
+    """rad/s; the same in all measurements of one module: what is left after zeroing at rest."""
+    accelerometer_density: NotNegative = 150e-6 * GRAVITY
+    """m/s^2 per square root of a hertz."""
+    accelerometer_bias: NotNegative = 0.02 * GRAVITY
+    """m/s^2; the same in all measurements of one module, in each axis at most this much."""
+    imu_bandwidth: Positive = 47.0
+    """Hertz of the first-order low-pass of both."""
+
+    def imu_noise(self, density: float) -> float:
+        """Standard deviation of one measurement, of a noise density in the unit of the measurement / sqrt(Hz)."""
+        return density * math.sqrt(self.imu_bandwidth * math.pi / 2.0)
+
+    def torque_noise(self, stiffness: float) -> float:
+        """Standard deviation of a measured torque, N m, with the rounding; `stiffness` of the spring in N m/rad."""
+        return stiffness * math.sqrt(2.0 * (self.encoder_noise**2 + self.encoder_step**2 / 12.0))
+
+
+EXACT: Final = ServoSensors(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+"""Sensors without errors."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ServoData(Table):
     """The motor, gear and limits of a servo module, as in a data sheet."""
@@ -123,6 +161,7 @@ class ServoData(Table):
     """Gains of its own position loop, which acts at 500 Hz: newton metres per radian."""
     velocity_gains: Gains = VELOCITY_GAINS
     """Newton metres per rad/s."""
+    sensors: ServoSensors = ServoSensors()
 
 
 @dataclass(frozen=True, slots=True)
