@@ -120,7 +120,7 @@ def test_parts_without_a_module_get_one_in_order(tmp_path):
         (PARTS.replace("[0, 1, 0]", "[0, nan, 0]"), "cell.parts[2].pose.xyz[1] = nan: it must be a finite number"),
         (PARTS.replace("[0, 1, 0]", "[0, 1]"), "cell.parts[2].pose.xyz[2]: is missing"),
         (PARTS + 'gripper = "hand"', "cell.gripper: the URDF has no link 'hand'"),
-        (PARTS + "sensor = { rat = 5 }", "known here are: angle_noise, position_noise, rate, seed"),
+        (PARTS + "sensor = { rat = 5 }", "known here are: angle_noise, cameras, position_noise, rate, seed"),
         (PARTS + "attach_failure = 1.5", "attach_failure = 1.5: input should be less than or equal to 1"),
         (PARTS.replace("0, 2, 0] }", "0, 2, 0] }, fixed = true"), "'servo_1' is no base; only those are bolted down"),
         (PARTS.replace("servo_1", "servo 1"), "cell.parts[3].name = 'servo 1': a name has letters, digits and"),

@@ -44,6 +44,8 @@ TOUCH_SPEED: Final = 0.015
 MAX_TILT: Final = math.radians(2.0)
 MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
+STALE: Final = 0.5
+"""Seconds since a part was last seen from which on it is looked for again before it is grasped."""
 WEIGHT_TOLERANCE: Final = 0.5
 """Fraction of a part's weight by which the gripper's force may differ while it hangs still."""
 CHECK_ANGLE: Final = 0.06
@@ -265,6 +267,16 @@ class Assembler:
             if not known:
                 self.scene.remove(part.name)
 
+    async def _see(self, part: str) -> bool:
+        """True if the sensor sees a part now, if need be after the UR10 has moved home, out of the cameras' view."""
+        for hidden in (False, True):
+            if hidden and self.held is None:
+                await self.go_home()
+                await self.look(fresh=True)
+            if part in self.seen and self.seen[part].age <= STALE:
+                return True
+        return False
+
     def _choose(self, slot: Slot) -> str | None:
         """The next part of a fitting type that lies somewhere and was not rejected."""
         for name in self.layout.of_types(slot.types):
@@ -274,6 +286,9 @@ class Assembler:
 
     async def _grasp(self, part: str, row: PartResult, goals: list[pin.SE3]) -> bool:
         for attempt in range(GRASPS):
+            if not await self._see(part):
+                row.attempts.append(f"{part}: it is lost, the sensor does not see it")
+                return False
             try:
                 pose = self.seen[part].pose
                 plan = await self.cell.compute(partial(self.handling.pick, part, pose, self.at, goals, skip=attempt))
@@ -285,9 +300,6 @@ class Assembler:
                 return True
             row.attempts.append(f"{part}: {why}")
             await self.look(fresh=True)
-            if part not in self.seen:
-                row.attempts.append(f"{part}: it is lost, the sensor does not see it")
-                return False
         return False
 
     async def try_grasp(self, plan: PickPlan, row: PartResult, *, weigh: bool = True) -> str:

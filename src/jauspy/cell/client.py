@@ -66,7 +66,10 @@ class CellClient:
         self._locks: defaultdict[JausID, asyncio.Lock] = defaultdict(asyncio.Lock)
         self._seen: dict[str, deque[pin.SE3]] = {}
         self._observed = asyncio.Event()
-        self._last_seen: Mapping[str, str] = {}
+        self._last_seen: dict[str, str] = {}
+        """Types of all parts that were ever seen, by name."""
+        self._in_view: frozenset[str] = frozenset()
+        self._observation_time = 0.0
         self._latest: dict[str, tuple[float, pin.SE3]] = {}
         self._offset = math.inf
         """Seconds that the robot's clock is behind this one, by the observation that came fastest."""
@@ -177,15 +180,22 @@ class CellClient:
     # --- parts and connectors -------------------------------------------------------------------------------------
 
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
-        """The parts that the sensor sees, each averaged since it last moved; with `fresh` over new observations."""
+        """The parts that the sensor has seen, each averaged since it last moved; with `fresh` over new observations.
+
+        A part that is hidden now is where it was seen last; its `age` says how long ago.
+        """
         if fresh:
             self._seen.clear()
         while True:
-            known = self._last_seen
-            if known and all(len(self._seen.get(name, ())) >= SAMPLES - 2 for name in known):
-                return {name: SeenPart(type, averaged(list(self._seen[name]))) for name, type in known.items()}
+            if self._in_view and all(len(self._seen.get(name, ())) >= SAMPLES - 2 for name in self._in_view):
+                return {name: self._known(name, type) for name, type in self._last_seen.items()}
             self._observed.clear()
             await asyncio.wait_for(self._observed.wait(), 5.0)
+
+    def _known(self, name: str, type: str) -> SeenPart:
+        seen = self._seen.get(name)
+        time, last = self._latest[name]
+        return SeenPart(type, averaged(list(seen)) if seen else last, self._observation_time - time)
 
     def latest(self, part: str) -> tuple[float, pin.SE3]:
         """The last single observation of a part: when, on this client's clock, and where. Raises `RequestError`."""
@@ -315,9 +325,9 @@ class CellClient:
                 if distance > MOVED or angle > 10.0 * MOVED:
                     seen.clear()
             seen.append(pose)
-        self._last_seen = observation.types
-        for name in set(self._seen) - set(self._last_seen):
-            del self._seen[name]
+        self._last_seen.update(observation.types)
+        self._in_view = frozenset(observation.poses)
+        self._observation_time = observation.time
         self._observed.set()
 
 

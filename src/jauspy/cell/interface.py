@@ -25,6 +25,8 @@ class SeenPart:
 
     type: str
     pose: pin.SE3
+    age: float = 0.0
+    """Seconds from when it was last seen to the last observation: above zero while something hides it."""
 
 
 class Cell(Protocol):
@@ -61,7 +63,10 @@ class Cell(Protocol):
         ...
 
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
-        """The parts that the sensor sees, averaged over several observations; with `fresh` only over new ones."""
+        """The parts that the sensor has seen, averaged over several observations; with `fresh` only over new ones.
+
+        A part that is hidden now is where it was seen last; its `age` says how long ago.
+        """
         ...
 
     async def connector(self, name: str) -> ConnectorState:

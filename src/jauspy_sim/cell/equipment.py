@@ -10,7 +10,7 @@ import mujoco
 import numpy as np
 
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.vectors import Rotation, product, rotation_about, scaled
+from jauspy.geometry.vectors import Rotation, add, product, rotation_about, scaled
 from jauspy.platform.modular.cell import (
     Conveyor,
     ConveyorState,
@@ -22,6 +22,7 @@ from jauspy.platform.modular.cell import (
 from jauspy.platform.modular.parts import CellSetup, ConveyorSetup, PartKind, PartSensorSetup
 from jauspy_sim.assembly import TIMESTEP, view
 from jauspy_sim.cell.connectors import to_transform
+from jauspy_sim.cell.part_cameras import PartCameras, Target
 
 BELT_ACCELERATION: Final = 1.0
 """m/s^2 of the conveyor's drive."""
@@ -69,12 +70,16 @@ class SimulatedConveyor(Conveyor):
 
 
 class SimulatedPartSensor(PartSensor):
-    """Measures the poses of all parts that are not fixed, with normally distributed errors."""
+    """Measures the poses of the parts that are not fixed and that it sees, with normally distributed errors."""
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, setup: PartSensorSetup) -> None:
         self._data = data
         self._setup = setup
+        self._cameras = PartCameras(model, data, setup.cameras) if setup.cameras else None
         self._parts = [(part.name, part.type, int(model.body(part.name).id)) for part in cell.parts if not part.fixed]
+        self._targets: dict[str, Target] = {}
+        if self._cameras is not None:
+            self._targets = {name: self._cameras.target(name, cell.types[kind]) for name, kind, _ in self._parts}
         self._random = np.random.default_rng((setup.seed, cell.seed))
         self._state = Observation()
         self._due = 0.0
@@ -88,16 +93,22 @@ class SimulatedPartSensor(PartSensor):
         if now < self._due - TIMESTEP / 2.0:
             return
         self._due = max(self._due, now) + 1.0 / self._setup.rate
-        data, random, setup = self._data, self._random, self._setup
-        count = len(self._parts)
-        moved = random.normal(0.0, setup.position_noise, (count, 3)).tolist()
-        turned = random.normal(0.0, setup.angle_noise, (count, 3)).tolist()
+        data, setup = self._data, self._setup
+        noise = self._random.standard_normal((len(self._parts), 9)).tolist()
         parts = []
-        for (name, kind, body), (dx, dy, dz), turn in zip(self._parts, moved, turned, strict=True):
+        for (name, kind, body), row in zip(self._parts, noise, strict=True):
             true = to_transform(data.xpos[body].tolist(), data.xmat[body].tolist())
-            x, y, z = true.position
-            rotation = product(true.rotation, small_turn(turn))
-            parts.append(ObservedPart(name, kind, Transform(rotation, (x + dx, y + dy, z + dz)).to_pose()))
+            position = add(true.position, scaled((row[0], row[1], row[2]), setup.position_noise))
+            turn = setup.angle_noise
+            if self._cameras is not None:
+                sight = self._cameras.sight(self._targets[name])
+                if sight is None:
+                    continue
+                along, across, angle = sight.camera.errors(sight.distance)
+                position = add(position, sight.frame.rotate((along * row[6], across * row[7], across * row[8])))
+                turn = math.hypot(turn, angle)
+            rotation = product(true.rotation, small_turn((turn * row[3], turn * row[4], turn * row[5])))
+            parts.append(ObservedPart(name, kind, Transform(rotation, position).to_pose()))
         self._state = Observation(now, tuple(parts))
 
 

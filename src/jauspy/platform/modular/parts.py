@@ -285,13 +285,51 @@ class TargetArea(Table):
 
 
 @dataclass(frozen=True, slots=True)
+class PartCamera(Table):
+    """A 3D camera that sees parts. Its frame: x is the direction of view, y to the left of the picture, z up.
+
+    Errors of what it measures, as standard deviations, with z the distance in metres: across the view
+    `z * pixel_error / focal`; along it `z^2 * disparity_error / (focal * baseline)`, as of any triangulation; of the
+    orientation `z^2 * angle_error`. The figures are those of a structured-light camera; sources: docs/cell.md.
+    """
+
+    name: Identifier
+    pose: PoseOfTable
+    size: tuple[Positive, Positive] = (2448.0, 2048.0)
+    """Width and height of the picture, pixels."""
+    focal: Positive = 4062.0
+    """Focal length, pixels."""
+    reach: Positive = 4.0
+    """Metres within which it measures."""
+    baseline: Positive = 0.11
+    """Metres from projector to camera."""
+    pixel_error: NotNegative = 1.0
+    """Pixels by which a fitted part is off."""
+    disparity_error: NotNegative = 0.08
+    """Pixels by which matched points are off, of a fitted part."""
+    angle_error: NotNegative = 0.0008
+    """Radians at one metre."""
+
+    def errors(self, distance: float) -> tuple[float, float, float]:
+        """Standard deviations at a distance: along the view and across it (m), and of the orientation (rad)."""
+        square = distance * distance
+        along = square * self.disparity_error / (self.focal * self.baseline)
+        return along, distance * self.pixel_error / self.focal, square * self.angle_error
+
+
+@dataclass(frozen=True, slots=True)
 class PartSensorSetup(Table):
-    """A sensor of part poses. Noise: standard deviations in metres and radians; `rate` in hertz."""
+    """A sensor of part poses. Noise: standard deviations in metres and radians; `rate` in hertz.
+
+    With `cameras` it sees what is in the view of one of them and not hidden, with the errors of the nearest one beside
+    the noise given here. Without, it sees all parts wherever they are.
+    """
 
     rate: Annotated[float, Interval(gt=0.0, le=500.0)] = 5.0
     position_noise: NotNegative = 0.0
     angle_noise: NotNegative = 0.0
     seed: Seed = 0
+    cameras: tuple[PartCamera, ...] = ()
 
 
 MAX_PARTS: Final = 250
