@@ -41,6 +41,8 @@ class Disturbances:
     position: float = 0.010
     angle: float = math.radians(5.0)
     attach_failure: float = 0.02
+    scatter: bool = False
+    """True for parts anywhere in their bins, turned at will."""
 
 
 UNDISTURBED: Final = Disturbances(0.0, 0.0, 0.0)
@@ -88,6 +90,7 @@ def configured(seed: int, disturbances: Disturbances, robot: str = ROBOT) -> Rob
         sensor=replace(config.cell.sensor, seed=seed),
         pose_error=(disturbances.position, disturbances.angle),
         attach_failure=disturbances.attach_failure,
+        scatter=disturbances.scatter,
     )
     return config.model_copy(update={"cell": cell})
 

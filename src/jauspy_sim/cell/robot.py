@@ -25,7 +25,7 @@ from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
 from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
-from jauspy_sim.cell.start import disturb, put_on_each_other
+from jauspy_sim.cell.start import disturb, put_on_each_other, scatter
 from jauspy_sim.cell.truth import Truth
 from jauspy_sim.physics.joints import SimulatedJoints
 from jauspy_sim.rendering.cameras import SimulatedCamera, SimulatedCameras
@@ -91,6 +91,9 @@ ARM_LIBRARIES: Final = ("pinocchio", "ruckig")
 SETTLING_STEPS: Final = 500
 """Steps before time starts, in which parts slide to the lower edges of their bins and come to rest."""
 
+SCATTERED_TIMES: Final = 4
+"""How many times that long parts take that start anywhere in their bins."""
+
 CONTROL_EVERY: Final = 2
 """Physics steps from one control of connectors and modular arm to the next."""
 
@@ -110,6 +113,8 @@ class SimulatedCell:
             name: SimulatedJoints(cell.model, data, cell.prefix, robot.description, group)
             for name, group in robot.groups.items()
         }
+        if setup.scatter:
+            scatter(cell.model, data, setup, np.random.default_rng((setup.seed, len(setup.parts))))
         disturb(cell.model, data, setup, random)
         mujoco.mj_forward(cell.model, data)
         self._drive = FixedBase()
@@ -130,8 +135,9 @@ class SimulatedCell:
         self._owed = 0.0
         self._next_show = 0
         self._viewer: Viewer | None = None
-        self._steps = -SETTLING_STEPS
-        self._run(SETTLING_STEPS)
+        settling = SETTLING_STEPS * (SCATTERED_TIMES if setup.scatter else 1)
+        self._steps = -settling
+        self._run(settling)
         self._sensor.step(0.0)
         self._parts = tuple(self._list_parts())
         self._cameras = SimulatedCameras(cell.model, data, cell.prefix, robot)

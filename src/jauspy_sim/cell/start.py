@@ -6,7 +6,7 @@ Also assembles arms before a task begins, by placing parts directly.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 import mujoco
@@ -15,7 +15,7 @@ import numpy as np
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, Transform
 from jauspy.geometry.vectors import Vector, Z, add, difference, dot, quaternion, rotation_about, scaled
-from jauspy.platform.modular.parts import CellSetup, PlacedPart
+from jauspy.platform.modular.parts import BinSetup, CellSetup, PlacedPart
 
 if TYPE_CHECKING:
     from jauspy_sim.cell.robot import SimulatedCell
@@ -25,6 +25,15 @@ MAX_DRAWS: Final = 200
 
 MAX_OVERLAP: Final = 0.002
 """Metres by which shapes may overlap at the start; contacts push them apart."""
+
+MAX_FILLINGS: Final = 20
+"""Attempts to fill a bin at random."""
+BIN_HEIGHT: Final = 0.3
+"""Metres above the floor of a bin within which a part is in it."""
+DROP: Final = 0.003
+"""Metres above the floor from which parts that are scattered fall."""
+ASIDE: Final = 10.0
+"""Metres above the ground where parts wait until their bin is filled."""
 
 STEEP: Final = 0.1
 """Sine of a slope from which on parts slide down; they then start above the edge on which they come to rest."""
@@ -38,10 +47,13 @@ ATTACH_TIME: Final = 0.008
 def disturb(model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, random: np.random.Generator) -> None:
     """Move each part that is not fixed along its support by up to `cell.pose_error`, and turn it about the normal."""
     distance, angle = cell.pose_error
+    scattered = cell.bins if cell.scatter else ()
     if not (distance or angle):
         return
     for part in cell.parts:
         if part.fixed or part.name == cell.car:
+            continue
+        if any(_is_in(bin, part) for bin in scattered):
             continue
         address = int(model.joint(part.name).qposadr[0])
         for _ in range(MAX_DRAWS):
@@ -54,6 +66,62 @@ def disturb(model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, random:
             mujoco.mj_fwdPosition(model, data)
             if not _overlaps(model, data, part.name):
                 break
+
+
+def scatter(model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, random: np.random.Generator) -> None:
+    """Put the parts of each bin anywhere in it, turned at will about the normal of its floor; they then slide down.
+
+    Raises `ConfigError` if they find no room.
+    """
+    for bin in cell.bins:
+        parts = [part for part in cell.parts if _is_in(bin, part)]
+        for _ in range(MAX_FILLINGS):
+            for number, part in enumerate(parts):
+                _write(model, data, part.name, Transform(position=(0.0, 0.0, ASIDE + number)))
+            if all(_throw_in(model, data, part.name, _anywhere(bin, part, cell, random)) for part in parts):
+                break
+        else:
+            raise ConfigError(f"{bin.name}: its {len(parts)} parts find no room in random poses")
+
+
+def _is_in(bin: BinSetup, part: PlacedPart) -> bool:
+    x, y, z = (Transform.from_pose(bin.pose).inverse() @ Transform.from_pose(part.pose)).position
+    return abs(x) < bin.length / 2.0 and abs(y) < bin.width / 2.0 and abs(z) < BIN_HEIGHT
+
+
+def _anywhere(bin: BinSetup, part: PlacedPart, cell: CellSetup, random: np.random.Generator) -> Iterator[Transform]:
+    """Random poses in the world of a part in a bin, whose middle is where it is grasped."""
+    frame = Transform.from_pose(bin.pose)
+    local = frame.inverse() @ Transform.from_pose(part.pose)
+    x, y, z = (local @ cell.types[part.type].grasp).position
+    for _ in range(MAX_DRAWS):
+        along, across = random.uniform(-0.5, 0.5, 2).tolist()
+        turn = rotation_about(Z, random.uniform(-math.pi, math.pi))
+        place = Transform(turn, (along * bin.length, across * bin.width, z + DROP))
+        yield frame @ place @ Transform(position=(-x, -y, -z)) @ local
+
+
+def _throw_in(model: mujoco.MjModel, data: mujoco.MjData, name: str, poses: Iterator[Transform]) -> bool:
+    """Place a part in the first of the poses in which it touches nothing; False if there is none."""
+    for pose in poses:
+        _write(model, data, name, pose)
+        mujoco.mj_fwdPosition(model, data)
+        if not _touches(model, data, name):
+            return True
+    return False
+
+
+def _write(model: mujoco.MjModel, data: mujoco.MjData, name: str, pose: Transform) -> None:
+    address = int(model.joint(name).qposadr[0])
+    data.qpos[address : address + 7] = (*pose.position, *quaternion(pose.rotation))
+
+
+def _touches(model: mujoco.MjModel, data: mujoco.MjData, name: str) -> bool:
+    tree = model.body_treeid[model.body(name).id]
+    contacts = data.contact[: data.ncon]
+    return any(
+        contact.dist < 0.0 and tree in model.body_treeid[model.geom_bodyid[contact.geom]] for contact in contacts
+    )
 
 
 def _disturbed(cell: CellSetup, part: PlacedPart, along: float, across: float, turn: float) -> Transform:

@@ -38,6 +38,29 @@ def test_parts_rest_in_their_bins(seed: int) -> None:
     assert {"bin_1", "bin_2", "bin_3", "bin_4", "bin_5"} <= at_edge or cell.data.ncon < 20  # sleeping parts have none
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_scattered_parts_come_to_rest_in_their_bins(seed: int) -> None:
+    cell = open_cell(scatter=True, seed=seed)
+    before = cell.truth.poses()
+    cell.advance(0.2)
+    for part in cell.setup.parts:
+        for bin in cell.setup.bins:
+            frame = Transform.from_pose(bin.pose).inverse()
+            planned = frame @ Transform.from_pose(part.pose)
+            if all(abs(value) < limit for value, limit in zip(planned.position, (0.26, 0.19, 0.3), strict=True)):
+                found = frame @ Transform.from_pose(cell.truth.pose(part.name))
+                middle = (found @ cell.setup.types[part.type].grasp).position
+                assert abs(middle[0]) < bin.length / 2.0
+                assert abs(middle[1]) < bin.width / 2.0
+                assert cell.truth.pose(part.name).z == pytest.approx(before[part.name].z, abs=1e-4)
+
+
+def test_scattered_parts_are_turned_by_the_seed() -> None:
+    first, same, other = (open_cell(scatter=True, seed=seed).truth.pose("servo_1") for seed in (1, 1, 2))
+    assert first == same
+    assert abs(first.roll - other.roll) > 0.05  # its x axis is along the normal of the floor
+
+
 def test_errors_of_the_start_differ_by_seed() -> None:
     one, other = (open_cell(pose_error=(0.01, FIVE_DEGREES), seed=seed) for seed in (1, 2))
     assert one.truth.pose("tube_1") != other.truth.pose("tube_1")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -44,6 +44,9 @@ def trials(
         ),
     ] = None,
     exact: Exact = False,
+    scatter: Annotated[
+        bool, typer.Option("--scatter", help="Have the parts lie anywhere in their bins, turned at will.")
+    ] = False,
     need: Annotated[
         float, typer.Option("--need", min=0.0, max=1.0, help="Exit status 1 when the rate of success is below this.")
     ] = 0.95,
@@ -57,7 +60,7 @@ def trials(
     """
     check_extra()
     from jauspy.cell.report import plot_trials
-    from jauspy.cell.session import UNDISTURBED
+    from jauspy.cell.session import UNDISTURBED, Disturbances
     from jauspy.cell.tasks import TASKS
     from jauspy.cell.trials import run_trials, summarised
     from jauspy.cli.cell.tables import trials_table
@@ -67,7 +70,7 @@ def trials(
     found: list[Measured] = []
     out.mkdir(parents=True, exist_ok=True)
     path = out / f"trials-{task}.json"
-    disturbances = UNDISTURBED if exact else None
+    disturbances = replace(UNDISTURBED if exact else Disturbances(), scatter=scatter)
     results = run_trials(task, range(first, first + seeds), disturbances, jobs=jobs, cluster=cluster)
     for run in with_progress(task, seeds, results):
         found.append(run)

@@ -373,6 +373,8 @@ class CellSetup(Table):
     """Link of the URDF with the vacuum gripper, whose z axis points out of it; empty without one."""
     pose_error: tuple[NotNegative, NotNegative] = (0.0, 0.0)
     """Largest error of the parts' poses at the start, metres and radians, drawn with `seed`."""
+    scatter: bool = False
+    """True to have the parts in bins lie anywhere in them, turned at will about their upper face's normal."""
     attach_failure: Annotated[float, Interval(ge=0.0, le=1.0)] = 0.0
     """Fraction of the attempts of the gripper to attach that fail by themselves, drawn with `seed`."""
     seed: Seed = 0
