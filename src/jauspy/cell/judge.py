@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
@@ -18,6 +18,20 @@ from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.modular.connector import VacuumConnector
+
+
+class Watched(Protocol):
+    """What a simulation has measured of some parts at each physics step since a moment."""
+
+    clearance: float
+    """Metres: their smallest distance from the robot, the bins, the fixtures and the conveyor."""
+    contacts: int
+    """Steps in which they touched one of these."""
+    penetration: float
+    """Metres of their deepest overlap with anything."""
+    speed: float
+    torque: float
+    """Largest speed and torque of their servo modules, as fractions of the limits."""
 
 
 class Truth(Protocol):
@@ -37,6 +51,10 @@ class Truth(Protocol):
 
     def penetration(self) -> float:
         """Metres of the deepest overlap of shapes in the last step."""
+        ...
+
+    def watch(self, parts: Iterable[str]) -> Watched:
+        """Measure these parts at each step from now on."""
         ...
 
 
@@ -97,6 +115,10 @@ class Judge:
     def velocity(self, part: str) -> tuple[Vector, Vector]:
         """Linear and angular velocity of a part, in its own frame: m/s and rad/s."""
         return self._truth.velocity(part)
+
+    def watch(self, parts: Iterable[str]) -> Watched:
+        """Measure these parts at each step from now on; the result is kept up to date."""
+        return self._truth.watch(parts)
 
     def attached(self) -> dict[str, str]:
         """Parts that connectors hold, by connector."""

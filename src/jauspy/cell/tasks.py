@@ -11,7 +11,7 @@ from typing import Any, Final, TypeAlias
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.car import MOVED, CarTask
 from jauspy.cell.frames import offset_between
-from jauspy.cell.judge import Placement
+from jauspy.cell.judge import Placement, Watched
 from jauspy.cell.kitting import Kitter, drawn_order, score
 from jauspy.cell.lift import Lifter
 from jauspy.cell.measurements import Measured
@@ -77,6 +77,9 @@ async def lift(session: Session, seed: int) -> Measured:
     begun = session.cell.now()
     arm = await prepared(session, FIVE_JOINTS)
     lifter = Lifter(session.cell, session.layout, arm)
+    watched: list[Watched] = []
+    if (judge := session.judge) is not None:
+        lifter.on_throw = lambda box: watched.append(judge.watch((*FIVE_JOINTS, box)))
     result = await lifter.run()
     found = Measured(seed, "lift", duration=session.cell.now() - begun)
     found.values = {
@@ -84,8 +87,20 @@ async def lift(session: Session, seed: int) -> Measured:
         "payload": result.payload,
         "lift_time": result.lift_time,
         "release_speed": result.release_speed,
-        "clearance": arm.clearance.distance,
+        "planned_clearance": arm.clearance.distance,
+        "miss": result.miss,
     }
+    if (plan := result.plan) is not None:
+        found.values["planned_clearance"] = min(arm.clearance.distance, plan.clearance.distance)
+        found.values |= {"planned_utilisation": plan.utilisation, "planned_torque": plan.torque_ratio}
+    for seen in watched:
+        found.values |= {
+            "clearance": seen.clearance,
+            "contacts": float(seen.contacts),
+            "penetration": seen.penetration,
+            "servo_speed": seen.speed,
+            "servo_torque": seen.torque,
+        }
     if session.judge is not None:
         x, y, _ = session.judge.pose(result.box).translation
         area = lifter.target
@@ -94,6 +109,8 @@ async def lift(session: Session, seed: int) -> Measured:
         found.success = abs(off[0]) <= area.length / 2.0 and abs(off[1]) <= area.width / 2.0
         if not found.success:
             found.failure = f"{result.box} rests {off[0]:+.2f} m, {off[1]:+.2f} m from the middle of the area"
+        if watched and watched[-1].contacts:
+            found.success, found.failure = False, f"the arm or {result.box} touched something from the wind-up on"
     else:
         found.success = True
     return found
