@@ -74,6 +74,10 @@ class KnowsTruth(Protocol):
         """
         ...
 
+    def place(self, part: str, pose: Pose) -> None:
+        """Put a free part somewhere, at rest, by writing its position."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class Placement:
@@ -98,6 +102,8 @@ class Judge:
         self._robot: Robot = robot
         self.prepare = robot.prepare
         """Assembles an arm before a task starts, for tasks that do not include the assembly."""
+        self.place = robot.place
+        """Puts a part somewhere by writing its position; results say so."""
 
     @property
     def time(self) -> float:

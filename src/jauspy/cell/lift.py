@@ -126,7 +126,7 @@ class Lifter:
         _, y = self._place()
         _, pose = self.cell.latest(box)
         x = float(pose.translation[0])
-        top = float(pose.translation[2]) + self._height(box)
+        top = float(pose.translation[2]) + self.height(box)
         await self.arm.look(*self.boxes)
         hover = self.arm.above((x, y, top + HOVER), await self.arm.positions())[0]
         await self.arm.go(hover)
@@ -149,7 +149,8 @@ class Lifter:
         await self.cell.enable(self.arm.tip, False)
         return False
 
-    def _height(self, box: str) -> float:
+    def height(self, box: str) -> float:
+        """Metres from the bottom of a box to its top."""
         return float(self.layout.grasp(box).translation[2])
 
     # --- throwing -------------------------------------------------------------------------------------------------
@@ -162,7 +163,7 @@ class Lifter:
         in_tip = se3(held.offset) * self.layout.grasp(box).inverse()
         arm.scene.hold(box, pieces_of_part(kind), in_tip)
         size = kind.solids[0].size
-        middle = shifted(z=self._height(box) / 2.0)
+        middle = shifted(z=self.height(box) / 2.0)
         shapes = [Piece(piece.shape, middle.inverse() * piece.frame) for piece in pieces_of_part(kind)]
         planner = ThrowPlanner(arm.chain, arm.scene, Load(result.payload, size, in_tip * middle), shapes)
         x, y = self.target.pose.x + self.aim.offset[0], self.target.pose.y + self.aim.offset[1]
@@ -195,7 +196,7 @@ class Lifter:
 
     async def _learn(self, result: LiftResult) -> None:
         seen = (await self.cell.observe(fresh=True))[result.box].pose
-        at = seen.act(np.array([0.0, 0.0, self._height(result.box) / 2.0]))
+        at = seen.act(np.array([0.0, 0.0, self.height(result.box) / 2.0]))
         miss = np.array([at[0] - self.target.pose.x, at[1] - self.target.pose.y])
         result.miss = float(np.linalg.norm(miss))
         size = self.layout.type_of(result.box).solids[0].size

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Coroutine, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final, TypeAlias
+
+import numpy as np
 
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.car import MOVED, CarTask
@@ -23,6 +26,8 @@ from jauspy.errors import JausError
 BASE: Final = "platform_1/top"
 MAX_ARM_ERROR: Final = 0.03
 """Radians by which the arm's joints may be off on the driving car."""
+LARGEST_MISS: Final = 0.02
+"""Metres by which a box may be off after some throws have taught the aim."""
 SETTLE: Final = 0.1
 """Seconds until a prepared arm is known to all."""
 
@@ -113,6 +118,53 @@ async def lift(session: Session, seed: int) -> Measured:
             found.success, found.failure = False, f"the arm or {result.box} touched something from the wind-up on"
     else:
         found.success = True
+    return found
+
+
+THROWS: Final = 10
+
+
+async def throws(session: Session, seed: int) -> Measured:
+    """Throw ten times, each aim corrected by what the throws before taught.
+
+    Boxes are put back on the belt by writing their positions; the rows say so.
+    """
+    begun = session.cell.now()
+    judge = session.true
+    arm = await prepared(session, FIVE_JOINTS)
+    lifter = Lifter(session.cell, session.layout, arm)
+    area, watched = lifter.target, list[Watched]()
+    lifter.on_throw = lambda box: watched.append(judge.watch((*FIVE_JOINTS, box)))
+    found = Measured(seed, "throws")
+    errors = []
+    for number in range(1, THROWS + 1):
+        result = await lifter.run()
+        x, y, _ = judge.pose(result.box).act(np.array([0.0, 0.0, lifter.height(result.box) / 2.0]))
+        errors.append(math.hypot(x - area.pose.x, y - area.pose.y))
+        seen = watched[-1]
+        found.rows.append(
+            {"throw": number, "box": result.box, "off_x": x - area.pose.x, "off_y": y - area.pose.y}
+            | {"error": errors[-1], "clearance": seen.clearance, "contacts": seen.contacts}
+            | {"penetration": seen.penetration, "after": "parts placed by writing positions"}
+        )
+        for part in session.layout.setup.parts:
+            if part.name in lifter.boxes:
+                judge.place(part.name, part.pose)
+        await session.cell.sleep(2.0 * SETTLE + 1.0)
+    late = errors[THROWS // 2 :]
+    found.values = {
+        "throws": float(THROWS),
+        "first_error": errors[0],
+        "mean_error_of_last_half": float(np.mean(late)),
+        "largest_error_of_last_half": max(late),
+        "clearance": min(seen.clearance for seen in watched),
+        "contacts": float(sum(seen.contacts for seen in watched)),
+        "penetration": max(seen.penetration for seen in watched),
+    }
+    found.duration = session.cell.now() - begun
+    found.success = max(late) < LARGEST_MISS and not found.values["contacts"]
+    if not found.success:
+        found.failure = f"the largest error of the last {len(late)} throws is {1000.0 * max(late):.0f} mm"
     return found
 
 
@@ -221,6 +273,7 @@ Task: TypeAlias = Callable[[Session, int], Coroutine[Any, Any, Measured]]
 TASKS: Final[dict[str, Task]] = {
     "assemble": assemble,
     "lift": lift,
+    "throws": throws,
     "step": step,
     "car": car,
     "kitting": kitting,

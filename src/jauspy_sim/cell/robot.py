@@ -10,8 +10,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.geometry.poses import Transform
-from jauspy.geometry.vectors import GRAVITY
+from jauspy.geometry.poses import Pose, Transform
+from jauspy.geometry.vectors import GRAVITY, quaternion
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.drives import FixedBase
@@ -237,6 +237,15 @@ class SimulatedCell:
         `errors` are poses of parts on their connectors, by part.
         """
         put_on_each_other(self, connector, parts, errors)
+
+    def place(self, part: str, pose: Pose) -> None:
+        """Put a free part somewhere, at rest, by writing its position: for what a task does not do itself."""
+        joint, frame = self._model.joint(part), Transform.from_pose(pose)
+        at, dof = int(joint.qposadr[0]), int(joint.dofadr[0])
+        self._data.qpos[at : at + 7] = (*frame.position, *quaternion(frame.rotation))
+        self._data.qvel[dof : dof + 6] = 0.0
+        mujoco.mj_kinematics(self._model, self._data)
+        self._attachments.wake(int(self._model.body(part).id))
 
     def view(self) -> None:
         """Open a window that shows the cell while it is advanced. Raises `ConfigError` without a display."""

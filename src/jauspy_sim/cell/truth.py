@@ -94,10 +94,11 @@ class Truth:
     def watch(self, parts: Iterable[str]) -> Watched:
         """Measure these parts against the robot's links, the bins and fixtures at each step from now on."""
         model = self._model
-        names = [model.body(number).name for number in range(model.nbody)]
+        names = [str(mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, number)) for number in range(model.nbody)]
         own = set(parts)
         bodies = [name for name in names if name.partition(".")[0] in own]
-        fixed = {each.name for each in (*self._cell.setup.bins, *self._cell.setup.fixtures)} | {"conveyor", "belt"}
+        setup = self._cell.setup
+        fixed = {"conveyor", "belt"} | {each.name for each in setup.bins} | {each.name for each in setup.fixtures}
         obstacles = [name for name in names if name.startswith(self._cell.prefix) or name in fixed]
         servos = {name: servo for name, servo in self._servos.items() if name in own}
         self.watching = Watch(model, self._data, bodies, obstacles, servos)
