@@ -133,8 +133,8 @@ async def test_an_empty_belt_is_no_attempt() -> None:
 
 def test_a_miss_is_corrected_whole_at_first_and_by_less_later() -> None:
     aim = Aim()
-    aim.learn(np.array([0.1, -0.02]))
-    assert aim.offset == pytest.approx([-0.1, 0.02])
+    aim.learn(np.array([0.04, -0.02]))
+    assert aim.offset == pytest.approx([-0.04, 0.02])
     for _ in range(9):
         aim.learn(np.array([0.01, 0.0]))
-    assert aim.offset[0] == pytest.approx(-0.1 - 0.01 * (1 / 2 + 1 / 3 + 7 * LEAST_GAIN))
+    assert aim.offset[0] == pytest.approx(-0.04 - 0.01 * (1 / 2 + 1 / 3 + 7 * LEAST_GAIN))

@@ -32,6 +32,8 @@ READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
 """Upright, with the elbow bent: between the lift and the throw."""
 SETTLE: Final = 2.0
 """Seconds after the landing, in which a box comes to rest and the sensor sees it several times."""
+LARGEST_LESSON: Final = 0.05
+"""Metres: of a larger miss only that much counts, since a box that has tumbled says little about the aim."""
 LEAST_GAIN: Final = 0.3
 """Fraction of a miss by which later aims are corrected at least; the first is corrected by all of it."""
 POLL: Final = 0.01
@@ -65,6 +67,7 @@ class Aim:
     def learn(self, miss: Array) -> None:
         """Correct by a miss, metres along x and y: later ones by less, so that what differs by chance averages out."""
         self.throws += 1
+        miss = miss * min(1.0, LARGEST_LESSON / max(1e-9, float(np.linalg.norm(miss))))
         self.offset = self.offset - max(LEAST_GAIN, 1.0 / self.throws) * miss
 
 

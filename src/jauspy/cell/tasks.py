@@ -143,7 +143,7 @@ async def throws(session: Session, seed: int) -> Measured:
         errors.append(math.hypot(x - area.pose.x, y - area.pose.y))
         seen = watched[-1]
         found.rows.append(
-            {"throw": number, "box": result.box, "off_x": x - area.pose.x, "off_y": y - area.pose.y}
+            {"throw": number, "box": result.box, "off_x": float(x) - area.pose.x, "off_y": float(y) - area.pose.y}
             | {"error": errors[-1], "clearance": seen.clearance, "contacts": seen.contacts}
             | {"penetration": seen.penetration, "after": "parts placed by writing positions"}
         )
@@ -157,13 +157,15 @@ async def throws(session: Session, seed: int) -> Measured:
         "first_error": errors[0],
         "mean_error_of_last_half": float(np.mean(late)),
         "largest_error_of_last_half": max(late),
-        "clearance": min(seen.clearance for seen in watched),
-        "contacts": float(sum(seen.contacts for seen in watched)),
-        "penetration": max(seen.penetration for seen in watched),
+        "clearance": min(row["clearance"] for row in found.rows),
+        "contacts": float(sum(row["contacts"] for row in found.rows)),
+        "penetration": max(row["penetration"] for row in found.rows),
     }
     found.duration = session.cell.now() - begun
     found.success = max(late) < LARGEST_MISS and not found.values["contacts"]
-    if not found.success:
+    if found.values["contacts"]:
+        found.failure = "the arm or a box touched something from a wind-up on"
+    elif not found.success:
         found.failure = f"the largest error of the last {len(late)} throws is {1000.0 * max(late):.0f} mm"
     return found
 
