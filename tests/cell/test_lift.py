@@ -1,53 +1,18 @@
-"""Lifting and throwing without physics: where a box comes to rest, which box is next, and what is said without one."""
+"""Lifting without physics: which box is next, what is said without one, and what a miss teaches."""
 
 from __future__ import annotations
 
-import math
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pinocchio as pin
 import pytest
-from hypothesis import given, strategies as st
 
 from jauspy.cell.frames import shifted
-from jauspy.cell.lift import ATTEMPTS, FOLLOW_THROUGH, LATENCY, Lifter, _rest
+from jauspy.cell.lift import ATTEMPTS, LEAST_GAIN, Aim, Lifter
 from jauspy.cell.schedule import TaskFailed
-from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.parts import PartKind
-
-FORWARD = np.array([1.0, 0.0, 0.0])
-SPEEDS = st.floats(-3.0, 3.0)
-
-
-class TestRest:
-    def test_what_is_let_go_at_rest_falls_straight_down(self) -> None:
-        assert _rest(np.array([0.4, 0.2, 0.5]), np.zeros(3), FORWARD, 0.3) == pytest.approx(0.4)
-
-    def test_a_level_throw_flies_as_long_as_it_falls(self) -> None:
-        found = _rest(np.array([0.0, 0.0, 0.5]), np.array([2.0, 0.0, 0.0]), FORWARD, 0.3)
-        assert found == pytest.approx(2.0 * math.sqrt(2.0 * 0.8 / GRAVITY))
-
-    @given(st.floats(-0.5, 0.5), st.floats(0.0, 1.0), SPEEDS, SPEEDS)
-    def test_it_is_where_a_simulated_flight_ends(self, x: float, height: float, ahead: float, rise: float) -> None:
-        found = _rest(np.array([x, 0.0, height]), np.array([ahead, 0.0, rise]), FORWARD, 0.2)
-        place, speed, step = np.array([x, height + 0.2]), np.array([ahead, rise]), 1e-3
-        while place[1] > 0.0 or speed[1] > 0.0:
-            place = place + speed * step - np.array([0.0, 0.5 * GRAVITY * step * step])
-            speed = speed - np.array([0.0, GRAVITY * step])
-        assert found == pytest.approx(place[0], abs=abs(ahead) * 2.0 * step + 1e-9)
-
-    @given(SPEEDS, st.floats(-math.pi, math.pi))
-    def test_only_the_direction_of_the_throw_counts(self, sideways: float, turn: float) -> None:
-        ahead = np.array([math.cos(turn), math.sin(turn), 0.0])
-        side = np.array([-math.sin(turn), math.cos(turn), 0.0])
-        up = np.array([0.0, 0.0, 0.5])
-        straight = _rest(up, 1.5 * ahead, ahead, 0.1)
-        assert _rest(up, 1.5 * ahead + sideways * side, ahead, 0.1) == pytest.approx(straight)
-
-    def test_below_the_landing_there_is_no_flight(self) -> None:
-        assert _rest(np.array([0.1, 0.0, -0.5]), np.array([1.0, 0.0, 0.0]), FORWARD, 0.2) == pytest.approx(0.1)
 
 
 class Cell:
@@ -166,22 +131,10 @@ async def test_an_empty_belt_is_no_attempt() -> None:
         await lifter(cell).run()
 
 
-async def test_it_lets_go_where_the_flight_ends_in_the_area(monkeypatch: pytest.MonkeyPatch) -> None:
-    cell = Cell(**{f"box_{number}": (1.0, -0.2 * number, 0.2) for number in range(1, 5)})
-    task = lifter(cell)
-
-    async def take(box: str) -> bool:
-        return box == "box_2"
-
-    monkeypatch.setattr(task, "_take", take)
-    result = await task.run()
-    assert (result.box, result.attempts, result.payload) == ("box_2", 2, 0.3)
-    assert result.release_speed == pytest.approx(2.0)
-    ((name, enabled, released),) = cell.enabled
-    assert (name, enabled) == (Arm.tip, False)
-    # 2 m ahead, less the flight of sqrt(2 h / g) at 2 m/s; the tip starts 1 m behind the arm's base
-    height = 0.5 + 0.025 + 0.4 + 0.025
-    expected = (2.0 + 1.0 - 2.0 * math.sqrt(2.0 * height / GRAVITY)) / 2.0 - LATENCY
-    assert released == pytest.approx(expected, abs=0.011)
-    assert 0.0 <= result.predicted < 0.03
-    assert FOLLOW_THROUGH[0] == 0.0, "the first joint only aims"
+def test_a_miss_is_corrected_whole_at_first_and_by_less_later() -> None:
+    aim = Aim()
+    aim.learn(np.array([0.04, -0.02]))
+    assert aim.offset == pytest.approx([-0.04, 0.02])
+    for _ in range(9):
+        aim.learn(np.array([0.01, 0.0]))
+    assert aim.offset[0] == pytest.approx(-0.04 - 0.01 * (1 / 2 + 1 / 3 + 7 * LEAST_GAIN))

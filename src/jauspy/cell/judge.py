@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
@@ -18,6 +18,20 @@ from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.modular.connector import VacuumConnector
+
+
+class Watched(Protocol):
+    """What a simulation has measured of some parts at each physics step since a moment."""
+
+    clearance: float
+    """Metres: their smallest distance from the robot, the bins, the fixtures and the conveyor."""
+    contacts: int
+    """Steps in which they touched one of these."""
+    penetration: float
+    """Metres of their deepest overlap with anything."""
+    speed: float
+    torque: float
+    """Largest speed and torque of their servo modules, as fractions of the limits."""
 
 
 class Truth(Protocol):
@@ -39,6 +53,10 @@ class Truth(Protocol):
         """Metres of the deepest overlap of shapes in the last step."""
         ...
 
+    def watch(self, parts: Iterable[str]) -> Watched:
+        """Measure these parts at each step from now on."""
+        ...
+
 
 @runtime_checkable
 class KnowsTruth(Protocol):
@@ -54,6 +72,10 @@ class KnowsTruth(Protocol):
 
         `errors` are poses of parts on their connectors, by part.
         """
+        ...
+
+    def place(self, part: str, pose: Pose) -> None:
+        """Put a free part somewhere, at rest, by writing its position."""
         ...
 
 
@@ -80,6 +102,8 @@ class Judge:
         self._robot: Robot = robot
         self.prepare = robot.prepare
         """Assembles an arm before a task starts, for tasks that do not include the assembly."""
+        self.place = robot.place
+        """Puts a part somewhere by writing its position; results say so."""
 
     @property
     def time(self) -> float:
@@ -97,6 +121,10 @@ class Judge:
     def velocity(self, part: str) -> tuple[Vector, Vector]:
         """Linear and angular velocity of a part, in its own frame: m/s and rad/s."""
         return self._truth.velocity(part)
+
+    def watch(self, parts: Iterable[str]) -> Watched:
+        """Measure these parts at each step from now on; the result is kept up to date."""
+        return self._truth.watch(parts)
 
     def attached(self) -> dict[str, str]:
         """Parts that connectors hold, by connector."""

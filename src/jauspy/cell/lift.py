@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
 
 from jauspy.cell.client import CellClient
-from jauspy.cell.frames import Array
+from jauspy.cell.frames import Array, se3, shifted
 from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath
-from jauspy.cell.scene import Layout
+from jauspy.cell.scene import Layout, Piece, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
-from jauspy.geometry.vectors import GRAVITY
+from jauspy.cell.throw import MARGIN, Load, ThrowPlan, ThrowPlanner
 from jauspy.platform.modular.parts import ConveyorSetup, PartKind, TargetArea
 
 BELT_SPEED: Final = 0.15
@@ -29,13 +30,12 @@ LIFT_TIME: Final = 0.6
 ATTEMPTS: Final = 3
 READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
 """Upright, with the elbow bent: between the lift and the throw."""
-WINDUP: Final = np.array([0.0, -0.3, -0.7, -0.4, 0.0])
-FOLLOW_THROUGH: Final = np.array([0.0, 0.7, 0.6, 0.5, 0.0])
-"""Postures between which the arm throws, turned towards the area by the first joint."""
-LATENCY: Final = 0.02
-"""Seconds from the decision to release to the release."""
-SLIDE: Final = 0.0
-"""Metres that a box slides and tumbles for each (m/s)^2 of its horizontal speed when it lands."""
+SETTLE: Final = 2.0
+"""Seconds after the landing, in which a box comes to rest and the sensor sees it several times."""
+LARGEST_LESSON: Final = 0.05
+"""Metres: of a larger miss only that much counts, since a box that has tumbled says little about the aim."""
+LEAST_GAIN: Final = 0.3
+"""Fraction of a miss by which later aims are corrected at least; the first is corrected by all of it."""
 POLL: Final = 0.01
 
 
@@ -51,19 +51,40 @@ class LiftResult:
     """Seconds from the start until the box hung on the arm."""
     release_speed: float = 0.0
     """m/s of the tip at the release, by its encoders."""
-    predicted: float = math.nan
-    """Metres from the middle of the area at which the box was to come to rest."""
+    miss: float = math.nan
+    """Metres from the middle of the area at which the sensor sees the box at rest."""
+    plan: ThrowPlan | None = None
+
+
+@dataclass(slots=True)
+class Aim:
+    """What earlier throws taught: where to aim so that boxes come to rest in the middle of the area."""
+
+    offset: Array = field(default_factory=lambda: np.zeros(2))
+    """Metres along x and y from the middle of the area."""
+    throws: int = 0
+
+    def learn(self, miss: Array) -> None:
+        """Correct by a miss, metres along x and y: later ones by less, so that what differs by chance averages out."""
+        self.throws += 1
+        miss = miss * min(1.0, LARGEST_LESSON / max(1e-9, float(np.linalg.norm(miss))))
+        self.offset = self.offset - max(LEAST_GAIN, 1.0 / self.throws) * miss
 
 
 class Lifter:
     """Lifts and throws with an arm that stands beside the conveyor."""
 
-    def __init__(self, cell: CellClient, layout: Layout, arm: ArmOperator) -> None:
+    def __init__(self, cell: CellClient, layout: Layout, arm: ArmOperator, aim: Aim | None = None) -> None:
+        self.on_throw: Callable[[str], None] = lambda _: None
+        """Called with the box before the wind-up, for measurements."""
         if layout.setup.conveyor is None or layout.setup.target is None:
             raise TaskFailed("the cell has no conveyor, or no area to throw into")
         self.cell = cell
         self.layout = layout
         self.arm = arm
+        self.aim = aim or Aim()
+        self.planned: ThrowPlan | None = None
+        """The last throw, whose postures the next one takes."""
         self.belt: ConveyorSetup = layout.setup.conveyor
         self.target: TargetArea = layout.setup.target
         self.boxes = [part.name for part in layout.setup.parts if layout.type_of(part.name).kind is PartKind.BOX]
@@ -108,7 +129,7 @@ class Lifter:
         _, y = self._place()
         _, pose = self.cell.latest(box)
         x = float(pose.translation[0])
-        top = float(pose.translation[2]) + self._height(box)
+        top = float(pose.translation[2]) + self.height(box)
         await self.arm.look(*self.boxes)
         hover = self.arm.above((x, y, top + HOVER), await self.arm.positions())[0]
         await self.arm.go(hover)
@@ -131,41 +152,56 @@ class Lifter:
         await self.cell.enable(self.arm.tip, False)
         return False
 
-    def _height(self, box: str) -> float:
+    def height(self, box: str) -> float:
+        """Metres from the bottom of a box to its top."""
         return float(self.layout.grasp(box).translation[2])
 
     # --- throwing -------------------------------------------------------------------------------------------------
 
     async def _throw(self, result: LiftResult) -> None:
-        base = self.arm.chain.root
-        away = np.array([self.target.pose.x - base[0], self.target.pose.y - base[1]])
-        far = float(np.linalg.norm(away))
-        yaw = math.atan2(away[1], away[0])
-        turn = np.array([yaw, 0.0, 0.0, 0.0, 0.0])
-        await self.arm.move(READY + turn, 1.5)
-        await self.arm.move(WINDUP + turn, 2.0)
-        await self.cell.command_arm(await self.arm.vector(FOLLOW_THROUGH + turn), 0.0)
-        forward = np.array([away[0], away[1], 0.0]) / far
-        height = self._height(result.box) / 2.0
-        until, best = self.cell.now() + 3.0, -math.inf
-        while self.cell.now() < until:
-            state = await self.arm.state()
-            q, v = self.arm.ordered(state, state.positions), self.arm.ordered(state, state.velocities)
-            tip, speed = self.arm.chain.forward(q), self.arm.chain.velocity(q, v)
-            box = tip.translation + height * tip.rotation[:, 2] + LATENCY * speed
-            rest = _rest(box - base, speed, forward, height + float(base[2]))
-            if rest >= far or (rest < best - 0.01 and best > 0.8 * far):
-                break
-            best = max(best, rest)
-            await self.cell.sleep(POLL)
-        await self.cell.enable(self.arm.tip, False)
-        result.release_speed, result.predicted = float(np.linalg.norm(speed)), rest - far
-        await self.cell.sleep(2.5)
+        """Wind up, throw, and recover, on planned motions."""
+        arm, box = self.arm, result.box
+        self.on_throw(box)
+        kind, held = self.layout.type_of(box), await self.cell.connector(arm.tip)
+        in_tip = se3(held.offset) * self.layout.grasp(box).inverse()
+        arm.scene.hold(box, pieces_of_part(kind), in_tip)
+        size = kind.solids[0].size
+        middle = shifted(z=self.height(box) / 2.0)
+        shapes = [Piece(piece.shape, middle.inverse() * piece.frame) for piece in pieces_of_part(kind)]
+        planner = ThrowPlanner(arm.chain, arm.scene, Load(result.payload, size, in_tip * middle), shapes)
+        x, y = self.target.pose.x + self.aim.offset[0], self.target.pose.y + self.aim.offset[1]
+        plan = await self.cell.compute(lambda: self._plan(planner, np.array([x, y, 0.0])))
+        self.planned = result.plan = plan
+        await arm.go(plan.windup, margin=MARGIN)
+        vector = await arm.vector(plan.follow_through)
+        asked = self.cell.now()
+        await arm.state()
+        way = 0.5 * (self.cell.now() - asked)
+        begun = self.cell.now() + way
+        await self.cell.command_arm(vector, plan.duration)
+        await self.cell.sleep(begun + plan.release - way - self.cell.now())
+        await self.cell.enable(arm.tip, False)
+        arm.scene.release()
+        result.release_speed = float(np.linalg.norm(plan.flight.velocity))
+        await self.cell.sleep(max(0.0, begun + plan.duration + SETTLE - self.cell.now()))
+        await arm.look(box)
+        await arm.go(READY + plan.windup[0] * np.eye(5)[0])
+        await self._learn(result)
 
+    def _plan(self, planner: ThrowPlanner, aim: Array) -> ThrowPlan:
+        """The last throw with another aim, if it is still within all limits, or a new one."""
+        if self.planned is not None:
+            try:
+                return planner.turned(self.planned, aim)
+            except NoPath:
+                pass
+        return planner.plan(aim)
 
-def _rest(place: Array, velocity: Array, forward: Array, drop: float) -> float:
-    """Metres along `forward` at which a thrown box comes to rest; `drop`: the base's height above the landing."""
-    rise, fall = float(velocity[2]), float(place[2]) + drop
-    time = (rise + math.sqrt(max(0.0, rise * rise + 2.0 * GRAVITY * fall))) / GRAVITY
-    speed = float(velocity @ forward)
-    return float(place @ forward) + speed * time + SLIDE * speed * abs(speed)
+    async def _learn(self, result: LiftResult) -> None:
+        seen = (await self.cell.observe(fresh=True))[result.box].pose
+        at = seen.act(np.array([0.0, 0.0, self.height(result.box) / 2.0]))
+        miss = np.array([at[0] - self.target.pose.x, at[1] - self.target.pose.y])
+        result.miss = float(np.linalg.norm(miss))
+        size = self.layout.type_of(result.box).solids[0].size
+        if at[2] < max(size) / 2.0 + 0.01:  # one that rests on another box teaches nothing
+            self.aim.learn(miss)

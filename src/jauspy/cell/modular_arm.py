@@ -29,7 +29,8 @@ from jauspy.cell.scene import (
 from jauspy.cell.schedule import TaskFailed
 from jauspy.errors import ConfigError
 from jauspy.platform.modular.arm import ModularArmState
-from jauspy.platform.modular.parts import PartType
+from jauspy.platform.modular.dynamics import solid_inertia
+from jauspy.platform.modular.parts import PartSolid, PartType
 
 FIVE_JOINTS: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_4", "servo_5")
 """The parts of the arm with five joints, base to tip, when no part of another type had to be taken."""
@@ -91,7 +92,8 @@ class ArmOperator:
     def _make_scene(self) -> PlanningScene:
         """The obstacles around the arm: the cell without the arm's own parts, and the UR10 at rest."""
         whole = self.layout.scene()
-        scene = PlanningScene(self.chain, self.chain.links, wrist=None)
+        # a box at the tip is as close to the last servo module as that is long
+        scene = PlanningScene(self.chain, self.chain.links, wrist=self.chain.model.njoints - 3)
         own = {member.name for member in self.members}
         for name, pose in whole.poses.items():
             if name not in own:
@@ -216,6 +218,8 @@ class Chain:
         self.joints: list[str] = []
         self.links: list[LinkPiece] = []
         """Shapes of the parts, each with the number of the joint that moves it."""
+        self.mounts: list[tuple[str, int, pin.SE3]] = []
+        """Connectors of the parts: name, number of the joint that moves it, and its frame in that of the joint."""
         joint, frame = self._build(base)
         self.tool = self.model.addFrame(pin.Frame("tip", joint, 0, frame, pin.FrameType.OP_FRAME))
         self.data = self.model.createData()
@@ -229,6 +233,7 @@ class Chain:
         for member in self.members:
             frame = frame * member.offset
             self._add_links(member.name, pieces_of(member.type.solids, frame), joint)
+            self._add_mass(member.type.solids, joint, frame)
             if member.type.servo is not None:
                 servo = member.type.servo
                 placement = frame * se3(servo.joint)
@@ -236,11 +241,18 @@ class Chain:
                 joint = self.model.addJoint(joint, pin.JointModelRevoluteUnaligned(axis), placement, member.name)
                 self.joints.append(member.name)
                 self._add_links(member.name, pieces_of(servo.output), joint)
+                self._add_mass(servo.output, joint, pin.SE3.Identity())
                 frame = pin.SE3.Identity()
             if member.connector not in member.type.connectors:
                 raise ConfigError(f"{member.name} has no connector {member.connector!r}")
             frame = frame * se3(member.type.connectors[member.connector])
+            self.mounts.append((f"{member.name}/{member.connector}", joint, frame))
         return joint, frame
+
+    def _add_mass(self, solids: Iterable[PartSolid], joint: int, frame: pin.SE3) -> None:
+        for solid in solids:
+            if joint:
+                self.model.appendBodyToJoint(joint, solid_inertia(solid), frame)
 
     def _add_links(self, name: str, pieces: Iterable[Piece], joint: int) -> None:
         self.links += [LinkPiece(name, piece, joint) for piece in pieces]

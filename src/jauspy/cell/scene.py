@@ -239,6 +239,15 @@ class PlanningScene:
                     best = _pair_distance(held, link, best)
         return best
 
+    def clearance_of(self, pieces: Iterable[Piece], pose: pin.SE3) -> Clearance:
+        """The smallest distance of a free body from the things that stand around, up to `FAR`."""
+        best = Clearance(FAR)
+        for piece in pieces:
+            body = _Object("box", piece.shape, piece.frame)
+            body.place(pose)
+            best = self._nearest(body, best)
+        return best
+
     def is_free(self, positions: Array, margin: float) -> bool:
         """True if nothing is closer than `margin` metres."""
         return self.clearance(positions, enough=margin).distance >= margin

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Coroutine, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final, TypeAlias
 
+import numpy as np
+
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.car import MOVED, CarTask
 from jauspy.cell.frames import offset_between
-from jauspy.cell.judge import Placement
+from jauspy.cell.judge import Placement, Watched
 from jauspy.cell.kitting import Kitter, drawn_order, score
 from jauspy.cell.lift import Lifter
 from jauspy.cell.measurements import Measured
@@ -23,6 +26,8 @@ from jauspy.errors import JausError
 BASE: Final = "platform_1/top"
 MAX_ARM_ERROR: Final = 0.03
 """Radians by which the arm's joints may be off on the driving car."""
+LARGEST_MISS: Final = 0.02
+"""Metres by which a box may be off after some throws have taught the aim."""
 SETTLE: Final = 0.1
 """Seconds until a prepared arm is known to all."""
 
@@ -77,6 +82,9 @@ async def lift(session: Session, seed: int) -> Measured:
     begun = session.cell.now()
     arm = await prepared(session, FIVE_JOINTS)
     lifter = Lifter(session.cell, session.layout, arm)
+    watched: list[Watched] = []
+    if (judge := session.judge) is not None:
+        lifter.on_throw = lambda box: watched.append(judge.watch((*FIVE_JOINTS, box)))
     result = await lifter.run()
     found = Measured(seed, "lift", duration=session.cell.now() - begun)
     found.values = {
@@ -84,8 +92,20 @@ async def lift(session: Session, seed: int) -> Measured:
         "payload": result.payload,
         "lift_time": result.lift_time,
         "release_speed": result.release_speed,
-        "clearance": arm.clearance.distance,
+        "planned_clearance": arm.clearance.distance,
+        "miss": result.miss,
     }
+    if (plan := result.plan) is not None:
+        found.values["planned_clearance"] = min(arm.clearance.distance, plan.clearance.distance)
+        found.values |= {"planned_utilisation": plan.utilisation, "planned_torque": plan.torque_ratio}
+    for seen in watched:
+        found.values |= {
+            "clearance": seen.clearance,
+            "contacts": float(seen.contacts),
+            "penetration": seen.penetration,
+            "servo_speed": seen.speed,
+            "servo_torque": seen.torque,
+        }
     if session.judge is not None:
         x, y, _ = session.judge.pose(result.box).translation
         area = lifter.target
@@ -94,8 +114,59 @@ async def lift(session: Session, seed: int) -> Measured:
         found.success = abs(off[0]) <= area.length / 2.0 and abs(off[1]) <= area.width / 2.0
         if not found.success:
             found.failure = f"{result.box} rests {off[0]:+.2f} m, {off[1]:+.2f} m from the middle of the area"
+        if watched and watched[-1].contacts:
+            found.success, found.failure = False, f"the arm or {result.box} touched something from the wind-up on"
     else:
         found.success = True
+    return found
+
+
+THROWS: Final = 10
+
+
+async def throws(session: Session, seed: int) -> Measured:
+    """Throw ten times, each aim corrected by what the throws before taught.
+
+    Boxes are put back on the belt by writing their positions; the rows say so.
+    """
+    begun = session.cell.now()
+    judge = session.true
+    arm = await prepared(session, FIVE_JOINTS)
+    lifter = Lifter(session.cell, session.layout, arm)
+    area, watched = lifter.target, list[Watched]()
+    lifter.on_throw = lambda box: watched.append(judge.watch((*FIVE_JOINTS, box)))
+    found = Measured(seed, "throws")
+    errors = []
+    for number in range(1, THROWS + 1):
+        result = await lifter.run()
+        x, y, _ = judge.pose(result.box).act(np.array([0.0, 0.0, lifter.height(result.box) / 2.0]))
+        errors.append(math.hypot(x - area.pose.x, y - area.pose.y))
+        seen = watched[-1]
+        found.rows.append(
+            {"throw": number, "box": result.box, "off_x": float(x) - area.pose.x, "off_y": float(y) - area.pose.y}
+            | {"error": errors[-1], "clearance": seen.clearance, "contacts": seen.contacts}
+            | {"penetration": seen.penetration, "after": "parts placed by writing positions"}
+        )
+        for part in session.layout.setup.parts:
+            if part.name in lifter.boxes:
+                judge.place(part.name, part.pose)
+        await session.cell.sleep(2.0 * SETTLE + 1.0)
+    late = errors[THROWS // 2 :]
+    found.values = {
+        "throws": float(THROWS),
+        "first_error": errors[0],
+        "mean_error_of_last_half": float(np.mean(late)),
+        "largest_error_of_last_half": max(late),
+        "clearance": min(row["clearance"] for row in found.rows),
+        "contacts": float(sum(row["contacts"] for row in found.rows)),
+        "penetration": max(row["penetration"] for row in found.rows),
+    }
+    found.duration = session.cell.now() - begun
+    found.success = max(late) < LARGEST_MISS and not found.values["contacts"]
+    if found.values["contacts"]:
+        found.failure = "the arm or a box touched something from a wind-up on"
+    elif not found.success:
+        found.failure = f"the largest error of the last {len(late)} throws is {1000.0 * max(late):.0f} mm"
     return found
 
 
@@ -204,6 +275,7 @@ Task: TypeAlias = Callable[[Session, int], Coroutine[Any, Any, Measured]]
 TASKS: Final[dict[str, Task]] = {
     "assemble": assemble,
     "lift": lift,
+    "throws": throws,
     "step": step,
     "car": car,
     "kitting": kitting,

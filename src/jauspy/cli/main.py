@@ -105,6 +105,7 @@ CELL_VERBS: Final = {
         "jauspy.cli.cell.tasks:lift",
         "Take a box off the moving conveyor with the modular arm, and throw it into the marked area.",
     ),
+    "throws": ("jauspy.cli.cell.tasks:throws", "Throw a box ten times, each aim corrected by the misses before."),
     "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
     "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
     "kpi": (

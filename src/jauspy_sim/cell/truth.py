@@ -13,6 +13,7 @@ from jauspy.geometry.vectors import Vector
 from jauspy_sim.cell.assembly import CellModel, carrier
 from jauspy_sim.cell.connectors import to_transform
 from jauspy_sim.cell.servos import SimulatedServo
+from jauspy_sim.cell.watch import Watch, Watched
 
 
 class TrueContact(NamedTuple):
@@ -32,6 +33,8 @@ class Truth:
 
     def __init__(self, cell: CellModel, data: mujoco.MjData, servos: Mapping[str, SimulatedServo]) -> None:
         self._cell, self._model, self._data, self._servos = cell, cell.model, data, servos
+        self.watching: Watch | None = None
+        """What is measured at each step; None measures nothing."""
         self._types = {part.name: cell.setup.types[part.type] for part in cell.setup.parts}
 
     def frame(self, body: str) -> Transform:
@@ -87,6 +90,19 @@ class Truth:
     def penetration(self) -> float:
         """Metres of the deepest overlap of shapes in the last step."""
         return max((contact.depth for contact in self.contacts()), default=0.0)
+
+    def watch(self, parts: Iterable[str]) -> Watched:
+        """Measure these parts against the robot's links, the bins and fixtures at each step from now on."""
+        model = self._model
+        names = [str(mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, number)) for number in range(model.nbody)]
+        own = set(parts)
+        bodies = [name for name in names if name.partition(".")[0] in own]
+        setup = self._cell.setup
+        fixed = {"conveyor", "belt"} | {each.name for each in setup.bins} | {each.name for each in setup.fixtures}
+        obstacles = [name for name in names if name.startswith(self._cell.prefix) or name in fixed]
+        servos = {name: servo for name, servo in self._servos.items() if name in own}
+        self.watching = Watch(model, self._data, bodies, obstacles, servos)
+        return self.watching.found
 
     def _name(self, geom: int) -> str:
         body = self._model.body(self._model.geom_bodyid[geom]).name

@@ -25,6 +25,17 @@ def lift(
     _run("lift", seed, exact=exact, film=record, view=view, json=json)
 
 
+def throws(
+    *, seed: Seed = 0, exact: Exact = False, record: Record = None, view: View = False, json: Json = False
+) -> None:
+    """Throw a box ten times, each aim corrected by where the boxes before came to rest.
+
+    Boxes are put back on the belt by writing their positions. Exit status 1 when one of the last five rests more than
+    2 cm from the middle of the area.
+    """
+    _run("throws", seed, exact=exact, film=record, view=view, json=json)
+
+
 def step(
     *, seed: Seed = 0, exact: Exact = False, record: Record = None, view: View = False, json: Json = False
 ) -> None:

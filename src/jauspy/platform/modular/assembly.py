@@ -52,7 +52,7 @@ class ArmAssembly:
         self.chain = chain
         self.drives = [servos[name] for name in chain.joints]
         self.servo_data = [_servo_data(cell, name) for name in chain.joints]
-        self.limits = _motion_limits(self.servo_data)
+        self.limits = motion_limits(self.servo_data)
         """Limits of planned motions."""
         self.torque_limits = np.array([data.max_torque for data in self.servo_data])
         """Largest torque of each module, N m."""
@@ -139,7 +139,8 @@ def _servo_data(cell: CellSetup, name: str) -> ServoData:
     return servo
 
 
-def _motion_limits(servos: Sequence[ServoData]) -> Limits:
+def motion_limits(servos: Sequence[ServoData]) -> Limits:
+    """Limits of planned motions of an arm with these servo modules."""
     count = len(servos)
     speeds = tuple(SPEED_RESERVE * servo.max_speed for servo in servos)
     return Limits(speeds, (ACCELERATION,) * count, (ACCELERATION / JERK_TIME,) * count)

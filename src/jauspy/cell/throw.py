@@ -1,0 +1,386 @@
+"""The plan of a throw: wind-up, release and follow-through of a modular arm, within limits and clear of all else.
+
+The arm moves straight in joint space, by the same trajectory that its controller plans for a command with a duration.
+The box is released where the range of its flight is largest along the motion: there a small error of time changes the
+range least. The motion's duration, and so its speed, sets the range.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import pinocchio as pin
+
+from jauspy.cell.frames import Array
+from jauspy.cell.modular_arm import Chain
+from jauspy.cell.motion import NoPath
+from jauspy.cell.scene import CLEAR, Clearance, Piece, PlanningScene
+from jauspy.geometry.vectors import GRAVITY
+from jauspy.platform.modular.arm_setpoints import SHAPING_TIME
+from jauspy.platform.modular.assembly import TORQUE_RESERVE, motion_limits
+from jauspy.platform.modular.parts import ServoData
+from jauspy.platform.modular.trajectory import Limits, MotionError, PlannedMotion, Setpoint
+
+PERIOD: Final = 0.004
+"""Seconds from one setpoint of the arm's controller to the next."""
+CUP: Final = (254.0, 0.030, 0.5)
+LATCH: Final = (1100.0, 0.025, 0.5)
+"""Strength (N), radius (m) and friction of the cup on a box (90 kPa on 30 mm) and of a latched joint (27.5 N m)."""
+SAFETY: Final = 1.5
+"""Strength of each connection over its load."""
+MARGIN: Final = 0.02
+"""Metres from everything, for the arm, the box that it holds, and the box in flight."""
+STARTS: Final = 60
+STEPS: Final = 120
+RESTARTS: Final = 8
+"""Throws that are drawn at random, the most that are tried from the best of them on, and how often all that is done."""
+REFINED: Final = 20
+"""Tries after the first valid throw."""
+BOUNDS: Final = np.array(
+    [(-1.5, 1.0), (-1.5, 1.5), (-1.5, 1.8), (0.0, 1.0), (0.0, 1.0), (0.0, 1.0), (0.2, 1.2), (0.15, 1.0)]
+)
+"""Ranges of what is searched: radians of the three joints that bend at the release (0 is upright), the fractions of
+their speeds there, and the seconds at these speeds from the wind-up to the release and from there to the end."""
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """A box on the tip."""
+
+    mass: float
+    """Kilograms."""
+    size: tuple[float, float, float]
+    """Metres, in the box's frame."""
+    frame: pin.SE3
+    """The frame of its middle in that of the tip."""
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """Setpoints of a motion every `PERIOD`: rad, rad/s, rad/s^2; shape (samples, joints)."""
+
+    q: Array
+    v: Array
+    a: Array
+    duration: float
+
+
+@dataclass(frozen=True, slots=True)
+class Flight:
+    """A box from its release to the floor, in the world."""
+
+    start: pin.SE3
+    velocity: Array
+    spin: Array
+    time: float
+    """Seconds until a corner touches the floor."""
+
+    def at(self, time: float) -> pin.SE3:
+        """The middle of the box `time` seconds after the release."""
+        fall = np.array([0.0, 0.0, -0.5 * GRAVITY * time * time])
+        return pin.SE3(
+            pin.exp3(self.spin * time) @ self.start.rotation, self.start.translation + self.velocity * time + fall
+        )
+
+    @property
+    def end(self) -> Array:
+        """The middle of the box when it lands, metres."""
+        return np.array(self.at(self.time).translation)
+
+    @property
+    def tilt(self) -> float:
+        """Radians at the landing by which the closest face is not level."""
+        rotation = self.at(self.time).rotation
+        return math.acos(min(1.0, float(np.max(np.abs(rotation[2])))))
+
+
+@dataclass(frozen=True, slots=True)
+class ThrowPlan:
+    """A throw, and what was planned for it."""
+
+    windup: Array
+    follow_through: Array
+    duration: float
+    """Seconds of the motion as it is commanded."""
+    release: float
+    """Seconds after the begin of the motion."""
+    flight: Flight
+    clearance: Clearance
+    speed_ratio: float
+    torque_ratio: float
+    """Largest speed and torque of a servo as a fraction of its limit."""
+    utilisation: float
+    """Largest load of a connection over its strength."""
+
+
+def motion(start: Array, goal: Array, limits: Limits, duration: float = 0.0) -> Motion:
+    """The setpoints that the arm's controller makes of a command; raises `MotionError` if that is too short."""
+    rest = np.zeros_like(start)
+    planned = PlannedMotion(Setpoint(start, rest, rest), goal.tolist(), limits, duration, SHAPING_TIME)
+    window = round(SHAPING_TIME / PERIOD)
+    rows = [
+        np.concatenate(planned.sample(min(number * PERIOD, planned.duration)))
+        for number in range(1, math.ceil(planned.duration / PERIOD) + 1)
+    ]
+    first, last = np.concatenate([start, rest, rest]), np.concatenate([goal, rest, rest])
+    table = np.vstack([np.tile(first, (window, 1)), *[row[np.newaxis] for row in rows], np.tile(last, (window, 1))])
+    sums = np.cumsum(table, axis=0)
+    mean = (sums[window:] - sums[:-window]) / window
+    count = len(start)
+    return Motion(mean[:, :count], mean[:, count : 2 * count], mean[:, 2 * count :], planned.duration + SHAPING_TIME)
+
+
+def flight_state(chain: Chain, load: Load, q: Array, v: Array) -> Flight:
+    """The flight of a box that the tip lets go in a state of the joints, without its end."""
+    tip = chain.forward(q)
+    jacobian = pin.computeFrameJacobian(chain.model, chain.data, q, chain.tool, pin.LOCAL_WORLD_ALIGNED)
+    spin = jacobian[3:] @ v
+    box = tip * load.frame
+    velocity = jacobian[:3] @ v + np.cross(spin, box.translation - tip.translation)
+    return Flight(box, velocity, spin, 0.0)
+
+
+def flight(chain: Chain, load: Load, q: Array, v: Array) -> Flight:
+    """The flight of a box that the tip lets go in a state of the joints, until a corner touches the floor."""
+    found = flight_state(chain, load, q, v)
+    box, velocity = found.start, found.velocity
+    half = np.array(load.size) / 2.0
+    rise = float(velocity[2])
+    # the lowest corner lies between a flat and an upright box: from the former on, steps of a millisecond
+    time = (rise + math.sqrt(max(0.0, rise * rise + 2.0 * GRAVITY * (box.translation[2] - np.linalg.norm(half))))) / (
+        GRAVITY
+    )
+    time = max(0.0, time)
+    while time < 3.0:
+        pose = found.at(time)
+        if pose.translation[2] - float(np.abs(pose.rotation[2]) @ half) <= 0.0:
+            break
+        time += 0.001
+    return Flight(box, velocity, found.spin, time)
+
+
+def utilisation(wrench: pin.Force, strength: tuple[float, float, float]) -> float:
+    """Load over strength of a connection: `wrench` is what it transmits, in the plate's frame."""
+    force, radius, friction = strength
+    linear, angular = wrench.linear, wrench.angular
+    pull = abs(float(linear[2]))
+    bending, torsion = math.hypot(angular[0], angular[1]), abs(float(angular[2]))
+    shear = math.hypot(linear[0], linear[1])
+    return (pull + max(bending / radius, math.hypot(shear, torsion / radius) / friction)) / force
+
+
+class ThrowPlanner:
+    """Plans throws of one box with an arm that bends in a plane, which its first joint turns."""
+
+    def __init__(
+        self,
+        chain: Chain,
+        scene: PlanningScene,
+        load: Load,
+        pieces: Sequence[Piece],
+        *,
+        margin: float = MARGIN,
+        seed: int = 0,
+    ) -> None:
+        self.chain, self.scene, self.load, self.margin = chain, scene, load, margin
+        self._pieces = pieces
+        """Shapes of the box, in the frame of its middle."""
+        self.servos: list[ServoData] = [member.type.servo for member in chain.members if member.type.servo is not None]
+        self.limits = motion_limits(self.servos)
+        self._seed = seed
+        across = load.frame.rotation
+        self._roll = math.remainder(-math.atan2(across[1, 0], across[0, 0]), math.pi)
+        """Position of the last joint that has the box level along the throw, however it was taken."""
+        self._dynamics = chain.model.copy()
+        x, y, z = load.size
+        self._box = pin.Inertia.FromBox(load.mass, x, y, z)
+        frame = chain.model.frames[chain.tool].placement * load.frame
+        self._dynamics.appendBodyToJoint(chain.model.njoints - 1, self._box, frame)
+        self._data = self._dynamics.createData()
+
+    # --- planning -------------------------------------------------------------------------------------------------
+
+    def plan(self, aim: Array) -> ThrowPlan:
+        """A throw that lands at `aim`, metres in the world, found by random search and then step by step.
+
+        Raises `NoPath`, which names what the best one found violates.
+        """
+        random = np.random.default_rng(self._seed)
+        best: _Trial | None = None
+        for _ in range(RESTARTS):
+            found = self._climb(random, aim)
+            best = found if best is None or found.penalty < best.penalty else best
+            if best.plan is not None:
+                return best.plan
+        assert best is not None
+        raise NoPath(f"no throw found: the best one is {best.problem}")
+
+    def _climb(self, random: np.random.Generator, aim: Array) -> _Trial:
+        """The best of random throws, improved by steps whose width follows their success."""
+        low, high = BOUNDS.T
+        best = min((self._tried(row, aim) for row in random.uniform(low, high, (STARTS, len(low)))), key=_penalty)
+        width, valid = 0.15, 0
+        for _ in range(STEPS):
+            row = np.clip(best.row + width * (high - low) * random.normal(size=len(low)), low, high)
+            found = self._tried(row, aim)
+            better = found.penalty < best.penalty
+            best, width = (found, min(0.3, 1.5 * width)) if better else (best, max(0.02, 0.95 * width))
+            valid += best.plan is not None
+            if valid == REFINED:
+                break
+        return best
+
+    def aimed(self, windup: Array, goal: Array, aim: Array) -> ThrowPlan:
+        """The throw between two postures whose duration makes it land at `aim`; raises `_Violation`, a `NoPath`."""
+        far = float(np.linalg.norm(aim[:2] - self.chain.root[:2]))
+        try:
+            fastest = motion(windup, goal, self.limits)
+        except MotionError as error:
+            raise _Violation("beyond the limits", 20.0) from error
+        if (most := self._release(fastest, aim)[1]) < far:
+            raise _Violation(f"{far - most:.2f} m short", 10.0 + far - most)
+        short, long = fastest.duration, 2.5 * fastest.duration
+        for _ in range(12):
+            middle = 0.5 * (short + long)
+            if self._release(motion(windup, goal, self.limits, middle), aim)[1] > far:
+                short = middle
+            else:
+                long = middle
+        moved = motion(windup, goal, self.limits, short)
+        index, _ = self._release(moved, aim)
+        return self.checked(windup, goal, moved, index, flight(self.chain, self.load, moved.q[index], moved.v[index]))
+
+    def turned(self, plan: ThrowPlan, aim: Array) -> ThrowPlan:
+        """The same throw, turned to and timed for another aim; raises `NoPath` if that breaks a limit."""
+        away = aim[:2] - self.chain.root[:2]
+        windup, goal = plan.windup.copy(), plan.follow_through.copy()
+        windup[0] = goal[0] = math.atan2(away[1], away[0])
+        return self.aimed(windup, goal, aim)
+
+    def checked(self, windup: Array, goal: Array, moved: Motion, index: int, thrown: Flight) -> ThrowPlan:
+        """The plan of a motion with its release at sample `index`; raises `NoPath` if a limit or a margin is broken."""
+        speeds = np.array([servo.max_speed for servo in self.servos])
+        speed = float(np.max(np.abs(moved.v) / speeds))
+        if speed > 1.0:
+            raise _Violation("too fast for a servo", 9.0)
+        torque, load = self.loads(moved, index)
+        excess = max(0.0, torque - TORQUE_RESERVE) + max(0.0, load - 1.0 / SAFETY)
+        if excess > 0.0:
+            raise _Violation(f"at {torque:.2f} of the torques and {load:.2f} of the strengths", 2.0 + excess)
+        clearance = self._clearance(moved, index, thrown)
+        if clearance.distance < self.margin:
+            near = f"{1000.0 * clearance.distance:.0f} mm from {' and '.join(clearance.between) or 'something'}"
+            raise _Violation(near, 1.0 + self.margin - clearance.distance)
+        return ThrowPlan(windup, goal, moved.duration, (index + 1) * PERIOD, thrown, clearance, speed, torque, load)
+
+    def loads(self, moved: Motion, index: int) -> tuple[float, float]:
+        """Largest torque of a servo over its limit, and load of a connection over its strength, in a motion."""
+        torque = load = 0.0
+        rotor = np.array([servo.rotor_inertia for servo in self.servos])
+        damping = np.array([servo.damping for servo in self.servos])
+        friction = np.array([servo.friction for servo in self.servos])
+        most = np.array([servo.max_torque for servo in self.servos])
+        model, data = self._dynamics, self._data
+        for number in range(0, len(moved.q), 2):
+            q, v, a = moved.q[number], moved.v[number], moved.a[number]
+            held = number <= index
+            if not held and model is self._dynamics:
+                model, data = self.chain.model, self.chain.data
+            torques = pin.rnea(model, data, q, v, a) + rotor * a + damping * v + friction * np.sign(v)
+            torque = max(torque, float(np.max(np.abs(torques) / most)))
+            for _, joint, frame in self.chain.mounts[:-1]:
+                load = max(load, utilisation(frame.actInv(data.f[joint]), LATCH))
+            if held:
+                load = max(load, self._cup(q, v, a))
+        return torque, load
+
+    # --- inside ---------------------------------------------------------------------------------------------------
+
+    def _tried(self, row: Array, aim: Array) -> _Trial:
+        """The throw of one row of `BOUNDS`."""
+        away = aim[:2] - self.chain.root[:2]
+        release = np.array([math.atan2(away[1], away[0]), *row[:3], self._roll])
+        speed = np.array([0.0, *row[3:6], 0.0]) * self.limits.velocity
+        try:
+            plan = self.aimed(release - row[6] * speed, release + row[7] * speed, aim)
+        except _Violation as found:
+            return _Trial(row, found.penalty, None, str(found))
+        return _Trial(row, _cost(plan), plan, "")
+
+    def _release(self, moved: Motion, aim: Array) -> tuple[int, float]:
+        """The sample with the longest flight towards `aim`, and the range from the arm's base, metres."""
+        away = aim[:2] - self.chain.root[:2]
+        forward = away / np.linalg.norm(away)
+        best = 0, -math.inf
+        for stride, span in ((12, range(len(moved.q) // 5, len(moved.q), 12)), (2, None)):
+            for number in span or range(max(0, best[0] - 12), min(len(moved.q), best[0] + 13), stride):
+                far = float((self._landing(moved.q[number], moved.v[number]) - self.chain.root[:2]) @ forward)
+                if far > best[1]:
+                    best = number, far
+        return best
+
+    def _landing(self, q: Array, v: Array) -> Array:
+        """Where the middle of the box comes down to half of its height, x and y in metres."""
+        here = flight_state(self.chain, self.load, q, v)
+        rise, drop = float(here.velocity[2]), float(here.start.translation[2]) - self.load.size[2] / 2.0
+        time = (rise + math.sqrt(max(0.0, rise * rise + 2.0 * GRAVITY * drop))) / GRAVITY
+        return np.array(here.start.translation[:2] + here.velocity[:2] * time)
+
+    def _cup(self, q: Array, v: Array, a: Array) -> float:
+        """The load of the cup that holds the box, over its strength."""
+        model, data, tool = self._dynamics, self._data, self.chain.tool
+        pin.forwardKinematics(model, data, q, v, a)
+        pin.updateFramePlacement(model, data, tool)
+        acceleration = pin.getFrameAcceleration(model, data, tool, pin.LOCAL)
+        velocity = pin.getFrameVelocity(model, data, tool, pin.LOCAL)
+        up = data.oMf[tool].rotation.T @ np.array([0.0, 0.0, GRAVITY])
+        acceleration = pin.Motion(acceleration.linear + up, acceleration.angular)
+        box = self.load.frame.act(self._box)
+        return utilisation(box * acceleration + velocity.cross(box * velocity), CUP)
+
+    def _clearance(self, moved: Motion, index: int, thrown: Flight) -> Clearance:
+        best, held = CLEAR, self.scene.held
+        try:
+            for number in range(0, len(moved.q), 4):
+                if number > index:
+                    self.scene.release()
+                here = self.scene.clearance(moved.q[number], enough=best.distance)
+                best = min(best, here, key=lambda each: each.distance)
+                if best.distance < self.margin:
+                    return best
+        finally:
+            self.scene.restore(held)
+        # the end of the flight is the landing
+        for time in np.arange(0.0, max(0.0, thrown.time - 0.06), 0.02).tolist():
+            best = min(best, self.scene.clearance_of(self._pieces, thrown.at(time)), key=lambda each: each.distance)
+        return best
+
+
+class _Violation(NoPath):
+    """A throw that breaks a limit; the smaller `penalty`, the closer it is to one that does not."""
+
+    def __init__(self, problem: str, penalty: float) -> None:
+        super().__init__(problem)
+        self.penalty = penalty
+
+
+@dataclass(frozen=True, slots=True)
+class _Trial:
+    row: Array
+    penalty: float
+    plan: ThrowPlan | None
+    problem: str
+
+
+def _penalty(trial: _Trial) -> float:
+    return trial.penalty
+
+
+def _cost(plan: ThrowPlan) -> float:
+    """Little speed along the floor and a level face at the landing let the box rest where it lands."""
+    vx, vy, _ = plan.flight.velocity.tolist()
+    return 0.1 * math.hypot(vx, vy) + 0.2 * plan.flight.tilt  # below 1, the least penalty of a violation
