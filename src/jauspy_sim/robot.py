@@ -18,6 +18,7 @@ from jauspy.platform.localizer import Localizer, Turning
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import STEP_TOLERANCE, TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.physics.contacts import SimulatedContacts
+from jauspy_sim.physics.dynamics import dynamics_of
 from jauspy_sim.physics.joints import SimulatedJoints
 from jauspy_sim.physics.sensors import SimulatedLidar, simulated_force_torque
 from jauspy_sim.physics.tracks import SimulatedTracks
@@ -49,7 +50,7 @@ class SimulatedRobot:
         """The chassis on tracks or wheels, or a base that does not move."""
         self._localizer: Localizer | None = None
         self.groups: Mapping[str, SimulatedJoints] = {
-            name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
+            name: SimulatedJoints(model, data, name_prefix, robot.description, setup, dynamics_of(model, data, name_prefix, robot, setup))
             for name, setup in robot.groups.items()
         }
         """Joints other than the tracks', by the names that the robot's description gives them."""

@@ -47,6 +47,8 @@ class GroupSetup:
     """Rate of the controllers, in hertz."""
     start: tuple[float, ...]
     """Initial positions of the joints."""
+    feed_forward: bool = False
+    """True if their controllers know the robot's dynamics, and apply what a motion needs before an error appears."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Final, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.joints import ControlMode, Gains, JointGains, Target
@@ -24,6 +24,17 @@ RESISTANCE_TIME: Final = 5.0
 
 _Law: TypeAlias = Callable[[float, float, float, float], float]
 """The effort of a joint by its position, velocity, the seconds until the next call, and the effort for gravity."""
+
+
+class Setpoint(NamedTuple):
+    """The setpoint of a joint at one moment."""
+
+    mode: ControlMode
+    """EFFORT, too, while a stop brakes."""
+    position: float
+    velocity: float
+    arrived: bool
+    """True at the goal of the mode POSITION."""
 
 
 class JointController:
@@ -53,9 +64,28 @@ class JointController:
         return self._setpoint.velocity
 
     @property
+    def setpoint(self) -> Setpoint:
+        """The present setpoint."""
+        setpoint = self._setpoint
+        mode = setpoint.target.mode
+        moving = ControlMode.EFFORT if self._braking > 0.0 else mode
+        return Setpoint(moving, setpoint.position, setpoint.velocity, setpoint.arrived)
+
+    @property
     def is_braking(self) -> bool:
         """True while a stop brakes."""
         return self._braking > 0.0
+
+    def preview(self, dt: float) -> tuple[float, float]:
+        """Velocity of the setpoint, and its acceleration in the next `dt` seconds; the setpoint stays as it is."""
+        setpoint = self._setpoint
+        if self._braking > 0.0:
+            return 0.0, 0.0
+        position, velocity = setpoint.position, setpoint.velocity
+        setpoint.advance(dt)
+        acceleration = (setpoint.velocity - velocity) / dt
+        setpoint.start(position, velocity)
+        return velocity, acceleration
 
     def hold_at(self, position: float, effort: float) -> None:
         """Hold a position at which the joint rests, beginning with an effort in addition to what gravity needs."""
@@ -168,6 +198,20 @@ class JointController:
         self._integral = self._resistance = 0.0
 
 
+class FedForwardController(JointController):
+    """A controller whose feed-forward contains what the setpoint's acceleration needs, for the interval that begins.
+
+    Errors are therefore those at its beginning. `JointController` compares with the setpoint at the end of the interval.
+    """
+
+    def _follow_position(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
+        setpoint = self._setpoint
+        error, desired = setpoint.position - position, setpoint.velocity
+        setpoint.approach(dt)
+        feed_forward += self._joint.damping * desired
+        return self._position_pid.update(error, desired - velocity, dt, feed_forward)
+
+
 class Pid:
     """A PID controller with outputs within -limit..limit; it does not integrate beyond the limit (anti-windup)."""
 
@@ -226,6 +270,11 @@ class SetpointGenerator:
         self._cruise_velocity = min(joint.velocity, max(-joint.velocity, wanted))
         self._acceleration = target.acceleration or default
         self._deceleration = target.deceleration or default
+
+    @property
+    def arrived(self) -> bool:
+        """True when the setpoint stands at the goal of the mode POSITION."""
+        return self._target.mode is ControlMode.POSITION and not self.velocity and self.position == self._goal
 
     def hold(self, position: float) -> None:
         """Stand still at a position."""

@@ -86,6 +86,8 @@ class GroupConfig(StrictConfig):
     """The link at its end."""
     rate: Annotated[float, Field(ge=10.0, le=500.0)] = 250.0
     """Rate of the controllers, in hertz."""
+    feed_forward: bool = False
+    """True to have their controllers apply the efforts that a motion needs by the robot's own model."""
     joints: Annotated[tuple[JointConfig, ...], Field(min_length=1, max_length=32)]
     """Base to tip."""
 
@@ -98,7 +100,15 @@ class GroupConfig(StrictConfig):
         """Return the setup for the backend."""
         gains = {joint.name: JointGains(joint.position, joint.velocity) for joint in self.joints}
         names, start = zip(*((joint.name, joint.start) for joint in self.joints), strict=True)
-        return GroupSetup(joints=names, gains=gains, base=self.base, tip=self.tip, rate=self.rate, start=start)
+        return GroupSetup(
+            joints=names,
+            gains=gains,
+            base=self.base,
+            tip=self.tip,
+            rate=self.rate,
+            start=start,
+            feed_forward=self.feed_forward,
+        )
 
 
 Groups: TypeAlias = Mapping[UrdfName, GroupConfig]

@@ -24,9 +24,11 @@ from jauspy_sim.cell.assembly import GRIPPER, CellModel, build_cell
 from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
 from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
+from jauspy_sim.cell.probe import Probe
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
 from jauspy_sim.cell.start import disturb, put_on_each_other, scatter
 from jauspy_sim.cell.truth import Truth
+from jauspy_sim.physics.dynamics import dynamics_of
 from jauspy_sim.physics.joints import SimulatedJoints
 from jauspy_sim.rendering.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.rendering.viewer import Viewer
@@ -110,6 +112,7 @@ class SimulatedCell:
     """A cell and its world. The same commands at the same times give the same trajectory, bit for bit."""
 
     def __init__(self, cell: CellModel, robot: RobotModel) -> None:
+        self._cell = cell
         self._model = cell.model
         self._setup = setup = cell.setup
         self._data = data = mujoco.MjData(cell.model)
@@ -119,7 +122,7 @@ class SimulatedCell:
         self._box_dofs = np.array(starts, np.int64).reshape(-1, 1) + np.arange(3)
         """The linear degrees of freedom of each box."""
         self._groups = {
-            name: SimulatedJoints(cell.model, data, cell.prefix, robot.description, group)
+            name: SimulatedJoints(cell.model, data, cell.prefix, robot.description, group, dynamics_of(cell.model, data, cell.prefix, robot, group))
             for name, group in robot.groups.items()
         }
         if setup.scatter:
@@ -140,6 +143,7 @@ class SimulatedCell:
         self._payload = Payload(cell.model, data, setup, gripper, self._attachments) if setup.gripper else None
         self._arm = self._make_arm(setup)
         self._truth = Truth(cell, data, self._servos)
+        self._probes: list[Probe] = []
         self._revision = -1
         self._owed = 0.0
         self._next_show = 0
@@ -253,6 +257,12 @@ class SimulatedCell:
         mujoco.mj_kinematics(self._model, self._data)
         self._attachments.wake(int(self._model.body(part).id))
 
+    def probe(self) -> Probe:
+        """A new probe, which measures each step from now on."""
+        probe = Probe.of(self._cell, self._data, self._attachments, self._groups)
+        self._probes.append(probe)
+        return probe
+
     def view(self) -> None:
         """Open a window that shows the cell while it is advanced. Raises `ConfigError` without a display."""
         if self._viewer is None:
@@ -282,6 +292,8 @@ class SimulatedCell:
             self._steps += 1
             if (watch := self._truth.watching) is not None:
                 watch.step(self.time)
+            for probe in self._probes:
+                probe.step(self.time)
             if self._conveyor is not None:
                 self._conveyor.control()
             self._sensor.step(self.time)

@@ -11,9 +11,10 @@ import numpy as np
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint, RobotDescription
 from jauspy.platform.description import GroupSetup
-from jauspy.platform.joint_control import JointController
+from jauspy.platform.joint_control import FedForwardController, JointController, Setpoint
 from jauspy.platform.joints import JointState, Target
 from jauspy_sim.assembly import TIMESTEP, view
+from jauspy_sim.physics.dynamics import Dynamics
 from jauspy_sim.physics.load_brake import LoadBrake
 
 
@@ -21,7 +22,13 @@ class SimulatedJoints:
     """A `JointGroup`; joints and motors have their URDF's names after `prefix`."""
 
     def __init__(
-        self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, description: RobotDescription, setup: GroupSetup
+        self,
+        model: mujoco.MjModel,
+        data: mujoco.MjData,
+        prefix: str,
+        description: RobotDescription,
+        setup: GroupSetup,
+        dynamics: Dynamics | None = None,
     ) -> None:
         self._qpos, self._qvel, self._bias, self._ctrl = map(view, (data.qpos, data.qvel, data.qfrc_bias, data.ctrl))
         self._joints = tuple(description.joint(name) for name in setup.joints)
@@ -35,8 +42,10 @@ class SimulatedJoints:
         """Physics steps from one `control` to the next."""
         self._dt = self.every * TIMESTEP
         _set_initial_positions(data, model, prefix, description, dict(zip(setup.joints, setup.start, strict=True)))
+        self._dynamics = dynamics
+        controller = JointController if dynamics is None else FedForwardController
         self._controllers = [
-            JointController(joint, setup.gains[joint.name], start)
+            controller(joint, setup.gains[joint.name], start)
             for joint, start in zip(self._joints, setup.start, strict=True)
         ]
         self._brakes = [
@@ -91,14 +100,23 @@ class SimulatedJoints:
             self._overloads(),
         )
 
+    def setpoints(self) -> tuple[Setpoint, ...]:
+        """The setpoints of the controllers, base to tip."""
+        return tuple([controller.setpoint for controller in self._controllers])
+
     def _overloads(self) -> dict[str, float]:
         rows = zip(self._joints, self._brakes, strict=True)
         return {joint.name: load for joint, brake in rows if brake.engaged and (load := brake.overload) is not None}
 
     def control(self) -> None:
-        """Set the motors' efforts for the next `every` physics steps; MuJoCo's bias compensates gravity and motion."""
+        """Set the motors' efforts for the next `every` physics steps.
+
+        Without feed-forward, MuJoCo's bias compensates gravity and motion.
+        """
         qpos, qvel, bias, ctrl, dt = self._qpos, self._qvel, self._bias, self._ctrl, self._dt
         load = self._load
+        if self._dynamics is not None:
+            bias = self._dynamics.efforts([controller.preview(dt) for controller in self._controllers])
         for controller, position, dof, motor, followers, brake in self._rows:
             needed = bias[dof] + load[dof]
             for multiplier, follower in followers:

@@ -1,0 +1,306 @@
+"""What a cell's physics do at each step: how gently plates meet, how fast and how exactly the robot's joints move.
+
+For tests, reports and figures; nothing that commands the cell reads it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from jauspy.platform.joints import ControlMode
+from jauspy_sim.cell.assembly import GRIPPER, CellModel
+from jauspy_sim.cell.connectors import Attachments, Face, SimulatedConnector
+from jauspy_sim.physics.joints import SimulatedJoints
+
+Array = NDArray[np.float64]
+
+APART: Final = 0.3
+"""Seconds without contact after which two things that touch again count as meeting anew."""
+SETTLING: Final = 0.1
+"""Seconds after an attachment in which its force belongs to the meeting, not yet to what is done with the part."""
+LEAST_FORCE: Final = 0.01
+"""Newtons from which on a contact counts."""
+
+
+@dataclass(slots=True)
+class Meeting:
+    """Two things that met: a connector and what it attached, or what the gripper holds and what it was put on."""
+
+    time: float
+    """Seconds at which it attached, or touched."""
+    first: str
+    """The connector, or the part that the gripper carries."""
+    second: str
+    speed: float
+    """m/s between the plates when they attached, or at the first contact if that was faster."""
+    force: float = 0.0
+    """Newtons: the largest of the contact before, and of the connection until it has settled."""
+
+
+@dataclass(slots=True)
+class JointFigures:
+    """The largest values of one joint of the robot."""
+
+    speed: float = 0.0
+    """rad/s."""
+    torque: float = 0.0
+    """N m of the motor."""
+    error: float = 0.0
+    """Radians from the setpoint while it moves to a position."""
+    end_error: float = 0.0
+    """Radians from the setpoint when that has arrived."""
+    ends: int = 0
+    """Number of motions that ended."""
+
+
+@dataclass(slots=True)
+class Contact:
+    """One contact of two bodies without a break: its first speed, and the largest force."""
+
+    last: float
+    speed: float
+    force: float
+    landing: Meeting | None = None
+
+
+@dataclass(slots=True)
+class Settling:
+    """An attachment whose force is still measured."""
+
+    meeting: Meeting
+    weld: int
+    until: float
+
+
+@dataclass(slots=True)
+class Probe:
+    """Fed after each physics step; `attaches`, `landings` and `joints` are what it has measured."""
+
+    attaches: list[Meeting] = field(default_factory=list)
+    landings: list[Meeting] = field(default_factory=list)
+    """First contacts of what the gripper carried with anything that it was not joined to."""
+    joints: dict[str, JointFigures] = field(default_factory=dict)
+    _watch: _Watch | None = None
+
+    def step(self, time: float) -> None:
+        """Measure the step that has just been made; `time` is that after it."""
+        if self._watch is not None:
+            self._watch.step(time)
+
+    def rows(self) -> list[dict[str, str | float]]:
+        """A row for each meeting, for reports."""
+        return [
+            {"time": met.time, "first": met.first, "second": met.second, "speed": met.speed, "force": met.force}
+            for met in sorted([*self.attaches, *self.landings], key=lambda met: met.time)
+        ]
+
+    @classmethod
+    def of(
+        cls,
+        cell: CellModel,
+        data: mujoco.MjData,
+        attachments: Attachments,
+        groups: Mapping[str, SimulatedJoints],
+    ) -> Probe:
+        """A probe of a simulated cell."""
+        probe = cls()
+        probe._watch = _Watch(probe, cell, data, attachments, groups)
+        return probe
+
+
+class _Watch:
+    """The probe's access to the simulation.
+
+    MuJoCo's constraints after a step are those of the state before it, which is kept, so that speeds are those with
+    which things met.
+    """
+
+    def __init__(
+        self,
+        probe: Probe,
+        cell: CellModel,
+        data: mujoco.MjData,
+        attachments: Attachments,
+        groups: Mapping[str, SimulatedJoints],
+    ) -> None:
+        self._probe, self._model, self._data, self._attachments = probe, cell.model, data, attachments
+        self._groups = tuple(groups.values())
+        self._before = mujoco.MjData(cell.model)
+        self._things = _things(cell.model)
+        self._names = _names(cell)
+        self._contacts: dict[tuple[int, int], Contact] = {}
+        self._settling: list[Settling] = []
+        self._held = {connector.name: connector.held for connector in attachments.connectors.values()}
+        self._revision = attachments.revision
+        self._carried: set[int] = set()
+        self._joined: set[tuple[int, int]] = set()
+        self._moving: dict[str, bool] = {}
+        self._find_carried()
+        self._keep()
+
+    def step(self, time: float) -> None:
+        self._measure_contacts(time)
+        if self._attachments.revision != self._revision:
+            self._revision = self._attachments.revision
+            self._find_carried()
+            self._find_attached(time)
+        if self._settling:
+            self._measure_settling(time)
+        for group in self._groups:
+            self._measure_joints(group)
+        self._keep()
+
+    def _keep(self) -> None:
+        self._before.qpos[:] = self._data.qpos
+        self._before.qvel[:] = self._data.qvel
+
+    # --- contacts -------------------------------------------------------------------------------------------------
+
+    def _measure_contacts(self, time: float) -> None:
+        data = self._data
+        contact = data.contact
+        address = np.asarray(contact.efc_address)
+        pushing = address >= 0
+        if not pushing.any():
+            return
+        things = np.sort(self._things[self._model.geom_bodyid[np.asarray(contact.geom)[pushing]]], axis=1)
+        normal = data.efc_force[address[pushing]]
+        forces: dict[tuple[int, int], float] = {}
+        places: dict[tuple[int, int], int] = {}
+        numbers = np.flatnonzero(pushing).tolist()
+        for number, (a, b), force in zip(numbers, things.tolist(), normal.tolist(), strict=True):
+            if force > LEAST_FORCE and a != b:
+                forces[a, b] = forces.get((a, b), 0.0) + force
+                places.setdefault((a, b), number)
+        for pair, force in forces.items():
+            found = self._contacts.get(pair)
+            if found is None or time - found.last > APART:
+                found = self._contacts[pair] = self._touched(pair, places[pair], time)
+            found.last, found.force = time, max(found.force, force)
+            if found.landing is not None and self._carries(pair):
+                found.landing.force = max(found.landing.force, force)
+
+    def _carries(self, pair: tuple[int, int]) -> bool:
+        return (pair[0] in self._carried) is not (pair[1] in self._carried)
+
+    def _touched(self, pair: tuple[int, int], number: int, time: float) -> Contact:
+        contact = self._data.contact[number]
+        bodies = [int(body) for body in self._model.geom_bodyid[contact.geom]]
+        made = Contact(time, self._speed_between(bodies[0], bodies[1], contact.pos), 0.0)
+        if self._carries(pair) and pair not in self._joined:
+            first, second = pair if pair[0] in self._carried else pair[::-1]
+            made.landing = Meeting(time, self._names[first], self._names[second], made.speed)
+            self._probe.landings.append(made.landing)
+        return made
+
+    def _speed_between(self, first: int, second: int, place: Array) -> float:
+        """Relative speed of two bodies at a point, before the step."""
+        model, before = self._model, self._before
+        mujoco.mj_kinematics(model, before)
+        mujoco.mj_comPos(model, before)
+        one, other = (self._velocity_at(body, place) for body in (first, second))
+        return float(np.linalg.norm(one - other))
+
+    def _velocity_at(self, body: int, place: Array) -> Array:
+        jacobian = np.zeros((3, self._model.nv))
+        mujoco.mj_jac(self._model, self._before, jacobian, None, np.asarray(place), body)
+        return np.asarray(jacobian @ self._before.qvel)
+
+    # --- attachments ----------------------------------------------------------------------------------------------
+
+    def _find_attached(self, time: float) -> None:
+        for connector in self._attachments.connectors.values():
+            held = connector.held
+            if held is not None and held is not self._held[connector.name]:
+                self._attached(connector, held, time)
+            self._held[connector.name] = held
+
+    def _attached(self, connector: SimulatedConnector, face: Face, time: float) -> None:
+        model, before = self._model, self._before
+        mujoco.mj_kinematics(model, before)
+        rotation = before.xmat[connector.body].reshape(3, 3)
+        plate = before.xpos[connector.body] + rotation @ np.array(connector.frame.position)
+        speed = self._speed_between(connector.body, face.body, plate)
+        pair = self._pair(connector.body, face.body)
+        contact = self._contacts.get(pair)
+        met = Meeting(time, connector.name, face.part, speed)
+        if contact is not None and time - contact.last <= APART:
+            met.speed, met.force = max(speed, contact.speed), contact.force
+            if contact.landing is not None:
+                self._probe.landings.remove(contact.landing)
+                contact.landing = None
+        self._probe.attaches.append(met)
+        self._settling.append(Settling(met, connector.weld, time + SETTLING))
+
+    def _measure_settling(self, time: float) -> None:
+        data = self._data
+        rows = data.ne
+        equal = data.efc_type[:rows] == mujoco.mjtConstraint.mjCNSTR_EQUALITY
+        for settling in self._settling:
+            own = np.flatnonzero(equal & (data.efc_id[:rows] == settling.weld))[:3]
+            force = float(np.linalg.norm(data.efc_force[own]))
+            settling.meeting.force = max(settling.meeting.force, force)
+        self._settling = [settling for settling in self._settling if time < settling.until]
+
+    def _find_carried(self) -> None:
+        """The things that hang on the gripper, directly or through connectors, and pairs that are joined."""
+        attached = [(connector, face) for connector, face in self._attachments.attached()]
+        self._joined = {self._pair(connector.body, face.body) for connector, face in attached}
+        first = [face.body for connector, face in attached if connector.name == GRIPPER]
+        reached = {int(self._things[body]) for body in first}
+        gripper = [int(self._things[connector.body]) for connector, _ in attached if connector.name == GRIPPER]
+        waiting = list(reached)
+        while waiting:
+            at = waiting.pop()
+            for pair in self._joined:
+                other = pair[0] if pair[1] == at else pair[1] if pair[0] == at else at
+                if other not in reached and other not in gripper:
+                    reached.add(other)
+                    waiting.append(other)
+        self._carried = reached
+
+    def _pair(self, first: int, second: int) -> tuple[int, int]:
+        a, b = sorted((int(self._things[first]), int(self._things[second])))
+        return a, b
+
+    # --- joints ---------------------------------------------------------------------------------------------------
+
+    def _measure_joints(self, group: SimulatedJoints) -> None:
+        state = group.state()
+        rows = zip(group.joints, state.positions, state.velocities, state.efforts, group.setpoints(), strict=True)
+        for joint, position, velocity, effort, setpoint in rows:
+            figures = self._probe.joints.get(joint.name)
+            if figures is None:
+                figures = self._probe.joints[joint.name] = JointFigures()
+            figures.speed = max(figures.speed, abs(velocity))
+            figures.torque = max(figures.torque, abs(effort))
+            if setpoint.mode is not ControlMode.POSITION:
+                continue
+            error = abs(setpoint.position - position)
+            if setpoint.velocity:
+                figures.error = max(figures.error, error)
+            elif self._moving.get(joint.name, False) and setpoint.arrived:
+                figures.end_error, figures.ends = max(figures.end_error, error), figures.ends + 1
+            self._moving[joint.name] = bool(setpoint.velocity)
+
+
+def _things(model: mujoco.MjModel) -> NDArray[np.int64]:
+    """A number for each body: bodies of one tree are one thing, and so is each fixed body."""
+    trees = np.asarray(model.body_treeid)
+    return np.where(trees >= 0, trees, model.ntree + np.arange(model.nbody)).astype(np.int64)
+
+
+def _names(cell: CellModel) -> Mapping[int, str]:
+    """What the things are called: by their part, or by their first body."""
+    model = cell.model
+    found: dict[int, str] = {}
+    for body, thing in enumerate(_things(model).tolist()):
+        found.setdefault(thing, str(model.body(body).name))
+    return found
+

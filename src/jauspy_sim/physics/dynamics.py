@@ -1,0 +1,95 @@
+"""The dynamics that a robot's controllers know: those of its description, without anything of the world around it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+import mujoco
+import numpy as np
+
+from jauspy.platform.description import GroupSetup, RobotModel
+from jauspy_sim.assembly import robot_spec, view
+from jauspy_sim.models.look import without_visuals
+
+BREAKAWAY: Final = 0.01
+"""Rad/s or m/s at which dry friction is nearly all of what it is in motion; without it, it would switch at rest."""
+
+
+class Dynamics:
+    """Inverse dynamics of the robot as its URDF describes it, for the joints of one group.
+
+    Positions are the measured ones, those of other groups and the tilt of the base included; velocities and
+    accelerations are those of the setpoints. A load that the robot holds is not part of it.
+    """
+
+    def __init__(
+        self, world: mujoco.MjModel, data: mujoco.MjData, prefix: str, robot: RobotModel, group: GroupSetup
+    ) -> None:
+        plain = replace(robot, description=without_visuals(robot.description))
+        self._model = model = robot_spec(plain).compile()
+        model.opt.gravity[:] = world.opt.gravity
+        self._data = mujoco.MjData(model)
+        self._world = data
+        self._from, self._to = _positions(world, model, prefix)
+        joints = [robot.description.joint(name) for name in group.joints]
+        self._dofs = np.array([int(model.joint(joint.name).dofadr[0]) for joint in joints])
+        followers = [
+            (joint, joints.index(leader), joint.multiplier)
+            for joint in robot.description.joints.values()
+            for leader in joints
+            if joint.mimics == leader.name
+        ]
+        self._followers = [
+            (int(model.joint(joint.name).dofadr[0]), number, multiplier) for joint, number, multiplier in followers
+        ]
+        moved = [*self._dofs.tolist(), *(dof for dof, _, _ in self._followers)]
+        self._world_dofs = np.array([int(world.joint(f"{prefix}{_name(model, dof)}").dofadr[0]) for dof in moved])
+        self._moved = np.array(moved)
+        self._armature = model.dof_armature[self._moved].copy()
+        self._friction = model.dof_frictionloss[self._moved].copy()
+        self._efforts = np.zeros(world.nv)
+        self._found = np.zeros(model.nv)
+
+    def efforts(self, setpoints: Sequence[tuple[float, float]]) -> memoryview[float]:
+        """Efforts by degree of freedom of the world, N m or N, for velocities and accelerations of the joints.
+
+        Without those against viscous damping, which the controllers of the joints add.
+        """
+        model, data, moved = self._model, self._data, self._moved
+        data.qpos[self._to] = self._world.qpos[self._from]
+        rows = [*setpoints, *((m * setpoints[n][0], m * setpoints[n][1]) for _, n, m in self._followers)]
+        wanted = np.array(rows)
+        data.qvel[moved], data.qacc[moved] = wanted[:, 0], wanted[:, 1]
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        mujoco.mj_comVel(model, data)
+        mujoco.mj_rne(model, data, 1, self._found)
+        friction = self._friction * np.tanh(2.0 * wanted[:, 0] / BREAKAWAY)
+        self._efforts[self._world_dofs] = self._found[moved] + self._armature * wanted[:, 1] + friction
+        return view(self._efforts)
+
+
+def dynamics_of(
+    world: mujoco.MjModel, data: mujoco.MjData, prefix: str, robot: RobotModel, group: GroupSetup
+) -> Dynamics | None:
+    """The dynamics for a group of joints with feed-forward; None for one without."""
+    return Dynamics(world, data, prefix, robot, group) if group.feed_forward else None
+
+
+def _name(model: mujoco.MjModel, dof: int) -> str:
+    return str(model.joint(int(model.dof_jntid[dof])).name)
+
+
+def _positions(world: mujoco.MjModel, model: mujoco.MjModel, prefix: str) -> tuple[list[int], list[int]]:
+    """Addresses of the robot's positions in the world and in the model of the robot alone."""
+    sizes = {int(mujoco.mjtJoint.mjJNT_FREE): 7, int(mujoco.mjtJoint.mjJNT_BALL): 4}
+    there, here = [], []
+    for number in range(model.njnt):
+        joint = model.joint(number)
+        size = sizes.get(int(joint.type[0]), 1)
+        start = int(world.joint(f"{prefix}{joint.name}").qposadr[0])
+        there += range(start, start + size)
+        here += range(int(joint.qposadr[0]), int(joint.qposadr[0]) + size)
+    return there, here
