@@ -303,4 +303,3 @@ def _names(cell: CellModel) -> Mapping[int, str]:
     for body, thing in enumerate(_things(model).tolist()):
         found.setdefault(thing, str(model.body(body).name))
     return found
-
