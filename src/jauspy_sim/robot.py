@@ -50,7 +50,14 @@ class SimulatedRobot:
         """The chassis on tracks or wheels, or a base that does not move."""
         self._localizer: Localizer | None = None
         self.groups: Mapping[str, SimulatedJoints] = {
-            name: SimulatedJoints(model, data, name_prefix, robot.description, setup, dynamics_of(model, data, name_prefix, robot, setup))
+            name: SimulatedJoints(
+                model,
+                data,
+                name_prefix,
+                robot.description,
+                setup,
+                dynamics=dynamics_of(model, data, name_prefix, robot, setup),
+            )
             for name, setup in robot.groups.items()
         }
         """Joints other than the tracks', by the names that the robot's description gives them."""

@@ -122,7 +122,14 @@ class SimulatedCell:
         self._box_dofs = np.array(starts, np.int64).reshape(-1, 1) + np.arange(3)
         """The linear degrees of freedom of each box."""
         self._groups = {
-            name: SimulatedJoints(cell.model, data, cell.prefix, robot.description, group, dynamics_of(cell.model, data, cell.prefix, robot, group))
+            name: SimulatedJoints(
+                cell.model,
+                data,
+                cell.prefix,
+                robot.description,
+                group,
+                dynamics=dynamics_of(cell.model, data, cell.prefix, robot, group),
+            )
             for name, group in robot.groups.items()
         }
         if setup.scatter:
