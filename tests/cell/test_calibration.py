@@ -14,7 +14,7 @@ from tests.helpers.servo_plant import ServoPlant, many
 
 from jauspy.cell.calibration import ArmGeometry, Parameters
 from jauspy.cell.frames import shifted, turned
-from jauspy.cell.iso9283 import LaserTracker, accuracy, cube_points
+from jauspy.cell.iso9283 import Arrival, LaserTracker, accuracy, arrival, cube_points
 
 THREE = (*many(1), ("tube_1", "tube"), ("servo_2", "shoulder"), ("tube_2", "tube"), ("servo_3", "elbow"))
 
@@ -56,6 +56,18 @@ class TestAccuracy:
         assert points[1:].mean(axis=0) == pytest.approx(points[0])
         diagonal = 0.4 * math.sqrt(3.0)
         assert np.linalg.norm(points[1] - points[3]) == pytest.approx(0.8 * diagonal)
+
+    def test_what_stays_in_the_band_is_stable_at_once(self) -> None:
+        assert arrival([0.0, 0.1, 0.2], [0.5, 0.01, 0.02], 0.05) == Arrival(0.0, 0.0)
+
+    def test_an_overshoot_counts_from_the_first_time_in_the_band_until_the_last_outside(self) -> None:
+        times = [0.1 * number for number in range(7)]
+        found = arrival(times, [0.5, 0.04, 0.09, 0.03, 0.06, 0.02, 0.01], 0.05)
+        assert found.stabilisation == pytest.approx(0.4)  # in the band at 0.1 s, and for good at 0.5 s
+        assert found.overshoot == 0.09
+
+    def test_a_tool_that_never_comes_into_the_band_has_no_time(self) -> None:
+        assert arrival([0.0, 0.1], [0.5, 0.4], 0.05) == Arrival(0.0, 0.0)
 
     def test_the_tracker_has_noise(self) -> None:
         tracker = LaserTracker(np.random.default_rng(1))

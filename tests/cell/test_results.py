@@ -12,7 +12,7 @@ pytest.importorskip("scipy", reason="the extra 'cell-measurements' is not instal
 
 from jauspy.cell import report
 from jauspy.cell.calibration import Parameters
-from jauspy.cell.iso9283 import Accuracy, Report, Run
+from jauspy.cell.iso9283 import Accuracy, Arrival, Report, Run
 from jauspy.cell.measurements import Measured
 from jauspy.cell.report import Promise, Section, figure, page, plot_trials
 from jauspy.cell.swing import AT_REST, Swing, SwingComparison
@@ -28,7 +28,7 @@ def run(name: str, *accuracies: float) -> Run:
 def measured(calibrated: float) -> Report:
     nothing = Parameters(np.zeros(5), np.zeros((8, 6)), np.zeros(8))
     arms = run("modular arm", 0.02, 0.04), run("modular arm, reported", 0.004, 0.003)
-    return Report(run("UR10", 0.0001, 0.0003), *arms, run("modular arm, calibrated", calibrated, 0.0001), nothing)
+    return Report((run("UR10", 0.0001, 0.0003),), *arms, (run("modular arm, calibrated", calibrated, 0.0001),), nothing)
 
 
 class TestIso9283:
@@ -54,6 +54,16 @@ class TestIso9283:
         rows = measured(0.002).measured(3).rows
         assert [row["pose"] for row in rows] == ["P1", "P2"] * 4
         assert {row["arm"] for row in rows} >= {"UR10", "modular arm, calibrated"}
+
+    def test_speeds_have_figures_of_their_own(self) -> None:
+        report = measured(0.002)
+        slow = Run("UR10", report.ur10[0].poses, 0.5, (Arrival(0.2, 0.001), Arrival(0.1, 0.002)), out_of_reach=0.3)
+        found = Report((*report.ur10, slow), report.assembled, report.reported, report.calibrated, report.parameters)
+        values = found.measured(3).values
+        assert values["stabilisation UR10, at 50% of its speed"] == 0.2
+        assert values["overshoot of UR10, at 50% of its speed"] == 0.002
+        assert values["attitude out of reach UR10, at 50% of its speed"] == 0.3
+        assert "attitude out of reach UR10" not in values
 
 
 def swing(controller: ArmController, speeds: np.ndarray) -> Swing:

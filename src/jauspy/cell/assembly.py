@@ -158,6 +158,8 @@ class Assembler:
         self.used: set[str] = set()
         self.carried: set[str] = set()
         """Parts that are attached to another one and move with it: their shapes are with those of the other."""
+        self.placed: dict[str, tuple[float, pin.SE3]] = {}
+        """When and where this robot put down a part, which counts until the sensor sees it again."""
         self.clearance = Clearance(1.0)
         self.held: Held | None = None
         self.seen: Mapping[str, SeenPart] = {}
@@ -278,7 +280,9 @@ class Assembler:
         self.seen = await self.cell.observe(fresh=fresh)
         for name, seen in self.seen.items():
             if name not in self.used and name not in self.carried and (self.held is None or name != self.held.name):
-                self.scene.put(name, self.handling.pieces(name), seen.pose)
+                moved, pose = self.placed.get(name, (-math.inf, seen.pose))
+                hidden_since = moved > self.cell.now() - seen.age
+                self.scene.put(name, self.handling.pieces(name), pose if hidden_since else seen.pose)
         for part in self.layout.setup.parts:
             known = part.fixed or part.name in self.used or part.name in self.seen
             if not known:

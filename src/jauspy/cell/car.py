@@ -298,6 +298,9 @@ class CarTask:
         state = await ur10.touch(Path((ur10.at,)), connector, top)
         if state.attached_to != root:
             raise TaskFailed(f"{connector} does not hold the arm: {state.last_error or 'nothing attaches'}")
+        frames = self._arm_frames(self.arm.last_goal)
+        stands = top * se3(state.offset) * frames[root].inverse()
+        ur10.placed |= {name: (self.cell.now(), stands * frame) for name, frame in frames.items()}
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.2)
         await ur10.go(ur10.handling.retreat(ur10.at, 0.1), speed=0.2, contact=True)

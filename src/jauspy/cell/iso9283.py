@@ -3,13 +3,16 @@
 Five poses in the inclined plane of a cube are approached thirty times, P5 to P1; a laser tracker measures the tool.
 AP is the distance of the mean attained pose from the commanded one, RP the mean distance of the attained poses from
 their mean plus three standard deviations (clauses 7.2.1 and 7.2.2). Angles likewise, about the axes of the tool: the
-largest of the three counts.
+largest of the three counts. The stabilisation time begins when the tool first comes into a band around the pose where
+it ends up, and ends when it stays there; the overshoot is how far it leaves the band in between (clauses 7.4 and 7.5).
 """
 
 from __future__ import annotations
 
+import asyncio
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Final
 
@@ -28,6 +31,7 @@ from jauspy.geometry.poses import IDENTITY, Transform
 from jauspy.geometry.vectors import rotation_about
 from jauspy.platform.modular.graph import Attachment, find_chain
 
+POSES: Final = 5
 CYCLES: Final = 30
 """Approaches of each pose, as the standard requires."""
 ALONG_DIAGONAL: Final = 0.1
@@ -40,8 +44,18 @@ ARM_START: Final = (0.0, 0.5, 0.9, 0.7, 0.0)
 """Posture (rad) near which the modular arm reaches its cube."""
 REST: Final = 1.0
 """Seconds at each pose before it is measured."""
+SPEEDS: Final = (1.0, 0.5, 0.1)
+"""Fractions of the rated speed."""
+UR10_BAND, ARM_BAND = 0.1e-3, 1e-3
+"""Metres: half-widths of the bands of the stabilisation time; a UR10's published repeatability, and ten times it."""
+NEGLIGIBLE: Final = 1e-4
+"""Radians by which an attitude may be out of reach without a word."""
+WATCH_PERIOD: Final = 0.004
+"""Seconds between two measurements of a tool that comes to rest."""
 SETTLE: Final = 0.1
 """Seconds until a prepared arm is known to all."""
+SMOOTH: Final = 1.9
+"""Largest speed of a motion of given duration that begins and ends smoothly, as a multiple of its mean."""
 SAMPLES: Final = 40
 """Poses that calibration measures."""
 
@@ -98,6 +112,11 @@ def accuracy(commanded: pin.SE3, attained: Sequence[pin.SE3]) -> Accuracy:
     )
 
 
+def angle_between(a: pin.SE3, b: pin.SE3) -> float:
+    """The angle of the rotation between two poses, radians."""
+    return float(np.linalg.norm(pin.log3(a.rotation.T @ b.rotation)))
+
+
 def cube_points(center: Sequence[float], side: float) -> list[Array]:
     """P1 to P5: the middle of the plane through two opposite edges of the cube, and four points on its diagonals."""
     half = side / 2.0 * (1.0 - 2.0 * ALONG_DIAGONAL)
@@ -106,11 +125,41 @@ def cube_points(center: Sequence[float], side: float) -> list[Array]:
 
 
 @dataclass(frozen=True, slots=True)
+class Arrival:
+    """How the tool came to rest at a pose."""
+
+    stabilisation: float
+    """Seconds from the first time in the band until it stays there."""
+    overshoot: float
+    """Largest distance, in metres, from where it ended up, once it had been in the band; zero if it stayed there."""
+
+
+def arrival(times: Sequence[float], distances: Sequence[float], band: float) -> Arrival:
+    """The arrival at a pose, by the distances (m) at these times (s) from where the tool ends up."""
+    outside = np.asarray(distances) > band
+    first = int(np.argmin(outside))
+    later = np.flatnonzero(outside[first:])
+    if outside[first] or not len(later):
+        return Arrival(0.0, 0.0)
+    last = first + int(later[-1]) + 1
+    end = times[min(last, len(times) - 1)]
+    return Arrival(end - times[first], float(np.max(np.asarray(distances)[first:])))
+
+
+@dataclass(frozen=True, slots=True)
 class Run:
-    """One arm that was measured: its five poses."""
+    """One arm that was measured at one speed: its five poses."""
 
     name: str
     poses: tuple[Accuracy, ...]
+    speed: float = 1.0
+    """Fraction of the rated speed."""
+    arrivals: tuple[Arrival, ...] = ()
+    """All approaches of all poses."""
+    deviations: tuple[Array, ...] = ()
+    """For each pose, shape (cycles, 3): attained places less the commanded one, in the world, metres."""
+    out_of_reach: float = 0.0
+    """Largest angle between the attitudes of a goal and of the commanded pose, radians: five joints leave some over."""
 
     @property
     def worst(self) -> Accuracy:
@@ -123,8 +172,57 @@ class Run:
         )
 
 
-async def measure_ur10(session: Session, tracker: LaserTracker, cycles: int = CYCLES) -> Run:
-    """The UR10 and its gripper, about the pose in which the cell's file has it at the start."""
+def deviations(commanded: Sequence[pin.SE3], attained: Sequence[Sequence[pin.SE3]]) -> tuple[Array, ...]:
+    """For each pose, shape (cycles, 3): attained places less the commanded one, in the world, metres."""
+    return tuple(
+        np.array([found.translation - pose.translation for found in rows])
+        for pose, rows in zip(commanded, attained, strict=True)
+    )
+
+
+@dataclass(slots=True)
+class Approaches:
+    """Cycles through the five poses, with the tool watched until it is at rest."""
+
+    session: Session
+    tracker: LaserTracker
+    tool: str
+    """The connector whose pose is measured."""
+    band: float
+
+    async def run(
+        self, move: Callable[[int], Awaitable[None]], cycles: int
+    ) -> tuple[list[list[pin.SE3]], list[Arrival]]:
+        """Approach each pose by `move`; returns the attained poses, by number of the pose, and all arrivals."""
+        attained: list[list[pin.SE3]] = [[] for _ in range(POSES)]
+        arrivals = []
+        for _ in range(cycles):
+            for number in reversed(range(POSES)):
+                watched: list[tuple[float, Array]] = []
+                watch = asyncio.create_task(self._watch(watched))
+                try:
+                    await move(number)
+                    await self.session.cell.sleep(REST)
+                finally:
+                    watch.cancel()
+                    with suppress(asyncio.CancelledError):
+                        await watch
+                rest = self.session.true.connector(self.tool)
+                attained[number].append(self.tracker.measure(rest))
+                distances = [float(np.linalg.norm(place - rest.translation)) for _, place in watched]
+                arrivals.append(arrival([time for time, _ in watched], distances, self.band))
+        return attained, arrivals
+
+    async def _watch(self, watched: list[tuple[float, Array]]) -> None:
+        while True:
+            watched.append((self.session.cell.now(), self.session.true.connector(self.tool).translation))
+            await self.session.cell.sleep(WATCH_PERIOD)
+
+
+async def measure_ur10(
+    session: Session, tracker: LaserTracker, cycles: int = CYCLES, speeds: Sequence[float] = SPEEDS
+) -> list[Run]:
+    """The UR10 and its gripper, about the pose in which the cell's file has it at the start, a run for each speed."""
     arm = session.layout.kinematics
     home = arm.forward(session.layout.home)
     poses = [pin.SE3(home.rotation, point) for point in cube_points(home.translation, UR10_CUBE)]
@@ -134,15 +232,18 @@ async def measure_ur10(session: Session, tracker: LaserTracker, cycles: int = CY
         if not found:
             raise ConfigError(f"the UR10 does not reach {np.round(pose.translation, 3)}")
         postures.append(found[0].positions)
-    at = await session.cell.posture()
-    attained: list[list[pin.SE3]] = [[] for _ in poses]
-    for _ in range(cycles):
-        for number in (4, 3, 2, 1, 0):
-            await session.cell.follow(Path((at, postures[number])))
-            at = postures[number]
-            await session.cell.sleep(REST)
-            attained[number].append(tracker.measure(session.true.connector("gripper")))
-    return Run("UR10", tuple(accuracy(pose, rows) for pose, rows in zip(poses, attained, strict=True)))
+    approaches = Approaches(session, tracker, "gripper", UR10_BAND)
+    runs = []
+    for speed in speeds:
+
+        async def move(number: int, speed: float = speed) -> None:
+            at = await session.cell.posture()
+            await session.cell.follow(Path((at, postures[number])), speed=speed)
+
+        attained, arrivals = await approaches.run(move, cycles)
+        rows = tuple(accuracy(pose, found) for pose, found in zip(poses, attained, strict=True))
+        runs.append(Run("UR10", rows, speed, tuple(arrivals), deviations(poses, attained)))
+    return runs
 
 
 class ModularArmTest:
@@ -154,7 +255,9 @@ class ModularArmTest:
         setup = session.layout.setup
         self._connectors = (BASE, *(f"{part}/{next(iter(setup.type_of(part).connectors))}" for part in ARM[:-1]))
         self.geometry = self._geometry([IDENTITY] * len(ARM))
-        self._commanded = [self._pose(point) for point in cube_points(ARM_CENTER, ARM_CUBE)]
+        servos = [data for part in ARM if (data := setup.type_of(part).servo) is not None]
+        self._rated = np.array([data.max_speed for data in servos])
+        self._goals = [self._pose(point) for point in cube_points(ARM_CENTER, ARM_CUBE)]
 
     def _geometry(self, offsets: Sequence[Transform]) -> ArmGeometry:
         setup = self._session.layout.setup
@@ -168,7 +271,7 @@ class ModularArmTest:
         return self._geometry([(await self._session.cell.connector(name)).offset for name in self._connectors])
 
     def _pose(self, point: Array) -> pin.SE3:
-        """The commanded pose at a point: with the attitude that the arm as it is believed to be has there."""
+        """The goal at a point: with the attitude that the arm has there if it is what the library of parts says."""
         nominal = self.geometry.nominal
         near = self.geometry.tip(np.array(ARM_START), nominal)
         q = self.geometry.solve(pin.SE3(near.rotation, point), np.array(ARM_START), nominal)
@@ -177,19 +280,33 @@ class ModularArmTest:
             raise ConfigError(f"the modular arm does not reach {np.round(point, 3)}")
         return pin.SE3(found.rotation, point)
 
-    async def measure(self, name: str, geometry: ArmGeometry, parameters: Parameters, cycles: int = CYCLES) -> Run:
-        """Accuracy when positions are computed with this geometry and these parameters of it."""
+    async def measure(
+        self, name: str, geometry: ArmGeometry, parameters: Parameters, cycles: int = CYCLES, speed: float = 1.0
+    ) -> Run:
+        """Accuracy when positions are computed with this geometry and these parameters of it.
+
+        The commanded pose is the one that this geometry has with the commanded positions: at the place of the goal, and
+        with the attitude that is closest to the goal's among those that five joints leave.
+        """
         cell = self._session.cell
         start = np.array(ARM_START)
-        postures = [geometry.solve(pose, start, parameters) for pose in self._commanded]
-        attained: list[list[pin.SE3]] = [[] for _ in postures]
-        for _ in range(cycles):
-            for number in (4, 3, 2, 1, 0):
-                await cell.move_arm(postures[number].tolist())
-                await cell.sleep(REST)
-                attained[number].append(self._tracker.measure(self._session.true.connector(TIP)))
-        rows = zip(self._commanded, attained, strict=True)
-        return Run(name, tuple(accuracy(pose, found) for pose, found in rows))
+        postures = [geometry.solve(pose, start, parameters) for pose in self._goals]
+        commanded = [geometry.tip(posture, parameters) for posture in postures]
+
+        async def move(number: int) -> None:
+            await cell.move_arm(postures[number].tolist(), await self._duration(postures[number], speed))
+
+        attained, arrivals = await Approaches(self._session, self._tracker, TIP, ARM_BAND).run(move, cycles)
+        rows = tuple(accuracy(pose, found) for pose, found in zip(commanded, attained, strict=True))
+        turned = max(angle_between(goal, pose) for goal, pose in zip(self._goals, commanded, strict=True))
+        return Run(name, rows, speed, tuple(arrivals), deviations(commanded, attained), turned)
+
+    async def _duration(self, goal: Array, speed: float) -> float:
+        """Seconds of a motion at a fraction of the rated speed; at all of it zero, as short as limits allow."""
+        if speed >= 1.0:
+            return 0.0
+        state = await self._session.cell.arm()
+        return SMOOTH * float(np.max(np.abs(goal - np.array(state.positions)) / (self._rated * speed)))
 
     async def calibrate(self, samples: int = SAMPLES) -> Parameters:
         """Measure the tip in many postures about the start, and find the parameters."""
@@ -210,38 +327,53 @@ class ModularArmTest:
 class Report:
     """All that was measured."""
 
-    ur10: Run
+    ur10: tuple[Run, ...]
+    """The UR10, a run for each speed, the fastest first."""
     assembled: Run
     """The modular arm with modules that sit badly, by the library of parts."""
     reported: Run
     """The same arm, with the offsets that its connectors report."""
-    calibrated: Run
+    calibrated: tuple[Run, ...]
+    """The same arm after calibration, a run for each speed, the fastest first."""
     parameters: Parameters
 
     @property
     def improvement(self) -> float:
         """The factor by which calibration improves the accuracy of the position."""
-        return self.assembled.worst.accuracy / self.calibrated.worst.accuracy
+        return self.assembled.worst.accuracy / self.calibrated[0].worst.accuracy
 
     @property
     def improvement_on_reports(self) -> float:
         """The same factor, against positions that are computed with the offsets that connectors report."""
-        return self.reported.worst.accuracy / self.calibrated.worst.accuracy
+        return self.reported.worst.accuracy / self.calibrated[0].worst.accuracy
 
     def measured(self, seed: int) -> Measured:
         """The figures, for tables and files."""
         found = Measured(seed, "iso9283", success=self.improvement >= 5.0)
-        for run in (self.ur10, self.assembled, self.reported, self.calibrated):
+        for run in (*self.ur10, self.assembled, self.reported, *self.calibrated):
+            arm = run.name if run.speed >= 1.0 else f"{run.name}, at {run.speed:.0%} of its speed"
             worst = run.worst
             found.values |= {
-                f"ap {run.name}": worst.accuracy,
-                f"rp {run.name}": worst.repeatability,
-                f"ap angle {run.name}": worst.angle_accuracy,
-                f"rp angle {run.name}": worst.angle_repeatability,
+                f"ap {arm}": worst.accuracy,
+                f"rp {arm}": worst.repeatability,
+                f"ap angle {arm}": worst.angle_accuracy,
+                f"rp angle {arm}": worst.angle_repeatability,
+                f"stabilisation {arm}": max((rest.stabilisation for rest in run.arrivals), default=0.0),
+                f"overshoot of {arm}": max((rest.overshoot for rest in run.arrivals), default=0.0),
             }
+            if run.out_of_reach > NEGLIGIBLE:
+                found.values[f"attitude out of reach {arm}"] = run.out_of_reach
             for number, pose in enumerate(run.poses, 1):
                 found.rows.append(
-                    {"arm": run.name, "pose": f"P{number}", "ap": pose.accuracy, "rp": pose.repeatability}
+                    {
+                        "arm": run.name,
+                        "speed": run.speed,
+                        "pose": f"P{number}",
+                        "ap": pose.accuracy,
+                        "rp": pose.repeatability,
+                        "ap angle": pose.angle_accuracy,
+                        "rp angle": pose.angle_repeatability,
+                    }
                 )
         found.values["improvement"] = self.improvement
         found.values["improvement on reports"] = self.improvement_on_reports
@@ -251,13 +383,18 @@ class Report:
 
 
 async def measure(
-    seed: int, cycles: int = CYCLES, samples: int = SAMPLES, report: Callable[[str], None] = lambda _: None
+    seed: int,
+    cycles: int = CYCLES,
+    samples: int = SAMPLES,
+    report: Callable[[str], None] = lambda _: None,
+    *,
+    speeds: Sequence[float] = SPEEDS,
 ) -> Report:
-    """Measure both arms, each in a separate simulated cell."""
+    """Measure both arms, each in a separate simulated cell; `speeds` are fractions, the whole first."""
     tracker = LaserTracker(np.random.default_rng(seed))
     report("UR10")
     async with simulated(seed, UNDISTURBED) as session:
-        ur10 = await measure_ur10(session, tracker, cycles)
+        ur10 = await measure_ur10(session, tracker, cycles, speeds)
     async with simulated(seed, UNDISTURBED) as session:
         session.true.prepare(BASE, ARM, MISASSEMBLED)
         await session.cell.sleep(SETTLE)
@@ -273,5 +410,7 @@ async def measure(
         report("calibration")
         parameters = await test.calibrate(samples)
         report("modular arm, calibrated")
-        after = await test.measure("modular arm, calibrated", test.geometry, parameters, cycles)
-    return Report(ur10, before, reported, after, parameters)
+        after = [
+            await test.measure("modular arm, calibrated", test.geometry, parameters, cycles, speed) for speed in speeds
+        ]
+    return Report(tuple(ur10), before, reported, tuple(after), parameters)

@@ -7,9 +7,19 @@ from dataclasses import asdict, dataclass, field
 from typing import Any, Final
 
 UNITS: Final[dict[str, tuple[str, ...]]] = {
-    "rad": ("ap angle", "rp angle", "largest_tilt", "arm_error"),
-    "m": ("ap", "rp", "clearance", "largest_error", "off_x", "off_y", "placement", "driven"),
-    "s": ("lift_time", "there", "back", "build_time", "load_time", "order_time", "saved_by_schedule", "settled"),
+    "rad": ("ap angle", "rp angle", "largest_tilt", "arm_error", "attitude out of reach"),
+    "m": ("ap", "rp", "clearance", "largest_error", "off_x", "off_y", "placement", "driven", "overshoot of"),
+    "s": (
+        "lift_time",
+        "there",
+        "back",
+        "build_time",
+        "load_time",
+        "order_time",
+        "saved_by_schedule",
+        "settled",
+        "stabilisation",
+    ),
     "": ("settled_sooner", "overshoot_ratio"),
     "m/s": ("release_speed",),
     "rad/s": ("overshoot",),

@@ -49,14 +49,19 @@ def iso9283(
 ) -> None:
     """Measure accuracy and repeatability of both arms, before and after a calibration.
 
-    Writes DIR/iso9283.json. Exit status 1 unless the calibration improves the accuracy at least five times.
+    At the whole, half and a tenth of their speed. Writes DIR/iso9283.json and a plot of the attained places,
+    DIR/iso9283.svg. Exit status 1 unless the calibration improves the accuracy at least five times.
     """
     check_extra()
     check_libraries("`jauspy cell iso9283`", "scipy", extra="cell-measurements")
+    from jauspy.cell.accuracy_plot import plot_accuracy
     from jauspy.cell.iso9283 import measure
 
     async def measured() -> Measured:
-        return (await measure(seed, cycles, samples, console.note)).measured(seed)
+        report = await measure(seed, cycles, samples, console.note)
+        out.mkdir(parents=True, exist_ok=True)
+        plot_accuracy(report, out / "iso9283.svg")
+        return report.measured(seed)
 
     _show(run(measured()), out, "iso9283", json=json)
 
