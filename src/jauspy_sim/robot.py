@@ -51,7 +51,12 @@ class SimulatedRobot:
         self._localizer: Localizer | None = None
         self.groups: Mapping[str, SimulatedJoints] = {
             name: SimulatedJoints(
-                model, data, name_prefix, robot.description, setup, dynamics_of(model, data, name_prefix, robot, setup)
+                model,
+                data,
+                name_prefix,
+                robot.description,
+                setup,
+                dynamics=dynamics_of(model, data, name_prefix, robot, setup),
             )
             for name, setup in robot.groups.items()
         }

@@ -54,7 +54,9 @@ class FakeCell:
     async def posture(self) -> Array:
         return self.at
 
-    async def follow(self, path: Path, *, speed: float = 1.0, gentle: bool = False) -> None:
+    async def follow(
+        self, path: Path, *, speed: float = 1.0, tool_speed: float = math.inf, gentle: bool = False
+    ) -> None:
         assert np.max(np.abs(path.points[0] - self.at)) < 1e-6, "a path begins where the arm is"
         for a, b in pairwise(path.points):
             self.time += profile(a, b, self.layout.speeds * speed, self.layout.accelerations).duration
@@ -67,8 +69,10 @@ class FakeCell:
             self.errors[GRIPPER] = "broken off"
         self._attach()
 
-    async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
-        await self.follow(path, speed=speed)
+    async def touch(
+        self, path: Path, connector: str, *, tool_speed: float, contact: float = math.inf
+    ) -> ConnectorState:
+        await self.follow(path, tool_speed=tool_speed)
         return await self.connector(connector)
 
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:

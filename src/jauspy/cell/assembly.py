@@ -23,7 +23,7 @@ from jauspy.cell.scene import Clearance, Layout, connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
 from jauspy.geometry.vectors import GRAVITY
-from jauspy.platform.modular.connector import ConnectorState
+from jauspy.platform.modular.connector import ConnectorError, ConnectorState
 from jauspy.platform.modular.parts import PartKind, body_inertia, output_inertia
 
 GRASPS: Final = 4
@@ -32,15 +32,21 @@ JOINS: Final = 4
 """Attempts to join one part before it is put down."""
 PARTS: Final = 3
 """Parts that are tried for one place in the arm."""
-ATTACH_TIME: Final = 0.06
-"""Seconds in which a connector in contact must attach."""
+SEAL_TIME: Final = 0.06
+"""Seconds after which a connector that is not in contact, by its report, does not attach without a further press."""
+ATTACH_TIME: Final = 0.6
+"""Seconds in which a connector in contact must attach: it evacuates, or its latch closes."""
 PRESSES: Final = 3
 """How often the arm presses on while a connector does not attach."""
 NEAR_SPEED: Final = 0.3
 INSERT_SPEED: Final = 0.15
 LIFT_SPEED: Final = 0.3
-TOUCH_SPEED: Final = 0.015
-"""Fractions of the UR10's speed on the way to what it is about to touch, and for the last millimetres."""
+"""Fractions of the UR10's speed on the way to what it is about to touch, and away from there."""
+TOUCH_SPEED: Final = 0.005
+"""m/s of the tool in the last millimetres before contact. Its mass of some 20 kg then stops within the give of a plate,
+about 5 ms, with 20 N."""
+CONTACT_FORCE: Final = 8.0
+"""Newtons by which the force on the gripper must change for what it holds to be in contact."""
 MAX_TILT: Final = math.radians(2.0)
 MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
@@ -59,6 +65,9 @@ PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
 """The UR10's posture away from platforms and conveyor, in radians."""
 WHEEL_TURNS: Final = 12
 """Angles about its axis at which a wheel may be joined."""
+POLL: Final = 0.02
+"""Seconds between two queries of a connector."""
+OUT_OF_CONTACT: Final = (ConnectorError.NO_CONTACT, ConnectorError.TOO_FAR, ConnectorError.NOT_ALIGNED)
 SEARCH: Final = (0.0, 0.0015, -0.0015, 0.003)
 """Metres beside the connector at which the attempts to join press the part down."""
 
@@ -207,13 +216,21 @@ class Assembler:
     async def _path_to(self, posture: Array) -> Path:
         return await self.cell.compute(partial(self.planner.to_posture, self.at, posture))
 
-    async def go(self, path: Path, *, speed: float = 1.0, contact: bool = False, gentle: bool = False) -> None:
+    async def go(
+        self,
+        path: Path,
+        *,
+        speed: float = 1.0,
+        tool_speed: float = math.inf,
+        contact: bool = False,
+        gentle: bool = False,
+    ) -> None:
         """Move along a path; paths that do not end in contact count for the smallest distance."""
         if not contact and path.clearance.distance < self.clearance.distance:
             self.clearance = path.clearance
         self.at = path.end
         try:
-            await self.cell.follow(path, speed=speed, gentle=gentle)
+            await self.cell.follow(path, speed=speed, tool_speed=tool_speed, gentle=gentle)
         except JausError:
             self.at = await self.cell.posture()
             raise
@@ -312,7 +329,7 @@ class Assembler:
         await self.cell.enable(GRIPPER, True)
         await self.go(plan.near, speed=NEAR_SPEED, contact=True)
         backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
-        state = await self._touch(plan.contact, GRIPPER, backward)
+        state = await self.touch(plan.contact, GRIPPER, backward)
         if state.attached_to != plan.part:
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)
@@ -385,10 +402,9 @@ class Assembler:
                 continue
             await self.go(plan.transfer)
             await self.go(plan.insert, speed=INSERT_SPEED, contact=True)
-            await self.go(plan.contact, speed=TOUCH_SPEED, contact=True)
+            await self.press(plan.contact)
             await self.cell.enable(tip.connector, True)  # in contact: enabled before, it would leave a gap of its lip
-            await self.cell.sleep(ATTACH_TIME)
-            state = await self._touch(Path((self.at,)), tip.connector, plan.goal)
+            state = await self.touch(Path((self.at,)), tip.connector, plan.goal)
             why = self._joined_wrongly(part, state)
             if not why:
                 await self._let_go(part, row, tip, slot, state)
@@ -446,18 +462,33 @@ class Assembler:
 
     # --- verifying ------------------------------------------------------------------------------------------------
 
-    async def _touch(self, path: Path, connector: str, frame: pin.SE3) -> ConnectorState:
+    async def touch(self, path: Path, connector: str, frame: pin.SE3) -> ConnectorState:
         """Move until a connector attaches something; press on, along -z of `frame`, while none does."""
         for press in range(PRESSES + 1):
-            state = await self.cell.touch(path, connector, speed=TOUCH_SPEED)
-            if not state.attached_to and state.enabled:
-                await self.cell.sleep(ATTACH_TIME)
-                state = await self.cell.connector(connector)
+            state = await self.cell.touch(path, connector, tool_speed=TOUCH_SPEED)
+            if not state.attached_to:
+                state = await self._wait_attached(connector)
             self.at = await self.cell.posture()
             if state.attached_to or not state.enabled or press == PRESSES:
                 break
             path = self.handling.pressed(self.at, frame)
         return state
+
+    async def press(self, path: Path) -> None:
+        """Lower what the gripper holds along a path, until it is in contact or at the end."""
+        await self.cell.touch(path, GRIPPER, tool_speed=TOUCH_SPEED, contact=CONTACT_FORCE)
+        self.at = await self.cell.posture()
+
+    async def _wait_attached(self, connector: str) -> ConnectorState:
+        """Wait until a connector has attached something, or reports that it is not in contact."""
+        begun = self.cell.now()
+        while True:
+            state = await self.cell.connector(connector)
+            waited = self.cell.now() - begun
+            gives_up = not state.enabled or state.error in OUT_OF_CONTACT
+            if state.attached_to or waited > (SEAL_TIME if gives_up else ATTACH_TIME):
+                return state
+            await self.cell.sleep(POLL)
 
     async def _check_joint(self, part: str) -> None:
         """Turn a new joint to and fro: it has power, belongs to the arm and moves."""

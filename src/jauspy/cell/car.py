@@ -9,10 +9,10 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.assembly import GRASPS, Assembler, PartResult, Slot, Tip
+from jauspy.cell.assembly import GRASPS, NEAR_SPEED, Assembler, PartResult, Slot, Tip
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
-from jauspy.cell.handling import LINE_MARGIN
+from jauspy.cell.handling import LINE_MARGIN, PRESS, SLOW
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath, Path
@@ -31,6 +31,8 @@ BESIDE: Final = (0.015, 0.12)
 which the car is put down."""
 BELT_SPEED: Final = 0.12
 """m/s."""
+DEEPER: Final = 0.003
+"""Metres below where contact is expected to which car and arm are lowered at most: the errors of measured poses."""
 DRIVE_EFFORT: Final = 35.0
 """Percent."""
 DRIVE_TIME: Final = 4.0
@@ -62,6 +64,17 @@ class CarResult:
     arm_error: float = 0.0
     """Largest error of the arm's joints after its motions on the driving car, radians."""
     arm_motions: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class CarryPlan:
+    """Motions of the UR10: to a point before the bracket, close to it, slowly to contact, up with the arm, and over."""
+
+    approach: Path
+    near: Path
+    touch: Path
+    up: Path
+    over: Path
 
 
 class CarTask:
@@ -145,11 +158,11 @@ class CarTask:
         held = ur10.held
         assert held is not None
         place = ur10.handling.place(
-            self.car, held.grasp, ur10.at, goals, along=shifted(z=0.06), touches=["conveyor"], press=-0.002
+            self.car, held.grasp, ur10.at, goals, along=shifted(z=0.06), touches=["conveyor"], press=DEEPER
         )
         await ur10.go(place.transfer, speed=CARRY_SPEED)
         await ur10.go(place.insert, speed=0.1, contact=True)
-        await ur10.go(place.contact, speed=0.02, contact=True)
+        await ur10.press(place.contact)
         await self._release(self.car, place.goal)
         await ur10.go(ur10.handling.retreat(ur10.at, 0.12), speed=0.3, contact=True)
 
@@ -195,10 +208,8 @@ class CarTask:
             frame = frame * connector_frame(member.type, member.connector, by_name.get(member.name, 0.0))
         return found
 
-    def _plan_carry(
-        self, grasped: str, root: str, frames: dict[str, pin.SE3], top: pin.SE3
-    ) -> tuple[Path, Path, Path, Path, pin.SE3]:
-        """Paths to the bracket, up, sideways, and down to the car's connector; the arm stays upright on them."""
+    def _plan_carry(self, grasped: str, root: str, frames: dict[str, pin.SE3], top: pin.SE3) -> CarryPlan:
+        """Paths to the bracket, up, and sideways to above the car's connector; the arm stays upright on them."""
         ur10 = self.ur10
         scene, planner, k = ur10.scene, ur10.planner, self.layout.kinematics
         for name, frame in frames.items():
@@ -210,12 +221,13 @@ class CarTask:
                 try:
                     approach = planner.to_posture(ur10.at, posture.positions)
                     with scene.without(grasped):
-                        near = planner.line(approach.end, contact, margin=-0.002)
-                    carry, over = self._plan_across(near.end, contact, frames, root, top)
+                        near = planner.line(approach.end, contact * shifted(z=-SLOW), margin=-0.002)
+                        touch = planner.line(near.end, contact * shifted(z=PRESS), margin=-0.002)
+                    up, over = self._plan_across(touch.end, contact, frames, root, top)
                 except NoPath as error:
                     reasons.append(str(error))
                     continue
-                return approach, near, carry, over, contact
+                return CarryPlan(approach, near, touch, up, over)
         raise NoPath(reasons[0] if reasons else "the bracket is out of reach")
 
     def _plan_across(
@@ -246,31 +258,29 @@ class CarTask:
             for name, frame in frames.items():
                 scene.put(name, pieces_of_part(self.layout.type_of(name)), frame)
 
-    async def _carry(self, plan: tuple[Path, Path, Path, Path, pin.SE3], grasped: str, root: str, top: pin.SE3) -> None:
+    async def _carry(self, plan: CarryPlan, grasped: str, root: str, top: pin.SE3) -> None:
         ur10, arm = self.ur10, self.arm
-        approach, near, up, over, _ = plan
         base = arm.base_name
-        await ur10.go(approach)
+        await ur10.go(plan.approach)
         for _ in range(GRASPS):
             await self.cell.enable(GRIPPER, True)
-            await self.cell.touch(near, GRIPPER, speed=0.02)
-            await self.cell.sleep(0.1)
-            state = await self.cell.connector(GRIPPER)
-            ur10.at = await self.cell.posture()
+            await ur10.go(plan.near, speed=NEAR_SPEED, contact=True)
+            backward = self.layout.kinematics.forward(plan.touch.end) * turned("x", math.pi)
+            state = await ur10.touch(plan.touch, GRIPPER, backward)
             if state.attached_to == grasped:
                 break
             self.result.failed_grasps.append(state.last_error or f"nothing attaches to {grasped}")
             await self.cell.enable(GRIPPER, False)
-            await ur10.go(Path((ur10.at, *near.points[-2::-1])), speed=0.1, contact=True)
+            await ur10.go(Path((ur10.at, *plan.near.points[::-1])), speed=0.1, contact=True)
         else:
             raise TaskFailed(f"the gripper does not hold {grasped}: {'; '.join(self.result.failed_grasps)}")
         await self.cell.enable(base, False)
         await self.cell.sleep(0.2)
         tool = self.layout.kinematics.forward(ur10.at)
         foot = tool * se3(state.offset) * self._root_from(grasped, root)
-        first = self.layout.kinematics.forward(up.points[0])
+        first = self.layout.kinematics.forward(plan.up.points[0])
         shift = shifted(*(tool.translation - first.translation).tolist())
-        for path in (up, over):
+        for path in (plan.up, plan.over):
             goal = shift * self.layout.kinematics.forward(path.end)
             await ur10.go(ur10.planner.line(ur10.at, goal), speed=ARM_SPEED, contact=True, gentle=True)
         state = await self.cell.connector(GRIPPER)
@@ -279,21 +289,13 @@ class CarTask:
         tool = self.layout.kinematics.forward(ur10.at)
         foot = tool * se3(state.offset) * self._root_from(grasped, root)
         move = top.translation - foot.translation
-        above = shifted(float(move[0]), float(move[1]), float(move[2]) + 0.01) * tool
+        above = shifted(float(move[0]), float(move[1]), float(move[2]) + SLOW) * tool
         await ur10.go(ur10.planner.line(ur10.at, above), speed=ARM_SPEED, contact=True, gentle=True)
-        down = shifted(*move.tolist()) * tool
-        down = shifted(z=-0.0005) * down
+        down = shifted(float(move[0]), float(move[1]), float(move[2]) - DEEPER) * tool
         connector = f"{self.car}/top"
+        await ur10.press(ur10.planner.line(ur10.at, down))
         await self.cell.enable(connector, True)
-        path = ur10.planner.line(ur10.at, down)
-        for _ in range(4):
-            state = await self.cell.touch(path, connector, speed=0.01)
-            ur10.at = await self.cell.posture()
-            await self.cell.sleep(0.1)
-            state = await self.cell.connector(connector)
-            if state.attached_to:
-                break
-            path = ur10.planner.line(ur10.at, shifted(z=-0.001) * self.layout.kinematics.forward(ur10.at))
+        state = await ur10.touch(Path((ur10.at,)), connector, top)
         if state.attached_to != root:
             raise TaskFailed(f"{connector} does not hold the arm: {state.last_error or 'nothing attaches'}")
         frames = self._arm_frames(self.arm.last_goal)

@@ -116,25 +116,33 @@ class CellClient:
         found = await (await self._ur10()).joints()
         return np.array([found[name] for name in self.layout.group.joints])
 
-    async def follow(self, path: Path, *, speed: float = 1.0, gentle: bool = False) -> None:
+    async def follow(
+        self, path: Path, *, speed: float = 1.0, tool_speed: float = math.inf, gentle: bool = False
+    ) -> None:
         """Move the UR10 along a path; each straight piece is one command, in which all joints arrive together.
 
-        `gentle` motions speed up slowly. Raises `RequestError` when it is blocked.
+        `tool_speed` limits the speed of the tool, in m/s; `gentle` motions speed up slowly. Raises `RequestError` when
+        it is blocked.
         """
         for start, goal in pairwise(path.points):
-            await self._move(start, goal, speed, GENTLE if gentle else 1.0)
+            await self._move(start, goal, speed, tool_speed, GENTLE if gentle else 1.0)
 
-    async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
-        """Same as `follow`, but stop as soon as a connector has attached something; returns the connector's state.
+    async def touch(
+        self, path: Path, connector: str, *, tool_speed: float, contact: float = math.inf
+    ) -> ConnectorState:
+        """Same as `follow`, but stop as soon as a connector that holds nothing has attached something.
 
-        The arm then holds where it is: pressing on would load the joint.
+        One that holds something already stops the motion when its force has changed by `contact`, in newtons. The arm
+        then holds where it is: pressing on would load the joint. Returns the connector's state.
         """
+        before = await self.connector(connector)
         for start, goal in pairwise(path.points):
-            motion = asyncio.create_task(self._move(start, goal, speed))
+            motion = asyncio.create_task(self._move(start, goal, 1.0, tool_speed))
             try:
                 while not motion.done():
                     state = await self.connector(connector)
-                    if state.attached_to:
+                    met = abs(state.force - before.force) > contact
+                    if state.attached_to != before.attached_to or (before.attached_to and met):
                         await (await self._ur10()).stop()
                         return state
                     await asyncio.sleep(POLL)
@@ -143,8 +151,18 @@ class CellClient:
                 await _cancel(motion)
         return await self.connector(connector)
 
-    async def _move(self, start: Array, goal: Array, speed: float, acceleration: float = 1.0) -> None:
-        found = profile(start, goal, self.layout.speeds * speed, self.layout.accelerations * acceleration)
+    async def _move(
+        self, start: Array, goal: Array, speed: float, tool_speed: float, acceleration: float = 1.0
+    ) -> None:
+        forward = self.layout.kinematics.forward
+        found = profile(
+            start,
+            goal,
+            self.layout.speeds * speed,
+            self.layout.accelerations * acceleration,
+            length=float(np.linalg.norm(forward(goal).translation - forward(start).translation)),
+            tool_speed=tool_speed,
+        )
         if not found.duration:
             return
         arm, names = await self._ur10(), self.layout.group.joints

@@ -191,8 +191,9 @@ class Handling:
             found = self.retreat(posture)
         finally:
             self.scene.restore(held)
-        if found.clearance.distance < -LINE_MARGIN:
-            raise NoPath(f"the gripper could not get away from {part}")
+        if found.clearance.distance < LINE_MARGIN:
+            near = " and ".join(found.clearance.between)
+            raise NoPath(f"the gripper could not get away from {part}: {near} are too close")
 
     def _reaches(self, grasp: pin.SE3, near: Array, goals: Sequence[pin.SE3]) -> bool:
         k = self.layout.kinematics

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol, TypeVar
@@ -51,15 +52,24 @@ class Cell(Protocol):
         """Positions of the UR10's joints as its URDF counts them, in radians."""
         ...
 
-    async def follow(self, path: Path, *, speed: float = 1.0, gentle: bool = False) -> None:
+    async def follow(
+        self, path: Path, *, speed: float = 1.0, tool_speed: float = math.inf, gentle: bool = False
+    ) -> None:
         """Move the UR10 along a path with this fraction of its speed; raises `RequestError` if it does not arrive.
 
-        `gentle` motions speed up slowly, so that what the arm carries does not bend.
+        `tool_speed` limits the speed of the tool, in m/s. `gentle` motions speed up slowly, so that what the arm
+        carries does not bend.
         """
         ...
 
-    async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
-        """Same as `follow`, but stop as soon as a connector has attached something; returns the connector's state."""
+    async def touch(
+        self, path: Path, connector: str, *, tool_speed: float, contact: float = math.inf
+    ) -> ConnectorState:
+        """Same as `follow`, but stop as soon as a connector that holds nothing has attached something.
+
+        One that holds something already stops the motion when its force has changed by `contact`, in newtons. Returns
+        the connector's state.
+        """
         ...
 
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:

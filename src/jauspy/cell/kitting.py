@@ -217,7 +217,7 @@ class Kitter:
         )
         await ur10.go(plan.transfer)
         await ur10.go(plan.insert, speed=0.3, contact=True)
-        await ur10.go(plan.contact, speed=0.1, contact=True)
+        await ur10.press(plan.contact)
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.15)
         ur10.held = None

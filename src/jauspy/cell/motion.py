@@ -61,13 +61,26 @@ class Profile:
     """Seconds."""
 
 
-def profile(start: Array, goal: Array, speeds: Array, accelerations: Array) -> Profile:
-    """The trapezoid that all joints share; limits in rad/s and rad/s^2."""
+def profile(
+    start: Array,
+    goal: Array,
+    speeds: Array,
+    accelerations: Array,
+    *,
+    length: float = 0.0,
+    tool_speed: float = math.inf,
+) -> Profile:
+    """The trapezoid that all joints share; limits in rad/s and rad/s^2.
+
+    `length`: metres that the tool moves, at most at `tool_speed` in m/s.
+    """
     way = np.abs(goal - start)
     moved = way > 1e-9
     if not np.any(moved):
         return Profile(goal, speeds, accelerations, 0.0)
     rate = float(np.min(speeds[moved] / way[moved]))
+    if length > 0.0:
+        rate = min(rate, tool_speed / length)
     change = float(np.min(accelerations[moved] / way[moved]))
     ramp = rate / change
     duration = 1.0 / rate + ramp if rate * ramp < 1.0 else 2.0 / math.sqrt(change)

@@ -335,6 +335,7 @@ def links_of_urdf(urdf: str, joints: Sequence[str]) -> list[LinkPiece]:
 
 FLOOR_SIZE: Final = 8.0
 BELT_THICKNESS: Final = 0.1
+SPEED_SHARE: Final = 0.97
 ACCELERATION_TIME: Final = 0.35
 """Seconds in which a joint reaches full speed; more than the joints need, so that parts are carried without a jerk."""
 
@@ -364,8 +365,8 @@ class Layout:
         self.urdf = model.description.urdf
         self.kinematics = ArmKinematics(self.urdf, self.group.joints, self.group.tip)
         self.home: Array = np.array(self.group.start)
-        self.speeds: Array = self.kinematics.speeds
-        """rad/s."""
+        self.speeds: Array = SPEED_SHARE * self.kinematics.speeds
+        """rad/s of motions: the limits, less what a controller may need to catch up."""
         self.accelerations: Array = self.speeds / ACCELERATION_TIME
         """rad/s^2."""
         self._types: Mapping[str, str] = {part.name: part.type for part in self.setup.parts}

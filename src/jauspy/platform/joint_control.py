@@ -199,9 +199,9 @@ class JointController:
 
 
 class FedForwardController(JointController):
-    """A controller whose feed-forward contains what the setpoint's acceleration needs, for the interval that begins.
+    """A controller whose feed-forward contains what the setpoint's acceleration needs in the interval that begins.
 
-    Errors are therefore those at its beginning. `JointController` compares with the setpoint at the end of the interval.
+    Errors are therefore those at its beginning; `JointController` compares with the setpoint at its end.
     """
 
     def _follow_position(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:

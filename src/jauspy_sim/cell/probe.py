@@ -57,6 +57,14 @@ class JointFigures:
     """Radians from the setpoint when that has arrived."""
     ends: int = 0
     """Number of motions that ended."""
+    at: dict[str, float] = field(default_factory=dict)
+    """Seconds at which each of the largest values was measured."""
+
+    def measure(self, name: str, value: float, time: float) -> None:
+        """Keep a value if it is the largest of its name."""
+        if value > getattr(self, name):
+            setattr(self, name, value)
+            self.at[name] = time
 
 
 @dataclass(slots=True)
@@ -67,6 +75,7 @@ class Contact:
     speed: float
     force: float
     landing: Meeting | None = None
+    collision: Meeting | None = None
 
 
 @dataclass(slots=True)
@@ -85,6 +94,8 @@ class Probe:
     attaches: list[Meeting] = field(default_factory=list)
     landings: list[Meeting] = field(default_factory=list)
     """First contacts of what the gripper carried with anything that it was not joined to."""
+    collisions: list[Meeting] = field(default_factory=list)
+    """Contacts of the robot's links and gripper, except with what the gripper has just attached or released."""
     joints: dict[str, JointFigures] = field(default_factory=dict)
     _watch: _Watch | None = None
 
@@ -97,7 +108,7 @@ class Probe:
         """A row for each meeting, for reports."""
         return [
             {"time": met.time, "first": met.first, "second": met.second, "speed": met.speed, "force": met.force}
-            for met in sorted([*self.attaches, *self.landings], key=lambda met: met.time)
+            for met in sorted([*self.attaches, *self.landings, *self.collisions], key=lambda met: met.time)
         ]
 
     @classmethod
@@ -140,20 +151,25 @@ class _Watch:
         self._revision = attachments.revision
         self._carried: set[int] = set()
         self._joined: set[tuple[int, int]] = set()
+        self._released: dict[tuple[int, int], float] = {}
+        """When pairs were joined last."""
         self._moving: dict[str, bool] = {}
-        self._find_carried()
+        self._robot = (
+            int(self._things[attachments.connectors[GRIPPER].body]) if GRIPPER in attachments.connectors else -1
+        )
+        self._find_carried(-APART)
         self._keep()
 
     def step(self, time: float) -> None:
         self._measure_contacts(time)
         if self._attachments.revision != self._revision:
             self._revision = self._attachments.revision
-            self._find_carried()
             self._find_attached(time)
+            self._find_carried(time)
         if self._settling:
             self._measure_settling(time)
         for group in self._groups:
-            self._measure_joints(group)
+            self._measure_joints(group, time)
         self._keep()
 
     def _keep(self) -> None:
@@ -185,6 +201,8 @@ class _Watch:
             found.last, found.force = time, max(found.force, force)
             if found.landing is not None and self._carries(pair):
                 found.landing.force = max(found.landing.force, force)
+            if found.collision is not None:
+                found.collision.force = max(found.collision.force, force)
 
     def _carries(self, pair: tuple[int, int]) -> bool:
         return (pair[0] in self._carried) is not (pair[1] in self._carried)
@@ -197,6 +215,11 @@ class _Watch:
             first, second = pair if pair[0] in self._carried else pair[::-1]
             made.landing = Meeting(time, self._names[first], self._names[second], made.speed)
             self._probe.landings.append(made.landing)
+        elif self._robot in pair and time - self._released.get(pair, -APART) > APART:
+            other = pair[0] if pair[1] == self._robot else pair[1]
+            link = next(body for body in bodies if self._things[body] == self._robot)
+            made.collision = Meeting(time, str(self._model.body(link).name), self._names[other], made.speed)
+            self._probe.collisions.append(made.collision)
         return made
 
     def _speed_between(self, first: int, second: int, place: Array) -> float:
@@ -235,6 +258,9 @@ class _Watch:
             if contact.landing is not None:
                 self._probe.landings.remove(contact.landing)
                 contact.landing = None
+            if contact.collision is not None:
+                self._probe.collisions.remove(contact.collision)
+                contact.collision = None
         self._probe.attaches.append(met)
         self._settling.append(Settling(met, connector.weld, time + SETTLING))
 
@@ -248,10 +274,12 @@ class _Watch:
             settling.meeting.force = max(settling.meeting.force, force)
         self._settling = [settling for settling in self._settling if time < settling.until]
 
-    def _find_carried(self) -> None:
+    def _find_carried(self, time: float) -> None:
         """The things that hang on the gripper, directly or through connectors, and pairs that are joined."""
         attached = [(connector, face) for connector, face in self._attachments.attached()]
+        before = self._joined
         self._joined = {self._pair(connector.body, face.body) for connector, face in attached}
+        self._released |= dict.fromkeys(before - self._joined, time)
         first = [face.body for connector, face in attached if connector.name == GRIPPER]
         reached = {int(self._things[body]) for body in first}
         gripper = [int(self._things[connector.body]) for connector, _ in attached if connector.name == GRIPPER]
@@ -271,22 +299,23 @@ class _Watch:
 
     # --- joints ---------------------------------------------------------------------------------------------------
 
-    def _measure_joints(self, group: SimulatedJoints) -> None:
+    def _measure_joints(self, group: SimulatedJoints, time: float) -> None:
         state = group.state()
         rows = zip(group.joints, state.positions, state.velocities, state.efforts, group.setpoints(), strict=True)
         for joint, position, velocity, effort, setpoint in rows:
             figures = self._probe.joints.get(joint.name)
             if figures is None:
                 figures = self._probe.joints[joint.name] = JointFigures()
-            figures.speed = max(figures.speed, abs(velocity))
-            figures.torque = max(figures.torque, abs(effort))
+            figures.measure("speed", abs(velocity), time)
+            figures.measure("torque", abs(effort), time)
             if setpoint.mode is not ControlMode.POSITION:
                 continue
             error = abs(setpoint.position - position)
             if setpoint.velocity:
-                figures.error = max(figures.error, error)
+                figures.measure("error", error, time)
             elif self._moving.get(joint.name, False) and setpoint.arrived:
-                figures.end_error, figures.ends = max(figures.end_error, error), figures.ends + 1
+                figures.measure("end_error", error, time)
+                figures.ends += 1
             self._moving[joint.name] = bool(setpoint.velocity)
 
 

@@ -128,7 +128,7 @@ class SimulatedCell:
                 cell.prefix,
                 robot.description,
                 group,
-                dynamics_of(cell.model, data, cell.prefix, robot, group),
+                dynamics=dynamics_of(cell.model, data, cell.prefix, robot, group),
             )
             for name, group in robot.groups.items()
         }

@@ -85,7 +85,8 @@ def _name(model: mujoco.MjModel, dof: int) -> str:
 def _positions(world: mujoco.MjModel, model: mujoco.MjModel, prefix: str) -> tuple[list[int], list[int]]:
     """Addresses of the robot's positions in the world and in the model of the robot alone."""
     sizes = {int(mujoco.mjtJoint.mjJNT_FREE): 7, int(mujoco.mjtJoint.mjJNT_BALL): 4}
-    there, here = [], []
+    there: list[int] = []
+    here: list[int] = []
     for number in range(model.njnt):
         joint = model.joint(number)
         size = sizes.get(int(joint.type[0]), 1)

@@ -28,6 +28,7 @@ class SimulatedJoints:
         prefix: str,
         description: RobotDescription,
         setup: GroupSetup,
+        *,
         dynamics: Dynamics | None = None,
     ) -> None:
         self._qpos, self._qvel, self._bias, self._ctrl = map(view, (data.qpos, data.qvel, data.qfrc_bias, data.ctrl))
