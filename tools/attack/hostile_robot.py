@@ -75,7 +75,11 @@ class _Arm(ModularArm):
             error=PAYLOADS[0],
         )
 
-    def move(self, positions: Sequence[float], duration: float) -> None:
+    def move(self, positions: Sequence[float], duration: float) -> int:
+        """Nothing moves."""
+        return 0
+
+    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
         """Nothing moves."""
 
     def hold(self) -> None:
