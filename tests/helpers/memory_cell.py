@@ -169,6 +169,7 @@ class MemoryArm(ModularArm):
         self._error = ""
         self._targets: dict[str, float] = {}
         self._left = 0.0
+        self._motion = 0
         self.holds = 0
 
     def _joints(self) -> list[str]:
@@ -191,10 +192,16 @@ class MemoryArm(ModularArm):
             moving=self._left > 0.0,
             controller=self._controller,
             tip_pose=ORIGIN,
+            motion=self._motion,
             error=self._error,
         )
 
-    def move(self, positions: Sequence[float], duration: float) -> None:
+    def move(self, positions: Sequence[float], duration: float) -> int:
+        self.move_as(self._motion + 1, positions, duration)
+        return self._motion
+
+    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
+        self._motion = number
         joints = self._joints()
         if len(positions) != len(joints) or any(map(math.isinf, positions)) or not 0.0 <= duration < math.inf:
             self._error = f"motion refused: {len(positions)} positions for {len(joints)} joints in {duration} s"

@@ -11,7 +11,8 @@ from tests.helpers.memory_cell import MemoryBackend, MemoryCell
 
 from jauspy.errors import ConfigError, RequestError
 from jauspy.ocu import Robot
-from jauspy.platform.modular.arm import ArmController
+from jauspy.ocu.cell import check_arrived
+from jauspy.platform.modular.arm import ArmController, ModularArmState
 from jauspy.robot import robot_files
 from jauspy.robot.runner import RobotRunner
 from jauspy.testing import VirtualNetwork
@@ -35,6 +36,26 @@ async def cell(virtual_network: VirtualNetwork) -> AsyncIterator[tuple[MemoryCel
             while IDS["servo_2"] not in {each.id for each in robot.components}:
                 robot = await ocu.robot(CONFIG.subsystem)
             yield backend.robot, robot
+
+
+class TestArrived:
+    STATE = ModularArmState(joints=("servo_1", "servo_2"), positions=(0.5, 0.1), targets=(0.5, 0.1))
+
+    def test_at_the_targets(self) -> None:
+        check_arrived(self.STATE, [0.5, math.nan])
+
+    def test_near_the_goal_it_does_not_matter_that_the_target_has_changed(self) -> None:
+        check_arrived(self.STATE, [0.51, 0.1])
+
+    def test_stopped_or_moved_elsewhere(self) -> None:
+        with pytest.raises(
+            RequestError, match=r"elsewhere: servo_2 was told to be at 0\.100 rad after it was told .* 0\.3"
+        ):
+            check_arrived(self.STATE, [0.5, 0.3])
+
+    def test_an_arm_of_other_joints(self) -> None:
+        with pytest.raises(RequestError, match="has 2 joints now, the motion was for 1"):
+            check_arrived(self.STATE, [0.5])
 
 
 async def test_modular_arm_moves_and_says_what_it_refuses(cell):

@@ -36,6 +36,8 @@ from jauspy.platform.modular.connector import ConnectorState
 ALL_FIELDS: Final = 0xFFFFFFFF
 POLL_INTERVAL: Final = 0.05
 """Seconds between two queries for the state of an arm that moves."""
+ELSEWHERE: Final = 0.02
+"""Radians off its goal at which a joint with another target has not arrived."""
 SLACK: Final = (3.0, 5.0)
 """Factor of the duration and seconds on top of it in which a motion must end, unless another time-out is given."""
 
@@ -91,7 +93,8 @@ class ModularArm:
     ) -> ModularArmState:
         """Begin a motion as `begin` does, and wait until the joints have arrived; returns the state.
 
-        Raises `RequestError` when the robot refuses the motion, or has not ended it after `timeout` seconds: by default
+        Raises `RequestError` when the robot refuses the motion, when the arm was stopped or told to move elsewhere, or
+        when it has not ended the motion after `timeout` seconds: by default
         three times the duration, and at least 8 s.
         """
         check_number(timeout, "timeout", optional=True)
@@ -104,6 +107,7 @@ class ModularArm:
             if state.error:
                 raise RequestError(f"the modular arm refused to move: {state.error}")
             if not state.moving:
+                check_arrived(state, positions)
                 return state
             if clock() > end:
                 off = max(abs(a - b) for a, b in zip(state.targets, state.positions, strict=True))
@@ -119,6 +123,18 @@ class ModularArm:
         kinds = SetModularArmController.Controller
         kind = kinds.INVERSE_DYNAMICS if controller is ArmController.MODEL else kinds.INDEPENDENT_PID
         await self._service.send(SetModularArmController(kind), ack=True)
+
+
+def check_arrived(state: ModularArmState, positions: Sequence[float]) -> None:
+    """Raise `RequestError` if an arm at rest has other targets than these positions, and is not at them either."""
+    if len(state.targets) != len(positions):
+        raise RequestError(f"the modular arm has {len(state.targets)} joints now, the motion was for {len(positions)}")
+    for name, goal, target, at in zip(state.joints, positions, state.targets, state.positions, strict=True):
+        if not math.isnan(goal) and target != goal and abs(at - goal) > ELSEWHERE:
+            raise RequestError(
+                f"the modular arm was stopped or moved elsewhere: {name} was told to be at {target:.3f} rad after "
+                f"it was told to move to {goal:.3f} rad"
+            )
 
 
 class Connector:

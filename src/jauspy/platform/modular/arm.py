@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from abc import abstractmethod
 from collections.abc import Sequence
@@ -46,6 +47,8 @@ class ModularArmState:
     """Estimated mass at the tip, in kilograms."""
     tip_pose: Pose = ORIGIN
     """Pose of the tip's frame in the world, by the model."""
+    motion: int = 0
+    """Number of the last motion that was begun or refused; the state is that of an earlier one until it is reached."""
     error: str = ""
     """Reason why the last motion ended early or was not begun; empty after a success."""
 
@@ -65,12 +68,18 @@ class ModularArm(OptionalPart):
         """State of the joints, and of the motion."""
 
     @abstractmethod
-    def move(self, positions: Sequence[float], duration: float) -> None:
+    def move(self, positions: Sequence[float], duration: float) -> int:
         """Move the joints to `positions` (rad, base to tip; NaN leaves a joint's target) in `duration` seconds.
+
+        Returns the number of the motion, by which `state().motion` tells when the state is that of this motion.
 
         With 0 seconds it takes as long as the limits demand. A vector of another length, infinite values or a duration
         that limits do not allow are refused: nothing moves, and `state().error` contains the reason.
         """
+
+    @abstractmethod
+    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
+        """Same as `move`, with the number that another thread has given to the motion."""
 
     @abstractmethod
     def hold(self) -> None:
@@ -100,6 +109,8 @@ class ArmMotion(Command):
     name: str
     positions: tuple[float, ...] | None
     duration: float = math.nan
+    number: int = 0
+    """Number that the arm's state reports from then on."""
 
     @property
     def part(self) -> PartId:
@@ -114,7 +125,7 @@ class ArmMotion(Command):
         if self.positions is None:
             arm.hold()
         else:
-            arm.move(self.positions, self.duration)
+            arm.move_as(self.number, self.positions, self.duration)
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,14 +169,20 @@ class _ModularArmProxy(ModularArm):
     def __init__(self, name: str, link: RobotLink) -> None:
         self.name = name
         self._link = link
+        self._numbers = itertools.count(1)
 
     def state(self) -> ModularArmState:
         state = self._link.snapshot.parts[self.id]
         assert isinstance(state, ModularArmState)
         return state
 
-    def move(self, positions: Sequence[float], duration: float) -> None:
-        self._link.submit(ArmMotion(self.name, tuple(positions), duration))
+    def move(self, positions: Sequence[float], duration: float) -> int:
+        number = next(self._numbers)
+        self.move_as(number, positions, duration)
+        return number
+
+    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
+        self._link.submit(ArmMotion(self.name, tuple(positions), duration, number))
 
     def hold(self) -> None:
         self._link.submit(ArmMotion(self.name, None))

@@ -45,6 +45,7 @@ class AssembledArm(ModularArm):
         self._revision: int | None = None
         placed = {part.name: part.pose for part in cell.parts}
         self._base_pose = base_pose or placed.__getitem__
+        self._motion = 0
         self._order: tuple[str, ...] = ()
         self._index: tuple[int, ...] = ()
         self._assembly = ArmAssembly(cell, ArmChain(), servos, self._base_pose)
@@ -77,11 +78,18 @@ class AssembledArm(ModularArm):
             controller=self._torques.selected,
             payload=self._assembly.model.load_mass,
             tip_pose=self._assembly.tip_pose(np.array([reading.position for reading in readings])),
+            motion=self._motion,
             error=self._setpoints.error,
         )
 
-    def move(self, positions: Sequence[float], duration: float) -> None:
+    def move(self, positions: Sequence[float], duration: float) -> int:
         """Move the joints; see `ModularArm.move`. With NaN as duration it takes as long as the limits demand."""
+        self.move_as(self._motion + 1, positions, duration)
+        return self._motion
+
+    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
+        """Same as `move`, with the number that another thread has given to the motion."""
+        self._motion = number
         error = self._refusal(positions, duration)
         if error:
             self._setpoints.error = error

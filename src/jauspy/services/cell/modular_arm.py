@@ -58,10 +58,10 @@ class ArmMotionControl:
         self.arm = arm
         self._holding = False
 
-    def move(self, positions: Sequence[float], duration: float) -> None:
-        """Move the joints, in radians and seconds; NaN leaves one as it is."""
+    def move(self, positions: Sequence[float], duration: float) -> int:
+        """Move the joints, in radians and seconds; NaN leaves one as it is. Returns the number of the motion."""
         self._holding = False
-        self.arm.move(positions, duration)
+        return self.arm.move(positions, duration)
 
     def stop(self) -> None:
         """Hold, unless it already does."""
@@ -82,6 +82,8 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
         self._arm = control.arm
         self._cell = cell
         self._command = CommandCompletion()
+        self._motion = 0
+        """Number of the motion of the present command."""
         self._told: OrderedDict[JausID, tuple[str, ...]] = OrderedDict()
         """The joints that were last reported to a client."""
         self._refusal = ""
@@ -97,7 +99,7 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
             self.host.begin_command()(False)
             return
         positions = [math.nan if position.position is None else position.position for position in msg.position_list]
-        self._control.move(positions, msg.motion_duration_rec.duration)
+        self._motion = self._control.move(positions, msg.motion_duration_rec.duration)
         self._command = self.host.begin_command()
         self.host.set_timer(_TIMER, self.host.now + CHECK_PERIOD, self._check)
 
@@ -164,7 +166,7 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
 
     def _check(self) -> None:
         state = self._arm.state()
-        if state.moving:
+        if state.moving or state.motion < self._motion:
             self.host.set_timer(_TIMER, self.host.now + CHECK_PERIOD, self._check)
         else:
             self._end_command(not state.error)
