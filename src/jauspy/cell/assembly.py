@@ -284,8 +284,11 @@ class Assembler:
                 hidden_since = moved > self.cell.now() - seen.age
                 self.scene.put(name, self.handling.pieces(name), pose if hidden_since else seen.pose)
         for part in self.layout.setup.parts:
-            known = part.fixed or part.name in self.used or part.name in self.seen
-            if not known:
+            if part.name in self.seen or part.fixed or part.name in self.used:
+                continue
+            if part.name in self.placed:
+                self.scene.put(part.name, self.handling.pieces(part.name), self.placed[part.name][1])
+            else:
                 self.scene.remove(part.name)
 
     async def _see(self, part: str) -> bool:

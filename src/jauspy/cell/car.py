@@ -96,6 +96,7 @@ class CarTask:
     async def run(self) -> CarResult:
         """Build the car, put it and the arm on the conveyor, and drive off. Raises `TaskFailed`."""
         begun = self.cell.now()
+        self._remember(self._arm_frames(await self.arm.positions()))
         for corner in CORNERS:
             await self._build_corner(corner)
         self.result.build_time = self.cell.now() - begun
@@ -302,10 +303,14 @@ class CarTask:
             raise TaskFailed(f"{connector} does not hold the arm: {state.last_error or 'nothing attaches'}")
         frames = self._arm_frames(self.arm.last_goal)
         stands = top * se3(state.offset) * frames[root].inverse()
-        ur10.placed |= {name: (self.cell.now(), stands * frame) for name, frame in frames.items()}
+        self._remember({name: stands * frame for name, frame in frames.items()})
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.2)
         await ur10.go(ur10.handling.retreat(ur10.at, 0.1), speed=0.2, contact=True)
+
+    def _remember(self, frames: dict[str, pin.SE3]) -> None:
+        """Take the arm's parts for where its connectors and joints report them, until the sensor sees them there."""
+        self.ur10.placed |= {name: (self.cell.now(), frame) for name, frame in frames.items()}
 
     def _root_from(self, grasped: str, root: str) -> pin.SE3:
         """The frame of the arm's first part in that of the one that is held, where the joints went last."""
