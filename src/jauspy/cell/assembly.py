@@ -42,7 +42,7 @@ NEAR_SPEED: Final = 0.3
 INSERT_SPEED: Final = 0.15
 LIFT_SPEED: Final = 0.3
 """Fractions of the UR10's speed on the way to what it is about to touch, and away from there."""
-TOUCH_SPEED: Final = 0.005
+TOUCH_SPEED: Final = 0.004
 """m/s of the tool in the last millimetres before contact. Its mass of some 20 kg then stops within the give of a plate,
 about 5 ms, with 20 N."""
 CONTACT_FORCE: Final = 8.0
@@ -284,8 +284,11 @@ class Assembler:
                 hidden_since = moved > self.cell.now() - seen.age
                 self.scene.put(name, self.handling.pieces(name), pose if hidden_since else seen.pose)
         for part in self.layout.setup.parts:
-            known = part.fixed or part.name in self.used or part.name in self.seen
-            if not known:
+            if part.name in self.seen or part.fixed or part.name in self.used:
+                continue
+            if part.name in self.placed:
+                self.scene.put(part.name, self.handling.pieces(part.name), self.placed[part.name][1])
+            else:
                 self.scene.remove(part.name)
 
     async def _see(self, part: str) -> bool:
@@ -335,7 +338,8 @@ class Assembler:
             await self.go(self.handling.retreat(self.at), contact=True)
             return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}"
         self._hold(plan.part, state)
-        await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True)
+        heavy = plan.part in self.handling.composites
+        await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True, gentle=heavy)
         await self.cell.sleep(0.15)
         state = await self.cell.connector(GRIPPER)
         if state.attached_to != plan.part:
@@ -462,10 +466,12 @@ class Assembler:
 
     # --- verifying ------------------------------------------------------------------------------------------------
 
-    async def touch(self, path: Path, connector: str, frame: pin.SE3) -> ConnectorState:
+    async def touch(
+        self, path: Path, connector: str, frame: pin.SE3, *, speed: float = TOUCH_SPEED
+    ) -> ConnectorState:
         """Move until a connector attaches something; press on, along -z of `frame`, while none does."""
         for press in range(PRESSES + 1):
-            state = await self.cell.touch(path, connector, tool_speed=TOUCH_SPEED)
+            state = await self.cell.touch(path, connector, tool_speed=speed)
             if not state.attached_to:
                 state = await self._wait_attached(connector)
             self.at = await self.cell.posture()

@@ -31,6 +31,8 @@ BESIDE: Final = (0.015, 0.12)
 which the car is put down."""
 BELT_SPEED: Final = 0.12
 """m/s."""
+ARM_TOUCH_SPEED: Final = 0.002
+"""m/s at which the gripper comes to the arm, which is bolted to its platform and gives way less than parts in bins."""
 DEEPER: Final = 0.003
 """Metres below where contact is expected to which car and arm are lowered at most: the errors of measured poses."""
 DRIVE_EFFORT: Final = 35.0
@@ -94,6 +96,7 @@ class CarTask:
     async def run(self) -> CarResult:
         """Build the car, put it and the arm on the conveyor, and drive off. Raises `TaskFailed`."""
         begun = self.cell.now()
+        self._remember(self._arm_frames(await self.arm.positions()))
         for corner in CORNERS:
             await self._build_corner(corner)
         self.result.build_time = self.cell.now() - begun
@@ -160,7 +163,7 @@ class CarTask:
         place = ur10.handling.place(
             self.car, held.grasp, ur10.at, goals, along=shifted(z=0.06), touches=["conveyor"], press=DEEPER
         )
-        await ur10.go(place.transfer, speed=CARRY_SPEED)
+        await ur10.go(place.transfer, speed=CARRY_SPEED, gentle=True)
         await ur10.go(place.insert, speed=0.1, contact=True)
         await ur10.press(place.contact)
         await self._release(self.car, place.goal)
@@ -266,7 +269,7 @@ class CarTask:
             await self.cell.enable(GRIPPER, True)
             await ur10.go(plan.near, speed=NEAR_SPEED, contact=True)
             backward = self.layout.kinematics.forward(plan.touch.end) * turned("x", math.pi)
-            state = await ur10.touch(plan.touch, GRIPPER, backward)
+            state = await ur10.touch(plan.touch, GRIPPER, backward, speed=ARM_TOUCH_SPEED)
             if state.attached_to == grasped:
                 break
             self.result.failed_grasps.append(state.last_error or f"nothing attaches to {grasped}")
@@ -300,10 +303,14 @@ class CarTask:
             raise TaskFailed(f"{connector} does not hold the arm: {state.last_error or 'nothing attaches'}")
         frames = self._arm_frames(self.arm.last_goal)
         stands = top * se3(state.offset) * frames[root].inverse()
-        ur10.placed |= {name: (self.cell.now(), stands * frame) for name, frame in frames.items()}
+        self._remember({name: stands * frame for name, frame in frames.items()})
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.2)
         await ur10.go(ur10.handling.retreat(ur10.at, 0.1), speed=0.2, contact=True)
+
+    def _remember(self, frames: dict[str, pin.SE3]) -> None:
+        """Take the arm's parts for where its connectors and joints report them, until the sensor sees them there."""
+        self.ur10.placed |= {name: (self.cell.now(), frame) for name, frame in frames.items()}
 
     def _root_from(self, grasped: str, root: str) -> pin.SE3:
         """The frame of the arm's first part in that of the one that is held, where the joints went last."""

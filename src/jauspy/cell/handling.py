@@ -22,7 +22,7 @@ APPROACH: Final = 0.07
 """Metres from the part at which the straight approach begins."""
 LIFT: Final = 0.10
 """Metres by which a part is lifted out of its bin."""
-SLOW: Final = 0.004
+SLOW: Final = 0.003
 """Metres before contact from which on the arm moves slowly."""
 PRESS: Final = 0.0002
 """Metres that the arm is sent beyond contact at first; the lip of a plate seals a gap of 1 mm."""

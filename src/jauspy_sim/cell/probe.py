@@ -85,6 +85,8 @@ class Settling:
     meeting: Meeting
     weld: int
     until: float
+    stopped: bool = False
+    """True from when the robot stood still: its next motion is meant to load the connection."""
 
 
 @dataclass(slots=True)
@@ -272,7 +274,10 @@ class _Watch:
             own = np.flatnonzero(equal & (data.efc_id[:rows] == settling.weld))[:3]
             force = float(np.linalg.norm(data.efc_force[own]))
             settling.meeting.force = max(settling.meeting.force, force)
-        self._settling = [settling for settling in self._settling if time < settling.until]
+        moves = any(each.velocity for group in self._groups for each in group.setpoints())
+        for settling in self._settling:
+            settling.stopped = settling.stopped or not moves
+        self._settling = [each for each in self._settling if time < each.until and not (each.stopped and moves)]
 
     def _find_carried(self, time: float) -> None:
         """The things that hang on the gripper, directly or through connectors, and pairs that are joined."""
