@@ -45,6 +45,8 @@ LIFT_SPEED: Final = 0.3
 TOUCH_SPEED: Final = 0.004
 """m/s of the tool in the last millimetres before contact. Its mass of some 20 kg then stops within the give of a plate,
 about 5 ms, with 20 N."""
+HEAVY_TOUCH_SPEED: Final = 0.002
+"""The same towards what is bolted down, or heavy: it gives way less than a part in a bin."""
 CONTACT_FORCE: Final = 8.0
 """Newtons by which the force on the gripper must change for what it holds to be in contact."""
 MAX_TILT: Final = math.radians(2.0)
@@ -332,13 +334,13 @@ class Assembler:
         await self.cell.enable(GRIPPER, True)
         await self.go(plan.near, speed=NEAR_SPEED, contact=True)
         backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
-        state = await self.touch(plan.contact, GRIPPER, backward)
+        heavy = plan.part in self.handling.composites
+        state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if heavy else TOUCH_SPEED)
         if state.attached_to != plan.part:
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)
             return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}"
         self._hold(plan.part, state)
-        heavy = plan.part in self.handling.composites
         await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True, gentle=heavy)
         await self.cell.sleep(0.15)
         state = await self.cell.connector(GRIPPER)
@@ -466,9 +468,7 @@ class Assembler:
 
     # --- verifying ------------------------------------------------------------------------------------------------
 
-    async def touch(
-        self, path: Path, connector: str, frame: pin.SE3, *, speed: float = TOUCH_SPEED
-    ) -> ConnectorState:
+    async def touch(self, path: Path, connector: str, frame: pin.SE3, *, speed: float = TOUCH_SPEED) -> ConnectorState:
         """Move until a connector attaches something; press on, along -z of `frame`, while none does."""
         for press in range(PRESSES + 1):
             state = await self.cell.touch(path, connector, tool_speed=speed)

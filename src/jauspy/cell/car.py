@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.assembly import GRASPS, NEAR_SPEED, Assembler, PartResult, Slot, Tip
+from jauspy.cell.assembly import GRASPS, HEAVY_TOUCH_SPEED, NEAR_SPEED, Assembler, PartResult, Slot, Tip
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
 from jauspy.cell.handling import LINE_MARGIN, PRESS, SLOW
@@ -31,8 +31,6 @@ BESIDE: Final = (0.015, 0.12)
 which the car is put down."""
 BELT_SPEED: Final = 0.12
 """m/s."""
-ARM_TOUCH_SPEED: Final = 0.002
-"""m/s at which the gripper comes to the arm, which is bolted to its platform and gives way less than parts in bins."""
 DEEPER: Final = 0.003
 """Metres below where contact is expected to which car and arm are lowered at most: the errors of measured poses."""
 DRIVE_EFFORT: Final = 35.0
@@ -164,7 +162,7 @@ class CarTask:
             self.car, held.grasp, ur10.at, goals, along=shifted(z=0.06), touches=["conveyor"], press=DEEPER
         )
         await ur10.go(place.transfer, speed=CARRY_SPEED, gentle=True)
-        await ur10.go(place.insert, speed=0.1, contact=True)
+        await ur10.go(place.insert, speed=0.1, contact=True, gentle=True)
         await ur10.press(place.contact)
         await self._release(self.car, place.goal)
         await ur10.go(ur10.handling.retreat(ur10.at, 0.12), speed=0.3, contact=True)
@@ -269,7 +267,7 @@ class CarTask:
             await self.cell.enable(GRIPPER, True)
             await ur10.go(plan.near, speed=NEAR_SPEED, contact=True)
             backward = self.layout.kinematics.forward(plan.touch.end) * turned("x", math.pi)
-            state = await ur10.touch(plan.touch, GRIPPER, backward, speed=ARM_TOUCH_SPEED)
+            state = await ur10.touch(plan.touch, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED)
             if state.attached_to == grasped:
                 break
             self.result.failed_grasps.append(state.last_error or f"nothing attaches to {grasped}")

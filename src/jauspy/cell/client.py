@@ -37,6 +37,10 @@ LATE: Final = 0.8
 """Seconds after which a motion that is not quite there counts as ended."""
 BLOCKED: Final = 0.03
 """Radians off the goal, that late, which count as blocked."""
+SETTLING: Final = 0.5
+"""Seconds in which what is held comes to rest after a motion."""
+STEADY: Final = 0.5
+"""Newtons between two queries, below which a force is steady."""
 SAMPLES: Final = 6
 """Observations of a part that are averaged."""
 WATCH_PERIOD: Final = 0.1
@@ -135,9 +139,9 @@ class CellClient:
         One that holds something already stops the motion when its force has changed by `contact`, in newtons. The arm
         then holds where it is: pressing on would load the joint. Returns the connector's state.
         """
-        before = await self.connector(connector)
+        before = await self._settled(connector)
         for start, goal in pairwise(path.points):
-            motion = asyncio.create_task(self._move(start, goal, 1.0, tool_speed))
+            motion = asyncio.create_task(self._move(start, goal, 1.0, tool_speed, GENTLE))
             try:
                 while not motion.done():
                     state = await self.connector(connector)
@@ -150,6 +154,16 @@ class CellClient:
             finally:
                 await _cancel(motion)
         return await self.connector(connector)
+
+    async def _settled(self, connector: str) -> ConnectorState:
+        """The state of a connector, when the force on what it holds no longer changes, or after `SETTLING` seconds."""
+        state, until = await self.connector(connector), self.now() + SETTLING
+        while state.attached_to and self.now() < until:
+            await asyncio.sleep(POLL)
+            last, state = state, await self.connector(connector)
+            if abs(state.force - last.force) < STEADY:
+                break
+        return state
 
     async def _move(
         self, start: Array, goal: Array, speed: float, tool_speed: float, acceleration: float = 1.0

@@ -85,8 +85,16 @@ class Settling:
     meeting: Meeting
     weld: int
     until: float
+    motion: Array
+    """Velocities of the robot's setpoints at the attachment: motions that go elsewhere load it on purpose."""
     stopped: bool = False
-    """True from when the robot stood still: its next motion is meant to load the connection."""
+    """True from when the robot stood still."""
+
+    def goes_on(self, velocities: Array) -> bool:
+        """False when another motion of the robot has begun."""
+        moves = bool(velocities.any())
+        self.stopped = self.stopped or not moves
+        return not (self.stopped and moves) and float(velocities @ self.motion) >= 0.0
 
 
 @dataclass(slots=True)
@@ -264,9 +272,15 @@ class _Watch:
                 self._probe.collisions.remove(contact.collision)
                 contact.collision = None
         self._probe.attaches.append(met)
-        self._settling.append(Settling(met, connector.weld, time + SETTLING))
+        self._settling.append(Settling(met, connector.weld, time + SETTLING, self._velocities()))
+
+    def _velocities(self) -> Array:
+        """Of the setpoints of the robot's joints."""
+        return np.array([setpoint.velocity for group in self._groups for setpoint in group.setpoints()])
 
     def _measure_settling(self, time: float) -> None:
+        velocities = self._velocities()
+        self._settling = [each for each in self._settling if time < each.until and each.goes_on(velocities)]
         data = self._data
         rows = data.ne
         equal = data.efc_type[:rows] == mujoco.mjtConstraint.mjCNSTR_EQUALITY
@@ -274,10 +288,6 @@ class _Watch:
             own = np.flatnonzero(equal & (data.efc_id[:rows] == settling.weld))[:3]
             force = float(np.linalg.norm(data.efc_force[own]))
             settling.meeting.force = max(settling.meeting.force, force)
-        moves = any(each.velocity for group in self._groups for each in group.setpoints())
-        for settling in self._settling:
-            settling.stopped = settling.stopped or not moves
-        self._settling = [each for each in self._settling if time < each.until and not (each.stopped and moves)]
 
     def _find_carried(self, time: float) -> None:
         """The things that hang on the gripper, directly or through connectors, and pairs that are joined."""
