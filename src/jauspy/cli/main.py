@@ -120,6 +120,7 @@ CELL_VERBS: Final = {
         "jauspy.cli.cell.trials:kitting",
         "Fill kitting orders with the UR10 alone and with an arm that it built, scored as in ARIAC 2018.",
     ),
+    "design": ("jauspy.cli.cell.design:design", "Choose modules of the cell for a task in CoBRA's format."),
     "all": ("jauspy.cli.cell.all:all_tasks", "Run everything once; write films, plots and a page of results."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
 }

@@ -1,0 +1,134 @@
+"""Chains of modules as designs: kinematics, torques and connector loads at rest, and clearance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import GRAVITY, Vector, Z, add, cross, difference, dot, rotation_about, scaled
+from jauspy.platform.modular.parts import PartType, ServoData, body_inertia, output_inertia
+
+from .tasks import Obstacle
+
+RADIUS: Final = 0.045
+"""Metres around the middle line: half the diagonal of the largest housing, 68 mm x 56 mm."""
+SPACING: Final = 0.03
+"""Metres between the points of a middle line."""
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """A part of a design, turned about the normal of the connector that carries it."""
+
+    type: str
+    turn: float = 0.0
+    """Radians."""
+
+
+@dataclass(frozen=True, slots=True)
+class Posture:
+    """A chain with its joints at some positions, in the world."""
+
+    tip: Transform
+    axes: tuple[tuple[Vector, Vector], ...]
+    """Middle and direction of each joint."""
+    masses: tuple[tuple[Vector, float, int], ...]
+    """Centre of mass, mass, and the number of joints before it."""
+    connectors: tuple[tuple[Vector, int], ...]
+    """Middle of the connector that carries each part, and the index of its first mass."""
+    points: tuple[tuple[Vector, int], ...]
+    """Points of the middle lines, and the index of their part."""
+
+    def torques(self) -> list[float]:
+        """Torque of gravity about each joint, newton metres."""
+        found = []
+        for joint, (origin, axis) in enumerate(self.axes):
+            moment: Vector = (0.0, 0.0, 0.0)
+            for center, mass, joints in self.masses:
+                if joints > joint:
+                    moment = add(moment, cross(difference(center, origin), (0.0, 0.0, -mass * GRAVITY)))
+            found.append(dot(moment, axis))
+        return found
+
+    def loads(self) -> list[tuple[float, float]]:
+        """Force and moment at each connector, base to tip; the last one is the tip's."""
+        found = []
+        for origin, first in self.connectors:
+            weight, moment = 0.0, (0.0, 0.0, 0.0)
+            for center, mass, _ in self.masses[first:]:
+                weight += mass * GRAVITY
+                moment = add(moment, cross(difference(center, origin), (0.0, 0.0, -mass * GRAVITY)))
+            found.append((weight, math.hypot(*moment)))
+        return found
+
+    def clearance(self, obstacles: Sequence[Obstacle], floor: float = 0.0) -> float:
+        """Smallest distance from boxes and the floor, and of parts that are not neighbours; below zero is a touch."""
+        best = math.inf
+        for point, part in self.points:
+            if part:
+                best = min(best, point[2] - floor)
+            for box in obstacles:
+                inner = box.pose.inverse().apply(point)
+                outside = [abs(value) - size / 2.0 for value, size in zip(inner, box.size, strict=True)]
+                best = min(best, math.hypot(*(max(value, 0.0) for value in outside)) + min(max(outside), 0.0))
+        for point, part in self.points:
+            for other, second in self.points:
+                if second > part + 2:
+                    best = min(best, math.dist(point, other) - RADIUS)
+        return best - RADIUS
+
+
+def servos(elements: Sequence[Element], types: Mapping[str, PartType]) -> list[ServoData]:
+    """The servo modules of a chain, base to tip."""
+    found = (types[element.type].servo for element in elements)
+    return [servo for servo in found if servo is not None]
+
+
+def mass_of(elements: Sequence[Element], types: Mapping[str, PartType]) -> float:
+    """Kilograms of all parts."""
+    return sum(body_inertia(types[e.type]).mass + output_inertia(types[e.type]).mass for e in elements)
+
+
+def posture(
+    mount: Transform,
+    elements: Sequence[Element],
+    types: Mapping[str, PartType],
+    positions: Sequence[float],
+    load: float = 0.0,
+) -> Posture:
+    """The chain on a connector at `mount`; `load` is a mass in the middle of the tip's connector."""
+    frame, joint = mount, 0
+    axes: list[tuple[Vector, Vector]] = []
+    masses: list[tuple[Vector, float, int]] = []
+    connectors: list[tuple[Vector, int]] = []
+    points: list[tuple[Vector, int]] = []
+    for index, element in enumerate(elements):
+        part = types[element.type]
+        connectors.append((frame.position, len(masses)))
+        start = frame.position
+        frame = frame @ Transform(rotation_about(Z, element.turn))
+        body = body_inertia(part)
+        masses.append((frame.apply(body.center), body.mass, joint))
+        if part.servo is not None:
+            frame = frame @ part.servo.joint
+            points += _line(start, frame.position, index)
+            start = frame.position
+            axes.append((frame.position, frame.rotate(part.servo.axis)))
+            frame = frame @ Transform(rotation_about(part.servo.axis, positions[joint]))
+            joint += 1
+            output = output_inertia(part)
+            masses.append((frame.apply(output.center), output.mass, joint))
+        frame = frame @ next(iter(part.connectors.values()))
+        points += _line(start, frame.position, index)
+    connectors.append((frame.position, len(masses)))
+    if load:
+        masses.append((frame.position, load, joint))
+    return Posture(frame, tuple(axes), tuple(masses), tuple(connectors), tuple(points))
+
+
+def _line(start: Vector, end: Vector, part: int) -> list[tuple[Vector, int]]:
+    count = max(1, math.ceil(math.dist(start, end) / SPACING))
+    return [(add(start, scaled(difference(end, start), step / count)), part) for step in range(count + 1)]
