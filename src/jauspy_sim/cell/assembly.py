@@ -67,7 +67,7 @@ WELD_IMPEDANCE: Final = (0.9999, 0.9999, 0.001, 0.5, 2.0)
 
 CONTACT_TIME: Final = 2.5 * TIMESTEP
 
-BOX_CONTACT_TIME: Final = 0.001
+BOX_CONTACT_TIME: Final = 0.0006
 """Time constant of a box's contacts while steps are short: a thrown box of cardboard stops within a millimetre or two.
 In whole steps MuJoCo takes the shortest that is stable instead."""
 
