@@ -28,9 +28,7 @@ def design(
     candidates: Annotated[int, typer.Option("--candidates", min=1, metavar="N", help="Chains to try.")] = 2000,
     limit: Annotated[float, typer.Option("--limit", min=0.1, metavar="S", help="Seconds to search.")] = 60.0,
     seed: Seed = 0,
-    out: Annotated[
-        Path | None, typer.Option("-o", "--output", "--out", metavar="FILE", help="Write the design, JSON.")
-    ] = None,
+    out: Annotated[Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the design, JSON.")] = None,
     json: Json = False,
 ) -> None:
     """Choose modules for a task: the cheapest chain found that reaches all goals.
