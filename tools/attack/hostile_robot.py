@@ -75,7 +75,7 @@ class _Arm(ModularArm):
             error=PAYLOADS[0],
         )
 
-    def move(self, positions: Sequence[float], duration: float) -> int:
+    def move(self, positions: Sequence[float], duration: float) -> int:  # noqa: ARG002 - nothing moves
         """Nothing moves."""
         return 0
 
