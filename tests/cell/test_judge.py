@@ -50,9 +50,6 @@ class Robot:
     def prepare(self, connector: str, parts: Any, errors: Any = None) -> None:
         """The test assembles nothing."""
 
-    def probe(self) -> Any:
-        raise NotImplementedError
-
     def place(self, part: str, pose: Any) -> None:
         """The test places nothing."""
 

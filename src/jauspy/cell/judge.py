@@ -34,53 +34,6 @@ class Watched(Protocol):
     """Largest speed and torque of their servo modules, as fractions of the limits."""
 
 
-class Met(Protocol):
-    """Two things that met in a simulation: a connector and what it attached, or a part that was put on something."""
-
-    time: float
-    """Seconds."""
-    first: str
-    second: str
-    speed: float
-    """m/s between them when they touched or attached."""
-    force: float
-    """Newtons: the largest of contact and connection, until the meeting was over."""
-
-
-class JointFigures(Protocol):
-    """The largest values of one joint of the robot."""
-
-    speed: float
-    """rad/s."""
-    torque: float
-    """N m."""
-    error: float
-    """Radians from the setpoint on the way."""
-    end_error: float
-    """Radians from the setpoint at the ends of motions."""
-    ends: int
-    """Number of these motions."""
-
-
-class Probed(Protocol):
-    """What a probe has measured at each physics step since it began."""
-
-    @property
-    def attaches(self) -> Sequence[Met]:
-        """What connectors have attached."""
-        ...
-
-    @property
-    def landings(self) -> Sequence[Met]:
-        """What the gripper has put on something that is no connector."""
-        ...
-
-    @property
-    def joints(self) -> Mapping[str, JointFigures]:
-        """The robot's joints by name."""
-        ...
-
-
 class Truth(Protocol):
     """The true state of a simulation."""
 
@@ -125,10 +78,6 @@ class KnowsTruth(Protocol):
         """Put a free part somewhere, at rest, by writing its position."""
         ...
 
-    def probe(self) -> Probed:
-        """Measure each physics step from now on."""
-        ...
-
 
 @dataclass(frozen=True, slots=True)
 class Placement:
@@ -153,8 +102,6 @@ class Judge:
         self._robot: Robot = robot
         self.prepare = robot.prepare
         """Assembles an arm before a task starts, for tasks that do not include the assembly."""
-        self.probe = robot.probe
-        """Begins to measure each physics step: attachments, landings, joints."""
         self.place = robot.place
         """Puts a part somewhere by writing its position; results say so."""
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
-from jauspy.platform.modular.parts import PartCamera, PartSolid, PartType
+from jauspy.platform.modular.parts import PartCamera, PartSolid, PartType, Shape
 
 Array = NDArray[np.float64]
 
@@ -95,7 +95,7 @@ def _points(solids: Sequence[PartSolid]) -> Array:
     rows = []
     for solid in solids:
         x, y, z = solid.size
-        widths = (2.0 * x, 2.0 * y, z) if solid.shape.value == "cylinder" else (x, y, z)
+        widths = (2.0 * x, 2.0 * y, z) if solid.shape is Shape.CYLINDER else (x, y, z)
         for a, b, c in SAMPLES:
             rows.append(solid.pose.apply((a * widths[0], b * widths[1], c * widths[2])))
     return np.array(rows)

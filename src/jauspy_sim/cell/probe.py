@@ -6,7 +6,7 @@ For tests, reports and figures; nothing that commands the cell reads it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Final
 
 import mujoco
@@ -57,14 +57,6 @@ class JointFigures:
     """Radians from the setpoint when that has arrived."""
     ends: int = 0
     """Number of motions that ended."""
-    at: dict[str, float] = field(default_factory=dict)
-    """Seconds at which each of the largest values was measured."""
-
-    def measure(self, name: str, value: float, time: float) -> None:
-        """Keep a value if it is the largest of its name."""
-        if value > getattr(self, name):
-            setattr(self, name, value)
-            self.at[name] = time
 
 
 @dataclass(slots=True)
@@ -97,46 +89,8 @@ class Settling:
         return not (self.stopped and moves) and float(velocities @ self.motion) >= 0.0
 
 
-@dataclass(slots=True)
 class Probe:
-    """Fed after each physics step; `attaches`, `landings` and `joints` are what it has measured."""
-
-    attaches: list[Meeting] = field(default_factory=list)
-    landings: list[Meeting] = field(default_factory=list)
-    """First contacts of what the gripper carried with anything that it was not joined to."""
-    collisions: list[Meeting] = field(default_factory=list)
-    """Contacts of the robot's links and gripper, except with what the gripper has just attached or released."""
-    joints: dict[str, JointFigures] = field(default_factory=dict)
-    _watch: _Watch | None = None
-
-    def step(self, time: float) -> None:
-        """Measure the step that has just been made; `time` is that after it."""
-        if self._watch is not None:
-            self._watch.step(time)
-
-    def rows(self) -> list[dict[str, str | float]]:
-        """A row for each meeting, for reports."""
-        return [
-            {"time": met.time, "first": met.first, "second": met.second, "speed": met.speed, "force": met.force}
-            for met in sorted([*self.attaches, *self.landings, *self.collisions], key=lambda met: met.time)
-        ]
-
-    @classmethod
-    def of(
-        cls,
-        cell: CellModel,
-        data: mujoco.MjData,
-        attachments: Attachments,
-        groups: Mapping[str, SimulatedJoints],
-    ) -> Probe:
-        """A probe of a simulated cell."""
-        probe = cls()
-        probe._watch = _Watch(probe, cell, data, attachments, groups)
-        return probe
-
-
-class _Watch:
-    """The probe's access to the simulation.
+    """Fed after each physics step; `attaches`, `landings`, `collisions` and `joints` are what it has measured.
 
     MuJoCo's constraints after a step are those of the state before it, which is kept, so that speeds are those with
     which things met.
@@ -144,17 +98,22 @@ class _Watch:
 
     def __init__(
         self,
-        probe: Probe,
         cell: CellModel,
         data: mujoco.MjData,
         attachments: Attachments,
         groups: Mapping[str, SimulatedJoints],
     ) -> None:
-        self._probe, self._model, self._data, self._attachments = probe, cell.model, data, attachments
+        self.attaches: list[Meeting] = []
+        self.landings: list[Meeting] = []
+        """First contacts of what the gripper carried with anything that it was not joined to."""
+        self.collisions: list[Meeting] = []
+        """Contacts of the robot's links and gripper, except with what the gripper has just attached or released."""
+        self.joints: dict[str, JointFigures] = {}
+        self._model, self._data, self._attachments = cell.model, data, attachments
         self._groups = tuple(groups.values())
         self._before = mujoco.MjData(cell.model)
         self._things = _things(cell.model)
-        self._names = _names(cell)
+        self._names = _names(cell.model)
         self._contacts: dict[tuple[int, int], Contact] = {}
         self._settling: list[Settling] = []
         self._held = {connector.name: connector.held for connector in attachments.connectors.values()}
@@ -164,13 +123,13 @@ class _Watch:
         self._released: dict[tuple[int, int], float] = {}
         """When pairs were joined last."""
         self._moving: dict[str, bool] = {}
-        self._robot = (
-            int(self._things[attachments.connectors[GRIPPER].body]) if GRIPPER in attachments.connectors else -1
-        )
+        gripper = attachments.connectors.get(GRIPPER)
+        self._robot = int(self._things[gripper.body]) if gripper is not None else -1
         self._find_carried(-APART)
         self._keep()
 
     def step(self, time: float) -> None:
+        """Measure the step that has just been made; `time` is that after it."""
         self._measure_contacts(time)
         if self._attachments.revision != self._revision:
             self._revision = self._attachments.revision
@@ -179,7 +138,7 @@ class _Watch:
         if self._settling:
             self._measure_settling(time)
         for group in self._groups:
-            self._measure_joints(group, time)
+            self._measure_joints(group)
         self._keep()
 
     def _keep(self) -> None:
@@ -224,12 +183,12 @@ class _Watch:
         if self._carries(pair) and pair not in self._joined:
             first, second = pair if pair[0] in self._carried else pair[::-1]
             made.landing = Meeting(time, self._names[first], self._names[second], made.speed)
-            self._probe.landings.append(made.landing)
+            self.landings.append(made.landing)
         elif self._robot in pair and time - self._released.get(pair, -APART) > APART:
             other = pair[0] if pair[1] == self._robot else pair[1]
             link = next(body for body in bodies if self._things[body] == self._robot)
             made.collision = Meeting(time, str(self._model.body(link).name), self._names[other], made.speed)
-            self._probe.collisions.append(made.collision)
+            self.collisions.append(made.collision)
         return made
 
     def _speed_between(self, first: int, second: int, place: Array) -> float:
@@ -266,21 +225,23 @@ class _Watch:
         if contact is not None and time - contact.last <= APART:
             met.speed, met.force = max(speed, contact.speed), contact.force
             if contact.landing is not None:
-                self._probe.landings.remove(contact.landing)
+                self.landings.remove(contact.landing)
                 contact.landing = None
             if contact.collision is not None:
-                self._probe.collisions.remove(contact.collision)
+                self.collisions.remove(contact.collision)
                 contact.collision = None
-        self._probe.attaches.append(met)
+        self.attaches.append(met)
         self._settling.append(Settling(met, connector.weld, time + SETTLING, self._velocities()))
 
     def _velocities(self) -> Array:
-        """Of the setpoints of the robot's joints."""
+        """Velocities of the setpoints of the robot's joints."""
         return np.array([setpoint.velocity for group in self._groups for setpoint in group.setpoints()])
 
     def _measure_settling(self, time: float) -> None:
         velocities = self._velocities()
-        self._settling = [each for each in self._settling if time < each.until and each.goes_on(velocities)]
+        self._settling = [
+            settling for settling in self._settling if time < settling.until and settling.goes_on(velocities)
+        ]
         data = self._data
         rows = data.ne
         equal = data.efc_type[:rows] == mujoco.mjtConstraint.mjCNSTR_EQUALITY
@@ -300,9 +261,9 @@ class _Watch:
         gripper = [int(self._things[connector.body]) for connector, _ in attached if connector.name == GRIPPER]
         waiting = list(reached)
         while waiting:
-            at = waiting.pop()
+            thing = waiting.pop()
             for pair in self._joined:
-                other = pair[0] if pair[1] == at else pair[1] if pair[0] == at else at
+                other = pair[0] if pair[1] == thing else pair[1] if pair[0] == thing else thing
                 if other not in reached and other not in gripper:
                     reached.add(other)
                     waiting.append(other)
@@ -314,22 +275,22 @@ class _Watch:
 
     # --- joints ---------------------------------------------------------------------------------------------------
 
-    def _measure_joints(self, group: SimulatedJoints, time: float) -> None:
+    def _measure_joints(self, group: SimulatedJoints) -> None:
         state = group.state()
         rows = zip(group.joints, state.positions, state.velocities, state.efforts, group.setpoints(), strict=True)
         for joint, position, velocity, effort, setpoint in rows:
-            figures = self._probe.joints.get(joint.name)
+            figures = self.joints.get(joint.name)
             if figures is None:
-                figures = self._probe.joints[joint.name] = JointFigures()
-            figures.measure("speed", abs(velocity), time)
-            figures.measure("torque", abs(effort), time)
+                figures = self.joints[joint.name] = JointFigures()
+            figures.speed = max(figures.speed, abs(velocity))
+            figures.torque = max(figures.torque, abs(effort))
             if setpoint.mode is not ControlMode.POSITION:
                 continue
             error = abs(setpoint.position - position)
             if setpoint.velocity:
-                figures.measure("error", error, time)
+                figures.error = max(figures.error, error)
             elif self._moving.get(joint.name, False) and setpoint.arrived:
-                figures.measure("end_error", error, time)
+                figures.end_error = max(figures.end_error, error)
                 figures.ends += 1
             self._moving[joint.name] = bool(setpoint.velocity)
 
@@ -340,9 +301,8 @@ def _things(model: mujoco.MjModel) -> NDArray[np.int64]:
     return np.where(trees >= 0, trees, model.ntree + np.arange(model.nbody)).astype(np.int64)
 
 
-def _names(cell: CellModel) -> Mapping[int, str]:
+def _names(model: mujoco.MjModel) -> Mapping[int, str]:
     """What the things are called: by their part, or by their first body."""
-    model = cell.model
     found: dict[int, str] = {}
     for body, thing in enumerate(_things(model).tolist()):
         found.setdefault(thing, str(model.body(body).name))

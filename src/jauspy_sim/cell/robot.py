@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Pose, Transform
-from jauspy.geometry.vectors import GRAVITY, quaternion
+from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.drives import FixedBase
@@ -26,7 +26,7 @@ from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
 from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
 from jauspy_sim.cell.probe import Probe
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
-from jauspy_sim.cell.start import disturb, put_on_each_other, scatter
+from jauspy_sim.cell.start import disturb, put, put_on_each_other, scatter
 from jauspy_sim.cell.truth import Truth
 from jauspy_sim.physics.dynamics import dynamics_of
 from jauspy_sim.physics.joints import SimulatedJoints
@@ -257,16 +257,12 @@ class SimulatedCell:
 
     def place(self, part: str, pose: Pose) -> None:
         """Put a free part somewhere, at rest, by writing its position: for what a task does not do itself."""
-        joint, frame = self._model.joint(part), Transform.from_pose(pose)
-        at, dof = int(joint.qposadr[0]), int(joint.dofadr[0])
-        self._data.qpos[at : at + 7] = (*frame.position, *quaternion(frame.rotation))
-        self._data.qvel[dof : dof + 6] = 0.0
-        mujoco.mj_kinematics(self._model, self._data)
+        put(self, part, Transform.from_pose(pose))
         self._attachments.wake(int(self._model.body(part).id))
 
     def probe(self) -> Probe:
         """A new probe, which measures each step from now on."""
-        probe = Probe.of(self._cell, self._data, self._attachments, self._groups)
+        probe = Probe(self._cell, self._data, self._attachments, self._groups)
         self._probes.append(probe)
         return probe
 
@@ -298,7 +294,7 @@ class SimulatedCell:
                 mujoco.mj_step(model, data)
             self._steps += 1
             if (watch := self._truth.watching) is not None:
-                watch.step(self.time)
+                watch.step()
             for probe in self._probes:
                 probe.step(self.time)
             if self._conveyor is not None:

@@ -55,16 +55,15 @@ def disturb(model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, random:
             continue
         if any(_is_in(bin, part) for bin in scattered):
             continue
-        address = int(model.joint(part.name).qposadr[0])
         for _ in range(MAX_DRAWS):
             along, across, turn = random.uniform(-1.0, 1.0, 3).tolist()
             length = math.hypot(along, across)
             if length > 1.0:
                 continue
             pose = _disturbed(cell, part, distance * along, distance * across, angle * turn)
-            data.qpos[address : address + 7] = (*pose.position, *quaternion(pose.rotation))
+            _write(model, data, part.name, pose)
             mujoco.mj_fwdPosition(model, data)
-            if not _overlaps(model, data, part.name):
+            if not _overlaps(model, data, part.name, MAX_OVERLAP):
                 break
 
 
@@ -106,7 +105,7 @@ def _throw_in(model: mujoco.MjModel, data: mujoco.MjData, name: str, poses: Iter
     for pose in poses:
         _write(model, data, name, pose)
         mujoco.mj_fwdPosition(model, data)
-        if not _touches(model, data, name):
+        if not _overlaps(model, data, name, 0.0):
             return True
     return False
 
@@ -114,14 +113,6 @@ def _throw_in(model: mujoco.MjModel, data: mujoco.MjData, name: str, poses: Iter
 def _write(model: mujoco.MjModel, data: mujoco.MjData, name: str, pose: Transform) -> None:
     address = int(model.joint(name).qposadr[0])
     data.qpos[address : address + 7] = (*pose.position, *quaternion(pose.rotation))
-
-
-def _touches(model: mujoco.MjModel, data: mujoco.MjData, name: str) -> bool:
-    tree = model.body_treeid[model.body(name).id]
-    contacts = data.contact[: data.ncon]
-    return any(
-        contact.dist < 0.0 and tree in model.body_treeid[model.geom_bodyid[contact.geom]] for contact in contacts
-    )
 
 
 def _disturbed(cell: CellSetup, part: PlacedPart, along: float, across: float, turn: float) -> Transform:
@@ -148,19 +139,19 @@ def _disturbed(cell: CellSetup, part: PlacedPart, along: float, across: float, t
     return Transform((rotation @ Transform(pose.rotation)).rotation, moved)
 
 
-def _overlaps(model: mujoco.MjModel, data: mujoco.MjData, name: str) -> bool:
+def _overlaps(model: mujoco.MjModel, data: mujoco.MjData, name: str, depth: float) -> bool:
+    """True if a part's shapes overlap others by more than `depth` metres."""
     tree = model.body_treeid[model.body(name).id]
     for contact in data.contact[: data.ncon]:
-        if contact.dist < -MAX_OVERLAP and tree in model.body_treeid[model.geom_bodyid[contact.geom]]:
+        if contact.dist < -depth and tree in model.body_treeid[model.geom_bodyid[contact.geom]]:
             return True
     return False
 
 
 def put(cell: SimulatedCell, name: str, pose: Transform) -> None:
     """Place a part in the world, at rest."""
-    joint = cell.model.joint(name)
-    position, dof = int(joint.qposadr[0]), int(joint.dofadr[0])
-    cell.data.qpos[position : position + 7] = (*pose.position, *quaternion(pose.rotation))
+    dof = int(cell.model.joint(name).dofadr[0])
+    _write(cell.model, cell.data, name, pose)
     cell.data.qvel[dof : dof + 6] = 0.0
     mujoco.mj_kinematics(cell.model, cell.data)
 

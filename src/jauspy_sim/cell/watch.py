@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Final
 
 import mujoco
@@ -32,8 +32,6 @@ class Watched:
     """Largest speed of a servo module as a fraction of its limit."""
     torque: float = 0.0
     """Largest torque of a servo module's spring as a fraction of its limit."""
-    at: dict[str, float] = field(default_factory=dict)
-    """Seconds at which each of the largest values was measured."""
 
 
 class Watch:
@@ -53,7 +51,7 @@ class Watch:
         self._obstacles = self._geoms(obstacles)
         self._between = np.zeros(6)
 
-    def step(self, time: float) -> None:
+    def step(self) -> None:
         """Measure the state after a step."""
         model, data, found = self._model, self._data, self.found
         centers, radii = data.geom_xpos, model.geom_rbound
@@ -64,7 +62,6 @@ class Watch:
                 distance = mujoco.mj_geomDistance(model, data, body, obstacle, found.clearance, self._between)
                 if distance < found.clearance:
                     found.clearance, found.between = distance, (self._name(body), self._name(obstacle))
-                    found.at["clearance"] = time
         watched, obstacles = set(self._bodies), set(self._obstacles)
         for contact in data.contact[: data.ncon]:
             pair = {int(geom) for geom in contact.geom}
@@ -73,13 +70,8 @@ class Watch:
                 found.contacts += bool(pair & obstacles) and contact.dist <= 0.0
         for servo in self._servos.values():
             if servo.powered:
-                self._largest("speed", abs(servo.velocity) / servo.setup.max_speed, time)
-                self._largest("torque", abs(servo.torque) / servo.setup.max_torque, time)
-
-    def _largest(self, name: str, value: float, time: float) -> None:
-        if value > getattr(self.found, name):
-            setattr(self.found, name, value)
-            self.found.at[name] = time
+                found.speed = max(found.speed, abs(servo.true_velocity) / servo.setup.max_speed)
+                found.torque = max(found.torque, abs(servo.true_torque) / servo.setup.max_torque)
 
     def _geoms(self, bodies: Sequence[str]) -> list[int]:
         model = self._model
