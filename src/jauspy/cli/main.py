@@ -105,7 +105,10 @@ CELL_VERBS: Final = {
         "jauspy.cli.cell.tasks:lift",
         "Take a box off the moving conveyor with the modular arm, and throw it into the marked area.",
     ),
-    "throws": ("jauspy.cli.cell.tasks:throws", "Throw a box ten times, each aim corrected by the misses before."),
+    "throws": (
+        "jauspy.cli.cell.tasks:throws",
+        "Throw a box ten times, each aim corrected by where the boxes before came to rest.",
+    ),
     "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
     "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
     "kpi": (
@@ -120,7 +123,10 @@ CELL_VERBS: Final = {
         "jauspy.cli.cell.trials:kitting",
         "Fill kitting orders with the UR10 alone and with an arm that it built, scored as in ARIAC 2018.",
     ),
-    "design": ("jauspy.cli.cell.design:design", "Choose modules of the cell for a task in CoBRA's format."),
+    "design": (
+        "jauspy.cli.cell.design:design",
+        "Choose modules for a task: the cheapest chain found that reaches all goals.",
+    ),
     "all": ("jauspy.cli.cell.all:all_tasks", "Run everything once; write films, plots and a page of results."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
 }

@@ -818,7 +818,8 @@ class ModularArm(Facade[_ModularArm]):
     ) -> ModularArmState:
         """Begin a motion as `begin` does, and wait until the joints have arrived; returns the state.
 
-        Raises `RequestError` when the robot refuses the motion, or has not ended it after `timeout` seconds: by default
+        Raises `RequestError` when the robot refuses the motion, when the arm was stopped or told to move elsewhere, or
+        when it has not ended the motion after `timeout` seconds: by default
         three times the duration, and at least 8 s.
         """
         return self._portal.run(self._async.move(positions, duration, timeout=timeout))
