@@ -41,7 +41,8 @@ def read_file(path: Path, limit: int = MAX_FILE) -> bytes:
     except OSError as error:
         raise ConfigError(f"{path}: cannot be read: {error.strerror}") from error
     if len(data) > limit:
-        raise ConfigError(f"{path}: has more than {limit >> 20} MiB")
+        most = f"{limit >> 20} MiB" if limit >= 1 << 20 else f"{limit} bytes"
+        raise ConfigError(f"{path}: has more than {most}")
     return data
 
 

@@ -13,7 +13,7 @@ pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", e
 pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 pytest.importorskip("matplotlib", reason="needs the extra `plot`")
 
-from jauspy.cell import accuracy_plot, iso9283, swing, tasks, trials
+from jauspy.cell import iso9283, swing, tasks, trials
 from jauspy.cell.measurements import Measured
 from jauspy.cli.main import app
 
@@ -60,7 +60,7 @@ def given(monkeypatch: pytest.MonkeyPatch) -> dict[str, bool]:
     monkeypatch.setattr(swing, "compare", compare)
     monkeypatch.setattr(swing, "plot_swing", lambda *_: None)
     monkeypatch.setattr(iso9283, "measure", measure)
-    monkeypatch.setattr(accuracy_plot, "plot_accuracy", lambda *_: None)
+    monkeypatch.setattr(iso9283, "plot_accuracy", lambda *_: None)
     monkeypatch.setattr(tasks, "run_one", run_one)
     monkeypatch.setattr(trials, "run_trials", run_trials)
     return succeeds

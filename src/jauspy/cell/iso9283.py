@@ -14,6 +14,7 @@ import math
 from collections.abc import Awaitable, Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from pathlib import Path as FilePath
 from typing import Final
 
 import numpy as np
@@ -21,9 +22,11 @@ import pinocchio as pin
 
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.calibration import ArmGeometry, Parameters
-from jauspy.cell.frames import Array, averaged, se3_of_pose
+from jauspy.cell.frames import Array, averaged, offset_between, se3_of_pose
 from jauspy.cell.measurements import Measured
+from jauspy.cell.modular_arm import smooth_duration
 from jauspy.cell.motion import Path
+from jauspy.cell.report import figure
 from jauspy.cell.session import UNDISTURBED, Session, simulated
 from jauspy.cell.swing import ARM, BASE, TIP
 from jauspy.errors import ConfigError
@@ -54,10 +57,10 @@ WATCH_PERIOD: Final = 0.004
 """Seconds between two measurements of a tool that comes to rest."""
 SETTLE: Final = 0.1
 """Seconds until a prepared arm is known to all."""
-SMOOTH: Final = 1.9
-"""Largest speed of a motion of given duration that begins and ends smoothly, as a multiple of its mean."""
 SAMPLES: Final = 40
 """Poses that calibration measures."""
+COLOURS: Final = ("#3b6ea5", "#b3423a", "#2f7d4f", "#8a5aa8", "#c58a1c")
+"""One for each pose, in plots."""
 
 MISASSEMBLED: Final[Mapping[str, Transform]] = {
     "bracket_1": Transform(rotation_about((1.0, 0.0, 0.0), math.radians(1.5)), (0.002, 0.0, 0.0)),
@@ -110,11 +113,6 @@ def accuracy(commanded: pin.SE3, attained: Sequence[pin.SE3]) -> Accuracy:
         float(np.max(np.abs(pin.log3(commanded.rotation.T @ mean.rotation)))),
         3.0 * float(np.max(deviations)),
     )
-
-
-def angle_between(a: pin.SE3, b: pin.SE3) -> float:
-    """The angle of the rotation between two poses, radians."""
-    return float(np.linalg.norm(pin.log3(a.rotation.T @ b.rotation)))
 
 
 def cube_points(center: Sequence[float], side: float) -> list[Array]:
@@ -298,7 +296,7 @@ class ModularArmTest:
 
         attained, arrivals = await Approaches(self._session, self._tracker, TIP, ARM_BAND).run(move, cycles)
         rows = tuple(accuracy(pose, found) for pose, found in zip(commanded, attained, strict=True))
-        turned = max(angle_between(goal, pose) for goal, pose in zip(self._goals, commanded, strict=True))
+        turned = max(offset_between(goal, pose)[1] for goal, pose in zip(self._goals, commanded, strict=True))
         return Run(name, rows, speed, tuple(arrivals), deviations(commanded, attained), turned)
 
     async def _duration(self, goal: Array, speed: float) -> float:
@@ -306,7 +304,7 @@ class ModularArmTest:
         if speed >= 1.0:
             return 0.0
         state = await self._session.cell.arm()
-        return SMOOTH * float(np.max(np.abs(goal - np.array(state.positions)) / (self._rated * speed)))
+        return smooth_duration(np.array(state.positions), goal, self._rated * speed)
 
     async def calibrate(self, samples: int = SAMPLES) -> Parameters:
         """Measure the tip in many postures about the start, and find the parameters."""
@@ -380,6 +378,26 @@ class Report:
         if not found.success:
             found.failure = f"calibration improves accuracy {self.improvement:.1f} times; at least 5 are wanted"
         return found
+
+
+def plot_accuracy(report: Report, path: FilePath) -> None:
+    """Plot the attained places of the UR10 and of the calibrated arm, less the commanded ones, from above and aside."""
+    views = ((0, 1, "x, mm", "y, mm"), (0, 2, "x, mm", "z, mm"))
+    runs = (report.ur10[0], report.calibrated[0])
+    with figure(path, columns=4, size=(14.0, 4.4)) as axes:
+        for column, axis in enumerate(axes):
+            run, (across, up, x_name, y_name) = runs[column // 2], views[column % 2]
+            most = 1.2e3 * max(float(np.max(np.abs(rows))) for rows in run.deviations)
+            for number, (rows, colour) in enumerate(zip(run.deviations, COLOURS, strict=True), 1):
+                places = 1e3 * rows
+                axis.scatter(places[:, across], places[:, up], s=10.0, color=colour, alpha=0.6, label=f"P{number}")
+                mean = places.mean(axis=0)
+                axis.plot(mean[across], mean[up], "+", color=colour, ms=11.0, mew=1.8)
+            axis.axhline(0.0, color="0.75", lw=0.8, zorder=0)
+            axis.axvline(0.0, color="0.75", lw=0.8, zorder=0)
+            axis.set(xlim=(-most, most), ylim=(-most, most), xlabel=x_name, ylabel=y_name, aspect="equal")
+            axis.set_title(run.name, fontsize=10)
+        axes[0].legend(loc="best", fontsize=8)
 
 
 async def measure(

@@ -36,6 +36,8 @@ FIVE_JOINTS: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "t
 """The parts of the arm with five joints, base to tip, when no part of another type had to be taken."""
 SHARE: Final = 0.6
 """Fraction of the joints' speed at which the arm moves between tasks."""
+PEAK: Final = 1.9
+"""Largest speed of a motion that begins and ends smoothly, as a multiple of its mean."""
 MIN_TIME: Final = 0.6
 """Seconds of the shortest motion."""
 POLL: Final = 0.02
@@ -151,7 +153,7 @@ class ArmOperator:
 
     def time(self, start: Array, goal: Array, share: float) -> float:
         """Seconds for a motion at this fraction of the joints' speed, with smooth ends."""
-        return max(MIN_TIME, 1.9 * float(np.max(np.abs(goal - start) / (self.chain.speeds * share))))
+        return max(MIN_TIME, smooth_duration(start, goal, self.chain.speeds * share))
 
     async def move(self, goal: Array, duration: float) -> None:
         """Move straight in joint space for `duration` seconds, unchecked, and wait until the arm is there."""
@@ -182,6 +184,11 @@ class ArmOperator:
             if state.attached_to or self.cell.now() > until:
                 return state.attached_to
             await self.cell.sleep(POLL)
+
+
+def smooth_duration(start: Array, goal: Array, speeds: Array) -> float:
+    """Seconds for a motion that begins and ends smoothly, whose joints stay below these speeds in rad/s."""
+    return PEAK * float(np.max(np.abs(goal - start) / speeds))
 
 
 MAX_ITERATIONS: Final = 60

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from operator import attrgetter
 from typing import Final
 
 import numpy as np
@@ -38,6 +39,7 @@ STARTS: Final = 60
 STEPS: Final = 120
 RESTARTS: Final = 8
 """Throws that are drawn at random, the most that are tried from the best of them on, and how often all that is done."""
+_DISTANCE: Final = attrgetter("distance")
 REFINED: Final = 20
 """Tries after the first valid throw."""
 BOUNDS: Final = np.array(
@@ -60,7 +62,7 @@ class Load:
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
+class SampledMotion:
     """Setpoints of a motion every `PERIOD`: rad, rad/s, rad/s^2; shape (samples, joints)."""
 
     q: Array
@@ -117,7 +119,7 @@ class ThrowPlan:
     """Largest load of a connection over its strength."""
 
 
-def motion(start: Array, goal: Array, limits: Limits, duration: float = 0.0) -> Motion:
+def motion(start: Array, goal: Array, limits: Limits, duration: float = 0.0) -> SampledMotion:
     """The setpoints that the arm's controller makes of a command; raises `MotionError` if that is too short."""
     rest = np.zeros_like(start)
     planned = PlannedMotion(Setpoint(start, rest, rest), goal.tolist(), limits, duration, SHAPING_TIME)
@@ -131,7 +133,14 @@ def motion(start: Array, goal: Array, limits: Limits, duration: float = 0.0) -> 
     sums = np.cumsum(table, axis=0)
     mean = (sums[window:] - sums[:-window]) / window
     count = len(start)
-    return Motion(mean[:, :count], mean[:, count : 2 * count], mean[:, 2 * count :], planned.duration + SHAPING_TIME)
+    return SampledMotion(
+        mean[:, :count], mean[:, count : 2 * count], mean[:, 2 * count :], planned.duration + SHAPING_TIME
+    )
+
+
+def fall_time(rise: float, drop: float) -> float:
+    """Seconds until what rises at `rise` m/s is `drop` metres below where it is."""
+    return (rise + math.sqrt(max(0.0, rise * rise + 2.0 * GRAVITY * drop))) / GRAVITY
 
 
 def flight_state(chain: Chain, load: Load, q: Array, v: Array) -> Flight:
@@ -147,20 +156,16 @@ def flight_state(chain: Chain, load: Load, q: Array, v: Array) -> Flight:
 def flight(chain: Chain, load: Load, q: Array, v: Array) -> Flight:
     """The flight of a box that the tip lets go in a state of the joints, until a corner touches the floor."""
     found = flight_state(chain, load, q, v)
-    box, velocity = found.start, found.velocity
     half = np.array(load.size) / 2.0
-    rise = float(velocity[2])
     # the lowest corner lies between a flat and an upright box: from the former on, steps of a millisecond
-    time = (rise + math.sqrt(max(0.0, rise * rise + 2.0 * GRAVITY * (box.translation[2] - np.linalg.norm(half))))) / (
-        GRAVITY
-    )
-    time = max(0.0, time)
+    drop = float(found.start.translation[2] - np.linalg.norm(half))
+    time = max(0.0, fall_time(float(found.velocity[2]), drop))
     while time < 3.0:
         pose = found.at(time)
         if pose.translation[2] - float(np.abs(pose.rotation[2]) @ half) <= 0.0:
             break
         time += 0.001
-    return Flight(box, velocity, found.spin, time)
+    return replace(found, time=time)
 
 
 def utilisation(wrench: pin.Force, strength: tuple[float, float, float]) -> float:
@@ -261,7 +266,7 @@ class ThrowPlanner:
         windup[0] = goal[0] = math.atan2(away[1], away[0])
         return self.aimed(windup, goal, aim)
 
-    def checked(self, windup: Array, goal: Array, moved: Motion, index: int, thrown: Flight) -> ThrowPlan:
+    def checked(self, windup: Array, goal: Array, moved: SampledMotion, index: int, thrown: Flight) -> ThrowPlan:
         """The plan of a motion with its release at sample `index`; raises `NoPath` if a limit or a margin is broken."""
         speeds = np.array([servo.max_speed for servo in self.servos])
         speed = float(np.max(np.abs(moved.v) / speeds))
@@ -277,7 +282,7 @@ class ThrowPlanner:
             raise _Violation(near, 1.0 + self.margin - clearance.distance)
         return ThrowPlan(windup, goal, moved.duration, (index + 1) * PERIOD, thrown, clearance, speed, torque, load)
 
-    def loads(self, moved: Motion, index: int) -> tuple[float, float]:
+    def loads(self, moved: SampledMotion, index: int) -> tuple[float, float]:
         """Largest torque of a servo over its limit, and load of a connection over its strength, in a motion."""
         torque = load = 0.0
         rotor = np.array([servo.rotor_inertia for servo in self.servos])
@@ -311,7 +316,7 @@ class ThrowPlanner:
             return _Trial(row, found.penalty, None, str(found))
         return _Trial(row, _cost(plan), plan, "")
 
-    def _release(self, moved: Motion, aim: Array) -> tuple[int, float]:
+    def _release(self, moved: SampledMotion, aim: Array) -> tuple[int, float]:
         """The sample with the longest flight towards `aim`, and the range from the arm's base, metres."""
         away = aim[:2] - self.chain.root[:2]
         forward = away / np.linalg.norm(away)
@@ -326,8 +331,7 @@ class ThrowPlanner:
     def _landing(self, q: Array, v: Array) -> Array:
         """Where the middle of the box comes down to half of its height, x and y in metres."""
         here = flight_state(self.chain, self.load, q, v)
-        rise, drop = float(here.velocity[2]), float(here.start.translation[2]) - self.load.size[2] / 2.0
-        time = (rise + math.sqrt(max(0.0, rise * rise + 2.0 * GRAVITY * drop))) / GRAVITY
+        time = fall_time(float(here.velocity[2]), float(here.start.translation[2]) - self.load.size[2] / 2.0)
         return np.array(here.start.translation[:2] + here.velocity[:2] * time)
 
     def _cup(self, q: Array, v: Array, a: Array) -> float:
@@ -342,21 +346,21 @@ class ThrowPlanner:
         box = self.load.frame.act(self._box)
         return utilisation(box * acceleration + velocity.cross(box * velocity), CUP)
 
-    def _clearance(self, moved: Motion, index: int, thrown: Flight) -> Clearance:
+    def _clearance(self, moved: SampledMotion, index: int, thrown: Flight) -> Clearance:
         best, held = CLEAR, self.scene.held
         try:
             for number in range(0, len(moved.q), 4):
                 if number > index:
                     self.scene.release()
                 here = self.scene.clearance(moved.q[number], enough=best.distance)
-                best = min(best, here, key=lambda each: each.distance)
+                best = min(best, here, key=_DISTANCE)
                 if best.distance < self.margin:
                     return best
         finally:
             self.scene.restore(held)
         # the end of the flight is the landing
         for time in np.arange(0.0, max(0.0, thrown.time - 0.06), 0.02).tolist():
-            best = min(best, self.scene.clearance_of(self._pieces, thrown.at(time)), key=lambda each: each.distance)
+            best = min(best, self.scene.clearance_of(self._pieces, thrown.at(time)), key=_DISTANCE)
         return best
 
 

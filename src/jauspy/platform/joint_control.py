@@ -26,7 +26,7 @@ _Law: TypeAlias = Callable[[float, float, float, float], float]
 """The effort of a joint by its position, velocity, the seconds until the next call, and the effort for gravity."""
 
 
-class Setpoint(NamedTuple):
+class JointSetpoint(NamedTuple):
     """The setpoint of a joint at one moment."""
 
     mode: ControlMode
@@ -64,12 +64,12 @@ class JointController:
         return self._setpoint.velocity
 
     @property
-    def setpoint(self) -> Setpoint:
+    def setpoint(self) -> JointSetpoint:
         """The present setpoint."""
         setpoint = self._setpoint
         mode = setpoint.target.mode
         moving = ControlMode.EFFORT if self._braking > 0.0 else mode
-        return Setpoint(moving, setpoint.position, setpoint.velocity, setpoint.arrived)
+        return JointSetpoint(moving, setpoint.position, setpoint.velocity, setpoint.arrived)
 
     @property
     def is_braking(self) -> bool:

@@ -22,7 +22,7 @@ from jauspy.platform.modular.cell import (
 from jauspy.platform.modular.parts import CellSetup, ConveyorSetup, PartKind, PartSensorSetup
 from jauspy_sim.assembly import TIMESTEP, view
 from jauspy_sim.cell.connectors import to_transform
-from jauspy_sim.cell.part_cameras import PartCameras, Target
+from jauspy_sim.cell.part_cameras import PartCameras, SoughtPart
 
 BELT_ACCELERATION: Final = 1.0
 """m/s^2 of the conveyor's drive."""
@@ -77,7 +77,7 @@ class SimulatedPartSensor(PartSensor):
         self._setup = setup
         self._cameras = PartCameras(model, data, setup.cameras) if setup.cameras else None
         self._parts = [(part.name, part.type, int(model.body(part.name).id)) for part in cell.parts if not part.fixed]
-        self._targets: dict[str, Target] = {}
+        self._targets: dict[str, SoughtPart] = {}
         if self._cameras is not None:
             self._targets = {name: self._cameras.target(name, cell.types[kind]) for name, kind, _ in self._parts}
         self._random = np.random.default_rng((setup.seed, cell.seed))

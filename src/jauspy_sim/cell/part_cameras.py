@@ -21,7 +21,7 @@ ENOUGH: Final = 0.25
 """Fraction of a part's points that must be seen: less does not suffice to fit the part's model."""
 
 
-class Target(NamedTuple):
+class SoughtPart(NamedTuple):
     """A part that cameras look for."""
 
     tree: int
@@ -49,15 +49,15 @@ class PartCameras:
         self._eyes = [(np.array(frame.position), np.array(frame.rotation)) for _, frame in self._cameras]
         self._hit = np.full(1, -1, np.int32)
 
-    def target(self, name: str, kind: PartType) -> Target:
+    def target(self, name: str, kind: PartType) -> SoughtPart:
         """What to look for."""
         body = int(self._model.body(name).id)
         points = [(body, _points(kind.solids))]
         if kind.servo is not None and kind.servo.output:
             points.append((int(self._model.body(f"{name}.output").id), _points(kind.servo.output)))
-        return Target(int(self._model.body_treeid[body]), tuple(points))
+        return SoughtPart(int(self._model.body_treeid[body]), tuple(points))
 
-    def sight(self, target: Target) -> Sight | None:
+    def sight(self, target: SoughtPart) -> Sight | None:
         """The view of a part; None if no camera sees enough of it."""
         data = self._data
         points = np.concatenate(

@@ -36,32 +36,25 @@ class Noise:
         return x, y, z
 
 
-class Encoders:
-    """The encoders on both sides of a spring: positions in counts, the rates of which are differences of counts."""
+class Encoder:
+    """An encoder: a position in counts, whose rate is the difference of counts."""
 
     def __init__(self, setup: ServoSensors, noise: Noise) -> None:
         self._setup = setup
         self._noise = noise
         self._part = TIMESTEP / (TIMESTEP + setup.velocity_time)
-        self.output = self.motor = 0.0
-        """Radians at the output."""
-        self.output_rate = self.motor_rate = 0.0
-        """rad/s at the output."""
+        self.position = self.rate = 0.0
+        """Radians and rad/s at the output of the module."""
 
-    def start(self, motor: float, output: float) -> None:
-        """Read after the power has come; the rates begin at zero."""
-        self.motor, self.output = self._read(motor), self._read(output)
-        self.motor_rate = self.output_rate = 0.0
+    def start(self, true: float) -> None:
+        """Read after the power has come; the rate begins at zero."""
+        self.position, self.rate = self._read(true), 0.0
 
-    def sample(self, motor: float, output: float) -> None:
-        """Read the true positions after another physics step."""
-        part = self._part
-        found = self._read(motor)
-        self.motor_rate += part * ((found - self.motor) / TIMESTEP - self.motor_rate)
-        self.motor = found
-        found = self._read(output)
-        self.output_rate += part * ((found - self.output) / TIMESTEP - self.output_rate)
-        self.output = found
+    def sample(self, true: float) -> None:
+        """Read the true position after another physics step."""
+        found = self._read(true)
+        self.rate += self._part * ((found - self.position) / TIMESTEP - self.rate)
+        self.position = found
 
     def _read(self, true: float) -> float:
         setup = self._setup
@@ -78,11 +71,7 @@ class Imu:
         self._noise = noise
         self._gyro_noise = setup.imu_noise(setup.gyro_density)
         self._accelerometer_noise = setup.imu_noise(setup.accelerometer_density)
-        self.gyro_bias: Vector = (
-            setup.gyro_bias * noise(),
-            setup.gyro_bias * noise(),
-            setup.gyro_bias * noise(),
-        )
+        self.gyro_bias: Vector = (setup.gyro_bias * noise(), setup.gyro_bias * noise(), setup.gyro_bias * noise())
         self.accelerometer_bias = noise.uniform(setup.accelerometer_bias)
 
     def angular_velocity(self, true: Sequence[float] | NDArray[np.float64]) -> Vector:

@@ -17,7 +17,7 @@ from jauspy.platform.joints import ControlMode, Gains, JointGains, Target
 from jauspy.platform.modular.parts import ServoData
 from jauspy.platform.modular.servo import ServoModule, ServoReading, ServoState
 from jauspy_sim.assembly import TIMESTEP, view
-from jauspy_sim.cell.servo_sensors import Encoders, Imu, Noise
+from jauspy_sim.cell.servo_sensors import Encoder, Imu, Noise
 
 UNLIMITED: Final = 1e9
 """Radians: servo modules turn without limits."""
@@ -60,7 +60,9 @@ class SimulatedServo(ServoModule):
         self._free, self._free_dof = int(free.qposadr[0]), int(free.dofadr[0])
         self.tree = int(model.body_treeid[model.body(name).id])
         self._loss = float(model.dof_damping[self._spring_dof].flat[0])
-        self._encoders = Encoders(setup.sensors, Noise(seed, f"{name} encoders"))
+        noise = Noise(seed, f"{name} encoders")
+        self._motor_encoder, self._output_encoder = Encoder(setup.sensors, noise), Encoder(setup.sensors, noise)
+        """One on each side of the spring."""
         self._imu = Imu(setup.sensors, Noise(seed, f"{name} imu"))
         self._start_encoders()
         limit = setup.max_torque
@@ -91,17 +93,17 @@ class SimulatedServo(ServoModule):
     @property
     def position(self) -> float:
         """Radians at the output, any number of turns, by the encoder there."""
-        return self._encoders.output
+        return self._output_encoder.position
 
     @property
     def velocity(self) -> float:
         """rad/s at the output, by the encoder there."""
-        return self._encoders.output_rate
+        return self._output_encoder.rate
 
     @property
     def torque(self) -> float:
         """Newton metres by the deflection of the spring, positive if it accelerates the output."""
-        return self.setup.stiffness * (self._encoders.motor - self._encoders.output)
+        return self.setup.stiffness * (self._motor_encoder.position - self._output_encoder.position)
 
     @property
     def true_position(self) -> float:
@@ -213,12 +215,12 @@ class SimulatedServo(ServoModule):
 
     def sample(self) -> None:
         """Read the encoders, once in each physics step."""
-        motor = self._qpos[self._motor]
-        self._encoders.sample(motor, motor + self._qpos[self._spring])
+        self._motor_encoder.sample(self._qpos[self._motor])
+        self._output_encoder.sample(self.true_position)
 
     def control(self) -> None:
         """Set the torque of the motor for the next physics step."""
-        velocity = self._encoders.motor_rate
+        velocity = self._motor_encoder.rate
         if (torque := self._torque) is None:
             controller, forward = self._controller, self._feed_forward
             torque = controller.effort(self.position, velocity, TIMESTEP, forward)
@@ -251,8 +253,8 @@ class SimulatedServo(ServoModule):
         return self._command / self.setup.torque_constant
 
     def _start_encoders(self) -> None:
-        motor = self._qpos[self._motor]
-        self._encoders.start(motor, motor + self._qpos[self._spring])
+        self._motor_encoder.start(self._qpos[self._motor])
+        self._output_encoder.start(self.true_position)
 
     def _restart(self) -> None:
         """Hold the present position."""

@@ -98,7 +98,7 @@ class Truth:
         own = set(parts)
         bodies = [name for name in names if name.partition(".")[0] in own]
         setup = self._cell.setup
-        fixed = {"conveyor", "belt", *(equipment.name for equipment in (*setup.bins, *setup.fixtures))}
+        fixed = {"conveyor", "belt", *(bin.name for bin in setup.bins), *(fixture.name for fixture in setup.fixtures)}
         obstacles = [name for name in names if name.startswith(self._cell.prefix) or name in fixed]
         servos = {name: servo for name, servo in self._servos.items() if name in own}
         self.watching = Watch(model, self._data, bodies, obstacles, servos)

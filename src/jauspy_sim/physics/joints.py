@@ -11,7 +11,7 @@ import numpy as np
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint, RobotDescription
 from jauspy.platform.description import GroupSetup
-from jauspy.platform.joint_control import FedForwardController, JointController, Setpoint
+from jauspy.platform.joint_control import FedForwardController, JointController, JointSetpoint
 from jauspy.platform.joints import JointState, Target
 from jauspy_sim.assembly import TIMESTEP, view
 from jauspy_sim.physics.dynamics import Dynamics
@@ -101,7 +101,7 @@ class SimulatedJoints:
             self._overloads(),
         )
 
-    def setpoints(self) -> tuple[Setpoint, ...]:
+    def setpoints(self) -> tuple[JointSetpoint, ...]:
         """The setpoints of the controllers, base to tip."""
         return tuple([controller.setpoint for controller in self._controllers])
 

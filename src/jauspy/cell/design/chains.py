@@ -7,11 +7,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.cell.design.tasks import Obstacle
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY, Vector, Z, add, cross, difference, dot, rotation_about, scaled
 from jauspy.platform.modular.parts import PartType, ServoData, body_inertia, output_inertia
-
-from .tasks import Obstacle
 
 RADIUS: Final = 0.045
 """Metres around the middle line: half the diagonal of the largest housing, 68 mm x 56 mm."""
@@ -29,7 +28,7 @@ class Element:
 
 
 @dataclass(frozen=True, slots=True)
-class Posture:
+class ChainPosture:
     """A chain with its joints at some positions, in the world."""
 
     tip: Transform
@@ -98,7 +97,7 @@ def posture(
     types: Mapping[str, PartType],
     positions: Sequence[float],
     load: float = 0.0,
-) -> Posture:
+) -> ChainPosture:
     """The chain on a connector at `mount`; `load` is a mass in the middle of the tip's connector."""
     frame, joint = mount, 0
     axes: list[tuple[Vector, Vector]] = []
@@ -126,7 +125,7 @@ def posture(
     connectors.append((frame.position, len(masses)))
     if load:
         masses.append((frame.position, load, joint))
-    return Posture(frame, tuple(axes), tuple(masses), tuple(connectors), tuple(points))
+    return ChainPosture(frame, tuple(axes), tuple(masses), tuple(connectors), tuple(points))
 
 
 def _line(start: Vector, end: Vector, part: int) -> list[tuple[Vector, int]]:

@@ -16,13 +16,12 @@ from typing import Any, Final
 
 import numpy as np
 
+from jauspy.cell.design.chains import ChainPosture, Element, mass_of, posture, servos
+from jauspy.cell.design.tasks import DesignTask, Goal
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.vectors import GRAVITY
+from jauspy.geometry.vectors import GRAVITY, Z, rotation_about
 from jauspy.platform.modular.parts import CellSetup, ConnectorLimits, PartKind, PartType
-
-from .chains import Element, Posture, mass_of, posture, servos
-from .tasks import DesignTask, Goal
 
 SAFETY: Final = 1.5
 """Divides the strength of connectors, and of servo modules: the rest is for accelerations, as elsewhere in planning."""
@@ -194,9 +193,8 @@ class Search:
                     continue
                 line = [tuple(before + (q - before) * step / LINE_STEPS) for step in range(1, LINE_STEPS + 1)]
                 margins = [self._margins(elements, row) for row in line]
-                torque, moment, clearance = (
-                    max(row[0] for row in margins), max(row[1] for row in margins), min(row[2] for row in margins),
-                )  # fmt: skip
+                torques, moments, clearances = zip(*margins, strict=True)
+                torque, moment, clearance = max(torques), max(moments), min(clearances)
                 if torque > 1.0 / SAFETY:
                     reason = "torque of a module"
                 elif moment > 1.0 / SAFETY:
@@ -217,16 +215,16 @@ class Search:
         return Design(elements, tuple(rows), costs, cost, *worst)
 
     def _margins(self, elements: Sequence[Element], positions: Sequence[float]) -> tuple[float, float, float]:
-        at = posture(self.mount, elements, self._types, positions, self._load)
-        return (*utilisation(at, elements, self._types, self._limits), at.clearance(self._task.obstacles))
+        found = posture(self.mount, elements, self._types, positions, self._load)
+        return (*utilisation(found, elements, self._types, self._limits), found.clearance(self._task.obstacles))
 
 
 def utilisation(
-    at: Posture, elements: Sequence[Element], types: Mapping[str, PartType], limits: ConnectorLimits
+    chain: ChainPosture, elements: Sequence[Element], types: Mapping[str, PartType], limits: ConnectorLimits
 ) -> tuple[float, float]:
     """Largest torque and largest connector load at rest, as fractions of the limits."""
-    torque = max(abs(t) / servo.max_torque for t, servo in zip(at.torques(), servos(elements, types), strict=True))
-    return torque, max(max(f / limits.max_force, m / limits.max_moment) for f, m in at.loads())
+    torque = max(abs(t) / servo.max_torque for t, servo in zip(chain.torques(), servos(elements, types), strict=True))
+    return torque, max(max(f / limits.max_force, m / limits.max_moment) for f, m in chain.loads())
 
 
 def mount_of(cell: CellSetup, connector: str) -> Transform:
@@ -265,13 +263,13 @@ def check(
     for goal, row in zip(task.goals, positions, strict=True):
         if len(row) != len(servos(elements, cell.types)) or not all(map(math.isfinite, row)):
             return [f"goal {goal.name}: its positions do not match the joints"]
-        at = posture(mount_of(cell, base), elements, cell.types, row, load)
-        torque, moment = utilisation(at, elements, cell.types, cell.limits)
-        if not goal.met(at.tip):
+        chain = posture(mount_of(cell, base), elements, cell.types, row, load)
+        torque, moment = utilisation(chain, elements, cell.types, cell.limits)
+        if not goal.met(chain.tip):
             wrong.append(f"goal {goal.name}: missed")
         if max(torque, moment) > 1.0 / SAFETY:
             wrong.append(f"goal {goal.name}: torque {torque:.2f}, connector {moment:.2f} of the limits")
-        if at.clearance(task.obstacles) <= 0.0:
+        if chain.clearance(task.obstacles) <= 0.0:
             wrong.append(f"goal {goal.name}: collision")
     return wrong
 
@@ -286,7 +284,7 @@ class _Kinematics:
         frame = mount
         for element in elements:
             part = types[element.type]
-            frame = frame @ _turned(element.turn)
+            frame = frame @ Transform(rotation_about(Z, element.turn))
             if part.servo is not None:
                 self._fixed.append(_matrix(frame @ part.servo.joint))
                 self._axes.append(np.array(part.servo.axis))
@@ -327,10 +325,6 @@ class _Kinematics:
         tip = frame @ self._tip
         columns = [[*np.cross(axis, tip[:3, 3] - origin), *(ORIENTATION_LENGTH * axis)] for origin, axis in joints]
         return tip, np.array(columns).T
-
-
-def _turned(angle: float) -> Transform:
-    return _transform(_rotation(np.array([0.0, 0.0, 1.0]), angle))
 
 
 def _rotation(axis: Any, angle: float) -> Any:

@@ -16,7 +16,8 @@ from typing import Any, Final
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.vectors import dot
+from jauspy.geometry.vectors import cross, dot
+from jauspy.user_files import read_file
 
 MAX_SIZE: Final = 1_000_000
 """Bytes of a task's file."""
@@ -69,14 +70,11 @@ def projections(error: Transform) -> dict[str, float]:
 
 def load_task(path: Path) -> DesignTask:
     """Read a task. Raises `ConfigError` with the key of what is not permitted."""
+    data = read_file(path, MAX_SIZE)
     try:
-        if path.stat().st_size > MAX_SIZE:
-            raise ConfigError(f"{path}: larger than {MAX_SIZE} bytes")
-        document = json.loads(path.read_text())
-    except (OSError, ValueError, RecursionError) as error:
+        return parse_task(json.loads(data))
+    except (ValueError, RecursionError) as error:
         raise ConfigError(f"{path}: cannot be read: {error}") from error
-    try:
-        return parse_task(document)
     except ConfigError as error:
         raise ConfigError(f"{path}: {error}") from error
 
@@ -128,10 +126,7 @@ def _pose(value: object, key: str) -> Transform:
     skew = max(
         abs(dot(a, a) - 1), abs(dot(b, b) - 1), abs(dot(c, c) - 1), abs(dot(a, b)), abs(dot(b, c)), abs(dot(a, c))
     )
-    handed = (
-        a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
-    )
-    if skew > _ORTHOGONAL or handed < 0.0 or rows[3] != [0.0, 0.0, 0.0, 1.0]:
+    if skew > _ORTHOGONAL or dot(a, cross(b, c)) < 0.0 or rows[3] != [0.0, 0.0, 0.0, 1.0]:
         raise ConfigError(f"{key}.nominal: is not a homogeneous transform")
     return Transform((a, b, c), (rows[0][3], rows[1][3], rows[2][3]))
 

@@ -54,8 +54,7 @@ def iso9283(
     """
     check_extra()
     check_libraries("`jauspy cell iso9283`", "scipy", extra="cell-measurements")
-    from jauspy.cell.accuracy_plot import plot_accuracy
-    from jauspy.cell.iso9283 import measure
+    from jauspy.cell.iso9283 import measure, plot_accuracy
 
     async def measured() -> Measured:
         report = await measure(seed, cycles, samples, console.note)
