@@ -44,9 +44,12 @@ class PartCameras:
     """The cameras of a part sensor."""
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, setups: Sequence[PartCamera]) -> None:
-        self._model, self._data = model, data
-        self._cameras = [(setup, Transform.from_pose(setup.pose)) for setup in setups]
-        self._eyes = [(np.array(frame.position), np.array(frame.rotation)) for _, frame in self._cameras]
+        self._model, self._data, self._setups = model, data, setups
+        self._frames = [Transform.from_pose(setup.pose) for setup in setups]
+        self._eyes = np.array([frame.position for frame in self._frames])[:, np.newaxis]
+        self._rotations = np.array([frame.rotation for frame in self._frames])
+        self._tangents = np.array([np.array(setup.size) / (2.0 * setup.focal) for setup in setups])[:, np.newaxis]
+        """Tangents of half the angles of view, horizontal and vertical."""
         self._hit = np.full(1, -1, np.int32)
 
     def target(self, name: str, kind: PartType) -> SoughtPart:
@@ -63,23 +66,24 @@ class PartCameras:
         points = np.concatenate(
             [data.xpos[body] + local @ data.xmat[body].reshape(3, 3).T for body, local in target.points]
         )
-        middle = points.mean(axis=0)
-        found = []
-        for (setup, frame), (eye, rotation) in zip(self._cameras, self._eyes, strict=True):
-            found.append((float((middle - eye) @ rotation[:, 0]), setup, frame, eye, rotation))
-        for distance, setup, frame, eye, rotation in sorted(found, key=lambda row: row[0]):
-            if 0.0 < distance <= setup.reach and self._sees(target.tree, setup, eye, rotation, points):
-                return Sight(setup, frame, distance)
+        local = (points - self._eyes) @ self._rotations
+        depths = local[:, :, 0]
+        distances = depths.mean(axis=1)
+        across = np.abs(local[:, :, 1:]) <= depths[:, :, np.newaxis] * self._tangents
+        inside = across.all(axis=2) & (depths > 0.0)
+        needed = ENOUGH * len(points)
+        for number in np.argsort(distances).tolist():
+            setup, distance = self._setups[number], float(distances[number])
+            if 0.0 < distance <= setup.reach:
+                eye = self._eyes[number, 0]
+                if self._sees(target.tree, eye, points[inside[number]], needed):
+                    return Sight(setup, self._frames[number], distance)
         return None
 
-    def _sees(self, tree: int, setup: PartCamera, eye: Array, rotation: Array, points: Array) -> bool:
-        local = (points - eye) @ rotation
-        depth = np.maximum(local[:, 0], 1e-9)
-        across = np.abs(local[:, 1:]) * (2.0 * setup.focal) <= depth[:, None] * np.array(setup.size)
-        inside = np.flatnonzero(across.all(axis=1) & (local[:, 0] > 0.0))
-        needed = ENOUGH * len(points)
+    def _sees(self, tree: int, eye: Array, points: Array, needed: float) -> bool:
+        """True if rays from a camera end on a part at so many of these points."""
         seen = 0
-        for left, point in zip(range(len(inside), 0, -1), points[inside], strict=True):
+        for left, point in zip(range(len(points), 0, -1), points, strict=True):
             if seen + left < needed:
                 return False
             mujoco.mj_ray(self._model, self._data, eye, point - eye, None, 1, -1, self._hit)

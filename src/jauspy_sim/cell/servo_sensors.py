@@ -40,8 +40,7 @@ class Encoder:
     """An encoder: a position in counts, whose rate is the difference of counts."""
 
     def __init__(self, setup: ServoSensors, noise: Noise) -> None:
-        self._setup = setup
-        self._noise = noise
+        self._step, self._deviation, self._noise = setup.encoder_step, setup.encoder_noise, noise
         self._part = TIMESTEP / (TIMESTEP + setup.velocity_time)
         self.position = self.rate = 0.0
         """Radians and rad/s at the output of the module."""
@@ -57,10 +56,9 @@ class Encoder:
         self.position = found
 
     def _read(self, true: float) -> float:
-        setup = self._setup
-        if setup.encoder_noise:
-            true += setup.encoder_noise * self._noise()
-        step = setup.encoder_step
+        if self._deviation:
+            true += self._deviation * self._noise()
+        step = self._step
         return step * round(true / step) if step else true
 
 
