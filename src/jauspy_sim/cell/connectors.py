@@ -190,7 +190,10 @@ class Attachments:
         """Break off what the last physics step overloaded; to be called after each."""
         for connection, load in self.loads.overloaded():
             assert isinstance(connection, SimulatedConnector)
-            self._break_off(connection, load)
+            if connection.state().attached_to:
+                self._break_off(connection, load)
+            else:
+                self._slip(connection)
 
     def control(self, dt: float) -> None:
         """Attach parts in contact, and release those of disabled connectors; `dt` seconds after the last time."""
@@ -209,8 +212,8 @@ class Attachments:
                     self._release(connector)
             elif connector.enabled:
                 seeking.append(connector)
-            elif connector.failing:
-                connector.failing = False
+            else:
+                connector.failing, connector.vacuum = False, 0.0
         if changed:
             self.loads.weigh()
         self._cycles += 1
@@ -274,6 +277,7 @@ class Attachments:
             if distance < best:
                 best = distance
                 error, reason = self._misaligned(face.part, distance, angle)
+        connector.vacuum = 0.0
         if not connector.failing and reason != connector.state().last_error:
             connector.change(error=error, last_error=reason)
 
@@ -320,9 +324,9 @@ class Attachments:
         return False
 
     def _touch(self, connector: SimulatedConnector, face: Face, leak: float) -> None:
-        """Hold a face in contact with the vacuum of the first moment."""
+        """Hold a face in contact with the vacuum there is."""
         connector.held, connector.leak = face, leak
-        connector.vacuum = connector.cup.evacuated(0.0, leak, self._dt)
+        connector.vacuum = connector.cup.evacuated(connector.vacuum, leak, self._dt)
         self._hold(connector, face, self.relative(connector.body, face.body))
         connector.change(error=ConnectorError.NONE, last_error=f"evacuating the cup on {face.part}")
 
@@ -425,6 +429,12 @@ class Attachments:
         rows = zip(loads.connections, forces, moments, loads.utilisations(mean).tolist(), strict=True)
         for connector, force, moment, utilisation in rows:
             connector.load = force, moment, utilisation  # type: ignore[attr-defined]  # those of this class
+
+    def _slip(self, connector: SimulatedConnector) -> None:
+        """Let plates slide on each other while the vacuum is low; in contact they go on being evacuated."""
+        vacuum = connector.vacuum
+        self._release(connector)
+        connector.vacuum = vacuum
 
     def _break_off(self, connector: SimulatedConnector, load: Load) -> None:
         held = connector.held

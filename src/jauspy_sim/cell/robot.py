@@ -332,6 +332,8 @@ class SimulatedCell:
             self._attachments.control(CONTROL_EVERY * TIMESTEP)
             if self._attachments.revision != self._revision:
                 self._follow_attachments()
+            if self._car is not None:
+                self._car.control(CONTROL_EVERY * TIMESTEP)
             if self._arm is not None:
                 self._arm.control(self.time, CONTROL_EVERY * TIMESTEP)
         for group in self._groups.values():
