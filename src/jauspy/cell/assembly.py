@@ -336,10 +336,10 @@ class Assembler:
         backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
         heavy = plan.part in self.handling.composites
         state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if heavy else TOUCH_SPEED)
-        if state.attached_to != plan.part:
+        if state.attached_to != plan.part or (self.layout.locks(GRIPPER, plan.part) and not state.latched):
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)
-            return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}"
+            return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}, or has not locked it"
         self._hold(plan.part, state)
         await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True, gentle=heavy)
         await self.cell.sleep(0.15)
@@ -359,11 +359,16 @@ class Assembler:
     def _hold(self, part: str, state: ConnectorState) -> None:
         grasp = se3(state.offset).inverse()
         self.held = Held(part, grasp)
+        self.planner.payload = self.handling.payload(part, grasp)
         self.scene.hold(part, self.handling.pieces(part), grasp.inverse())
 
-    def _drop(self, part: str) -> None:
-        self.held = None
+    def forget_held(self) -> None:
+        """Plan without what the gripper has held."""
+        self.held = self.planner.payload = None
         self.scene.release()
+
+    def _drop(self, part: str) -> None:
+        self.forget_held()
         self.used.discard(part)
 
     async def _put_back(self, plan: PickPlan) -> None:
@@ -437,8 +442,7 @@ class Assembler:
     async def _let_go(self, part: str, row: PartResult, tip: Tip, slot: Slot, state: ConnectorState) -> None:
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.1)
-        self.held = None
-        self.scene.release()
+        self.forget_held()
         offset = se3(state.offset)
         frame = tip.frame * offset
         self.used.add(part)

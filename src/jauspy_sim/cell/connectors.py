@@ -85,8 +85,8 @@ class SimulatedConnector(VacuumConnector):
         """Frame of the connector in its body."""
         self.weld = weld
         self.held: Face | None = None
-        self.failing = False
-        """True while a simulated failure lasts: until the connector is disabled."""
+        self.failing: bool | None = None
+        """Whether a simulated failure lasts, drawn at the first contact after it was enabled; None before that."""
         self.load = (0.0, 0.0, 0.0)
         """Newtons, newton metres, and the fraction of its strength that is used."""
         self.leak = 0.0
@@ -213,7 +213,7 @@ class Attachments:
             elif connector.enabled:
                 seeking.append(connector)
             else:
-                connector.failing, connector.vacuum = False, 0.0
+                connector.failing, connector.vacuum = None, 0.0
         if changed:
             self.loads.weigh()
         self._cycles += 1
@@ -305,8 +305,8 @@ class Attachments:
         """Draw at random whether an attempt of the gripper fails, once for each time it is enabled."""
         if connector.name != GRIPPER or self._setup.attach_failure <= 0.0:
             return False
-        if connector.failing:
-            return True
+        if connector.failing is not None:
+            return connector.failing
         connector.failing = bool(self._random.random() < self._setup.attach_failure)
         if connector.failing:
             leak = f"no vacuum on {face.part}: the plate leaks"
@@ -480,11 +480,13 @@ def _make(cell: CellModel) -> dict[str, SimulatedConnector]:
             frames[f"{part.name}/{name}"] = part.name, carrier(part.name, kind), frame
     limits = setup.limits
     found = {}
-    for name, (part, body, frame) in frames.items():
-        cup = limits.cup if part else limits.gripper
-        latch = limits.latch if part and setup.type_of(part).latch else None
+    for name, (owner, body, frame) in frames.items():
+        cup = limits.cup if owner else limits.gripper
+        has_latch = setup.type_of(owner).latch if owner else setup.gripper_latch
         weld = int(model.equality(name).id)
-        found[name] = SimulatedConnector(name, part, int(model.body(body).id), frame, weld, cup=cup, latch=latch)
+        found[name] = SimulatedConnector(
+            name, owner, int(model.body(body).id), frame, weld, cup=cup, latch=limits.latch if has_latch else None
+        )
     return found
 
 
