@@ -40,6 +40,9 @@ NEAR: Final = 0.03
 MEASURE_EVERY: Final = 2
 """Control cycles from one measurement of forces to the next: 8 ms."""
 
+UTILISATION_EVERY: Final = 8
+"""Control cycles from one measurement of the fractions of strengths to the next: 32 ms."""
+
 AVERAGED: Final = 2
 """Measurements over which reported force and moment are averaged: 16 ms. Overloads are those of single steps."""
 
@@ -171,7 +174,8 @@ class Attachments:
         self.revision = 0
         self.connectors = _make(cell)
         self.loads = ConnectorLoads(cell.model, data)
-        self._mean = np.zeros((0, 6))
+        self._mean = np.zeros((0, 2))
+        self._used: list[float] = []
         self._faces = list(_faces(cell))
         self._face_bodies = np.array([face.body for face in self._faces], np.int64)
         self._face_positions = np.array([face.frame.position for face in self._faces])
@@ -409,7 +413,8 @@ class Attachments:
     def _changed(self) -> None:
         self.revision += 1
         self.loads.follow((connector, face.body) for connector, face in self.attached())
-        self._mean = np.zeros((len(self.loads.connections), 6))
+        self._mean = np.zeros((len(self.loads.connections), 2))
+        self._used = [0.0] * len(self._mean)
         held = [
             (min(connector.body, face.body) << 16) + max(connector.body, face.body)
             for connector, face in self.attached()
@@ -424,11 +429,11 @@ class Attachments:
     def _measure(self) -> None:
         """Take the loads that connectors report from the constraints of the last step."""
         loads, mean = self.loads, self._mean
-        mean += (loads.wrenches() - mean) / AVERAGED
-        forces, moments = np.linalg.norm(mean.reshape(-1, 2, 3), axis=2).T.tolist()
-        rows = zip(loads.connections, forces, moments, loads.utilisations(mean).tolist(), strict=True)
-        for connector, force, moment, utilisation in rows:
-            connector.load = force, moment, utilisation  # type: ignore[attr-defined]  # those of this class
+        mean += (loads.magnitudes() - mean) / AVERAGED
+        if not self._cycles % UTILISATION_EVERY:
+            self._used = loads.utilisations(loads.wrenches()).tolist()
+        for connector, (force, moment), used in zip(loads.connections, mean.tolist(), self._used, strict=True):
+            connector.load = force, moment, used  # type: ignore[attr-defined]  # those of this class
 
     def _slip(self, connector: SimulatedConnector) -> None:
         """Let plates slide on each other while the vacuum is low; in contact they go on being evacuated."""
