@@ -42,24 +42,24 @@ class Encoder:
     def __init__(self, setup: ServoSensors, noise: Noise) -> None:
         self._step, self._deviation, self._noise = setup.encoder_step, setup.encoder_noise, noise
         self._part = TIMESTEP / (TIMESTEP + setup.velocity_time)
+        self._per_step = 1.0 / TIMESTEP
         self.position = self.rate = 0.0
         """Radians and rad/s at the output of the module."""
 
     def start(self, true: float) -> None:
         """Read after the power has come; the rate begins at zero."""
-        self.position, self.rate = self._read(true), 0.0
+        self.position = self.rate = 0.0
+        self.sample(true)
+        self.rate = 0.0
 
     def sample(self, true: float) -> None:
         """Read the true position after another physics step."""
-        found = self._read(true)
-        self.rate += self._part * ((found - self.position) / TIMESTEP - self.rate)
-        self.position = found
-
-    def _read(self, true: float) -> float:
         if self._deviation:
             true += self._deviation * self._noise()
-        step = self._step
-        return step * round(true / step) if step else true
+        if step := self._step:
+            true = step * round(true / step)
+        self.rate += self._part * ((true - self.position) * self._per_step - self.rate)
+        self.position = true
 
 
 class Imu:

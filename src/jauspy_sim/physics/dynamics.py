@@ -30,9 +30,9 @@ class Dynamics:
         plain = replace(robot, description=without_visuals(robot.description))
         self._model = model = robot_spec(plain).compile()
         model.opt.gravity[:] = world.opt.gravity
-        self._data = mujoco.MjData(model)
-        self._world = data
-        self._from, self._to = _positions(world, model, prefix)
+        self._data = own = mujoco.MjData(model)
+        self._qpos, self._qvel, self._qacc, self._world_qpos = own.qpos, own.qvel, own.qacc, data.qpos
+        self._from, self._to = map(np.array, _positions(world, model, prefix))
         joints = [robot.description.joint(name) for name in group.joints]
         self._dofs = np.array([int(model.joint(joint.name).dofadr[0]) for joint in joints])
         followers = [
@@ -50,6 +50,7 @@ class Dynamics:
         self._armature = model.dof_armature[self._moved].copy()
         self._friction = model.dof_frictionloss[self._moved].copy()
         self._efforts = np.zeros(world.nv)
+        self._view = view(self._efforts)
         self._found = np.zeros(model.nv)
 
     def efforts(self, setpoints: Sequence[tuple[float, float]]) -> memoryview[float]:
@@ -58,17 +59,17 @@ class Dynamics:
         Without those against viscous damping, which the controllers of the joints add.
         """
         model, data, moved = self._model, self._data, self._moved
-        data.qpos[self._to] = self._world.qpos[self._from]
+        self._qpos[self._to] = self._world_qpos[self._from]
         rows = [*setpoints, *((m * setpoints[n][0], m * setpoints[n][1]) for _, n, m in self._followers)]
-        wanted = np.array(rows)
-        data.qvel[moved], data.qacc[moved] = wanted[:, 0], wanted[:, 1]
+        velocities, accelerations = np.array(rows).T
+        self._qvel[moved], self._qacc[moved] = velocities, accelerations
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_comVel(model, data)
         mujoco.mj_rne(model, data, 1, self._found)
-        friction = self._friction * np.tanh(2.0 * wanted[:, 0] / BREAKAWAY)
-        self._efforts[self._world_dofs] = self._found[moved] + self._armature * wanted[:, 1] + friction
-        return view(self._efforts)
+        friction = self._friction * np.tanh(2.0 / BREAKAWAY * velocities)
+        self._efforts[self._world_dofs] = self._found[moved] + self._armature * accelerations + friction
+        return self._view
 
 
 def dynamics_of(

@@ -44,11 +44,13 @@ class SimulatedJoints:
         self._dt = self.every * TIMESTEP
         _set_initial_positions(data, model, prefix, description, dict(zip(setup.joints, setup.start, strict=True)))
         self._dynamics = dynamics
-        controller = JointController if dynamics is None else FedForwardController
-        self._controllers = [
-            controller(joint, setup.gains[joint.name], start)
-            for joint, start in zip(self._joints, setup.start, strict=True)
+        starts = [
+            (joint, setup.gains[joint.name], start) for joint, start in zip(self._joints, setup.start, strict=True)
         ]
+        fed_forward = [FedForwardController(*row) for row in starts] if dynamics is not None else []
+        self._fed_forward = fed_forward
+        """Those of the controllers that `dynamics` feeds forward: all or none."""
+        self._controllers: Sequence[JointController] = fed_forward or [JointController(*row) for row in starts]
         self._brakes = [
             LoadBrake(model, data, joint, dof, self._dt) for joint, dof in zip(self._joints, self._dofs, strict=True)
         ]
@@ -117,7 +119,7 @@ class SimulatedJoints:
         qpos, qvel, bias, ctrl, dt = self._qpos, self._qvel, self._bias, self._ctrl, self._dt
         load = self._load
         if self._dynamics is not None:
-            bias = self._dynamics.efforts([controller.preview(dt) for controller in self._controllers])
+            bias = self._dynamics.efforts([controller.begin(dt) for controller in self._fed_forward])
         for controller, position, dof, motor, followers, brake in self._rows:
             needed = bias[dof] + load[dof]
             for multiplier, follower in followers:
