@@ -8,6 +8,7 @@ from typing import Final
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy_sim.assembly import robot_spec, view
@@ -32,9 +33,8 @@ class Dynamics:
         model.opt.gravity[:] = world.opt.gravity
         self._data = own = mujoco.MjData(model)
         self._qpos, self._qvel, self._qacc, self._world_qpos = own.qpos, own.qvel, own.qacc, data.qpos
-        self._from, self._to = map(np.array, _positions(world, model, prefix))
+        self._from, self._to = map(_block, _positions(world, model, prefix))
         joints = [robot.description.joint(name) for name in group.joints]
-        self._dofs = np.array([int(model.joint(joint.name).dofadr[0]) for joint in joints])
         followers = [
             (joint, joints.index(leader), joint.multiplier)
             for joint in robot.description.joints.values()
@@ -44,9 +44,10 @@ class Dynamics:
         self._followers = [
             (int(model.joint(joint.name).dofadr[0]), number, multiplier) for joint, number, multiplier in followers
         ]
-        moved = [*self._dofs.tolist(), *(dof for dof, _, _ in self._followers)]
-        self._world_dofs = np.array([int(world.joint(f"{prefix}{_name(model, dof)}").dofadr[0]) for dof in moved])
-        self._moved = np.array(moved)
+        leaders = [int(model.joint(joint.name).dofadr[0]) for joint in joints]
+        moved = [*leaders, *(dof for dof, _, _ in self._followers)]
+        self._world_dofs = _block([int(world.joint(f"{prefix}{_name(model, dof)}").dofadr[0]) for dof in moved])
+        self._moved = _block(moved)
         self._armature = model.dof_armature[self._moved].copy()
         self._friction = model.dof_frictionloss[self._moved].copy()
         self._efforts = np.zeros(world.nv)
@@ -77,6 +78,13 @@ def dynamics_of(
 ) -> Dynamics | None:
     """The dynamics for a group of joints with feed-forward; None for one without."""
     return Dynamics(world, data, prefix, robot, group) if group.feed_forward else None
+
+
+def _block(indices: list[int]) -> slice | NDArray[np.int64]:
+    """The indices as a slice if they are contiguous, which is several times as fast."""
+    if indices == list(range(indices[0], indices[0] + len(indices))):
+        return slice(indices[0], indices[0] + len(indices))
+    return np.array(indices)
 
 
 def _name(model: mujoco.MjModel, dof: int) -> str:
