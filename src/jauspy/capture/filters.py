@@ -185,7 +185,7 @@ class _Compiler(Transformer[Token, Predicate]):
         path = tuple(name.lower().split("."))
         if not any(path[-1] == field for field in _field_names(self._registry)):
             raise _UnknownName(name.start_pos or 0, self._unknown(path[-1]))
-        return lambda part: _printed(part.content.message, path)
+        return lambda part: printed_values(part.content.message, path)
 
     def _unknown(self, name: str) -> str:
         close = get_close_matches(name, [*HEADER, *_field_names(self._registry)], 1)
@@ -247,8 +247,8 @@ def _id_pattern(token: Token) -> Callable[[object], bool]:
     return fits
 
 
-def _printed(message: Message | None, path: tuple[str, ...]) -> Iterator[object]:
-    """The values of a field as they are printed."""
+def printed_values(message: Message | None, path: tuple[str, ...]) -> Iterator[object]:
+    """The values of a field, which is found by the last names of its path, as they are printed."""
     if message is not None and next(_find(message, path, ()), None) is not None:  # rounding takes longer than a search
         yield from _find(rounded(message), path, ())
 

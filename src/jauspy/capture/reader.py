@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from io import BufferedReader
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import dpkt
 
@@ -74,7 +74,7 @@ class _CheckedFile:
     Both formats are read in pairs: a header, and the rest of its record.
     """
 
-    def __init__(self, file: BufferedReader) -> None:
+    def __init__(self, file: BufferedReader[Any]) -> None:
         self._file = file
         self._between = False
 
@@ -106,7 +106,7 @@ class CaptureReader:
         ConfigError: not a capture file, or a link type without IP in it; while iterating: damaged or cut off here.
     """
 
-    def __init__(self, file: BufferedReader, *, name: str, port: int | None = JAUS_PORT) -> None:
+    def __init__(self, file: BufferedReader[Any], *, name: str, port: int | None = JAUS_PORT) -> None:
         self._name = name
         self._port = port
         self._assembler = DatagramAssembler()

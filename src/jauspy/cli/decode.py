@@ -322,7 +322,7 @@ def as_json(item: Item) -> dict[str, Any]:
         messages = [_content_json(bare)] if bare else []
         errors = [bare.problem] if bare and bare.broken else []
     else:
-        messages = [_part_json(part) for part in dissection.parts]
+        messages = [part_json(part) for part in dissection.parts]
         errors = list(dissection.errors)
     shown = {
         "n": item.number,
@@ -339,7 +339,8 @@ def as_json(item: Item) -> dict[str, Any]:
     return shown
 
 
-def _part_json(part: Part) -> dict[str, Any]:
+def part_json(part: Part) -> dict[str, Any]:
+    """A message as a JSON object; all objects have the same keys."""
     packet = part.packet
     return {
         "source": _id_text(packet.source),
