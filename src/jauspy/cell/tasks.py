@@ -19,6 +19,7 @@ from jauspy.cell.kitting import Kitter, drawn_order, score
 from jauspy.cell.lift import Lifter
 from jauspy.cell.measurements import Measured
 from jauspy.cell.modular_arm import FIVE_JOINTS, ArmOperator
+from jauspy.cell.physics import Physics
 from jauspy.cell.session import Disturbances, Session, simulated
 from jauspy.cell.step import PARTS, Stepper
 from jauspy.errors import JausError
@@ -303,10 +304,13 @@ async def run_one(
     camera = FILMED_BY.get(task, "overview")
     async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:
         start = session.cell.now()
+        probe = session.judge.probe() if session.judge is not None else None
         try:
             found = await TASKS[task](session, seed)
         except JausError as error:
             found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
+        if probe is not None:
+            found.physics = Physics.of(probe)
     found.wall = time.perf_counter() - begun
     if session.film is not None:
         found.film_problem = session.film.problem
