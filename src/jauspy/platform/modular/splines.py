@@ -117,7 +117,7 @@ def _check_table(names: Sequence[str], moments: Array, found: Array, limits: Seq
     found = np.abs(found)
     over = found / np.array(limits)
     if over.size and over.max() > 1.0 + 1e-9:
-        moment, joint = np.unravel_index(int(np.argmax(over)), over.shape)
+        moment, joint = divmod(int(np.argmax(over)), over.shape[1])
         figure = text.format(f"{found[moment, joint]:.3g}")
         raise MotionError(f"{names[joint]} {figure} at {moments[moment]:.3g} s; its limit is {limits[joint]:.3g}")
 
