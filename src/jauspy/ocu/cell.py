@@ -38,7 +38,9 @@ from jauspy.services.cell.modular_arm import trajectory_command
 
 ALL_FIELDS: Final = 0xFFFFFFFF
 POLL_INTERVAL: Final = 0.05
-"""Seconds between two queries for the state of an arm that moves."""
+"""Seconds between two queries for the result of a motion that is about to end."""
+MOTION_INTERVAL: Final = 0.25
+"""Seconds between two of them before, and so the longest after which a motion that has ended early is known."""
 MAX_NUMBER: Final = 0xFFFF_FFFF
 """The largest number of a motion that fits the message."""
 SLACK: Final = (3.0, 5.0)
@@ -51,6 +53,10 @@ _ENDINGS: Final[Mapping[MotionResult, str]] = {
     MotionResult.BLOCKED: "the modular arm was blocked",
     MotionResult.FAILED: "the modular arm did not complete the motion",
 }
+
+
+class MotionRefused(RequestError):
+    """A motion that an arm has not begun; the message has the reason."""
 
 
 class ModularArm:
@@ -151,19 +157,22 @@ class ModularArm:
     async def _arrive(self, number: int, duration: float, timeout: float | None) -> ModularArmState:
         """Wait until a motion has ended; returns the state."""
         clock = asyncio.get_running_loop().time
-        end = clock() + (max(duration, 1.0) * SLACK[0] + SLACK[1] if timeout is None else timeout)
-        await asyncio.sleep(max(2.0 * POLL_INTERVAL, duration))
+        begun = clock()
+        end = begun + (max(duration, 1.0) * SLACK[0] + SLACK[1] if timeout is None else timeout)
+        wait = 2.0 * POLL_INTERVAL
         while True:
+            await asyncio.sleep(wait)
             result, reason = await self.result(number)
             if result is MotionResult.REACHED:
                 return await self.state()
             if result is not MotionResult.IN_PROGRESS:
-                raise RequestError(f"{_ENDINGS.get(result, 'the modular arm did not take the motion')}: {reason}")
+                kind = MotionRefused if result is MotionResult.REFUSED else RequestError
+                raise kind(f"{_ENDINGS.get(result, 'the modular arm did not take the motion')}: {reason}")
             if clock() > end:
                 state = await self.state()
                 off = max((abs(a - b) for a, b in zip(state.targets, state.positions, strict=True)), default=0.0)
                 raise RequestError(f"the modular arm still moves, {off:.3f} rad off its target")
-            await asyncio.sleep(POLL_INTERVAL)
+            wait = min(MOTION_INTERVAL, max(POLL_INTERVAL, begun + duration - clock()))
 
     async def stop(self) -> None:
         """Brake along the present path, and hold."""

@@ -109,12 +109,12 @@ async def why_it_failed(connection: Connection, id: JausID, command: Message) ->
         return reason
     try:
         if isinstance(command, MoveModularArm | SetModularArmTrajectory):
-            # the number of a trajectory; for other motions 0, which stands for the last one
-            record = command.modular_arm_trajectory_rec if isinstance(command, SetModularArmTrajectory) else None
-            report = await motion_result(connection, id, record.motion_number if record is not None else 0)
+            # a motion without a number is the last one, unless another one took its place
+            number = 0 if isinstance(command, MoveModularArm) else command.modular_arm_trajectory_rec.motion_number
+            report = await motion_result(connection, id, number)
             if report.reason:
                 return report.reason
-            if report.result == report.Result.IN_PROGRESS and record is None:
+            if report.result == report.Result.IN_PROGRESS:
                 return "another motion took its place"
     except ResponseTimeout:  # a component without this query
         pass
