@@ -22,7 +22,7 @@ from jauspy.ids import JausID
 from jauspy.messages.cell.v1_0 import ReportServoState
 from jauspy.ocu import OCU, Arm, ComponentClient, MotionLimits, Robot
 from jauspy.ocu.cell import PartObservation
-from jauspy.platform.modular.arm import ArmController, ModularArmState
+from jauspy.platform.modular.arm import ArmController, ModularArmState, TrajectoryPoint
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.robot.config import RobotConfig
 
@@ -291,6 +291,10 @@ class CellClient:
     async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
         await (await self._control(self._module("CM-ARM"))).modular_arm.move(positions, duration)
+
+    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
+        """Move joints of the modular arm through points, and wait; raises `RequestError` as `move_arm` does."""
+        await (await self._control(self._module("CM-ARM"))).modular_arm.follow(joints, points)
 
     async def choose_controller(self, controller: ArmController) -> None:
         """Choose how the joints of the modular arm follow."""
