@@ -18,7 +18,7 @@ from annotated_types import Interval, MaxLen, MinLen
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, ORIGIN, Transform
 from jauspy.geometry.vectors import GRAVITY, Vector, add, difference, dot, product, scaled, transposed
-from jauspy.platform.joints import Gains
+from jauspy.platform.joints import EncoderSetup, Gains
 from jauspy.platform.tables import (
     Converted,
     FrameOfTable,
@@ -95,19 +95,13 @@ def _unit(axis: Vector) -> Vector:
 
 
 @dataclass(frozen=True, slots=True)
-class ServoSensors(Table):
+class ServoSensors(EncoderSetup):
     """Errors of the sensors in a servo module, as standard deviations of each measurement where not said otherwise.
 
     The spring's torque is its stiffness times the difference of two encoders like this, one on each side of it, so its
     noise is sqrt(2) times `encoder_noise` (and the rounding) times the stiffness. Sources: docs/cell.md.
     """
 
-    encoder_step: NotNegative = math.tau / 2**17
-    """Radians of one count; 0 reads without steps."""
-    encoder_noise: NotNegative = 0.5 * math.tau / 2**17
-    """Radians, before the rounding to counts."""
-    velocity_time: NotNegative = 0.004
-    """Seconds over which differences of counts are averaged (first-order) to a velocity."""
     gyro_density: NotNegative = math.radians(0.014)
     """rad/s per square root of a hertz."""
     gyro_bias: NotNegative = math.radians(0.1)
