@@ -409,7 +409,8 @@ def _faces(cell: CellModel) -> Iterable[Face]:
             continue
         if kind.kind is not PartKind.BASE:
             yield Face(part.name, body, IDENTITY)
-        yield Face(part.name, body, kind.grasp)
+        for grasp in kind.grasps:
+            yield Face(part.name, body, grasp)
         carried = int(cell.model.body(carrier(part.name, kind)).id)
         for frame in kind.connectors.values():
             yield Face(part.name, carried, frame @ TURNED)

@@ -171,6 +171,8 @@ class PartType(Table):
     servo: ServoData | None = None
     grasp: FrameOfTable = IDENTITY
     """Frame of the gripper when it holds the part, in the frame of the part; its z points into the part."""
+    further_grasps: tuple[FrameOfTable, ...] = ()
+    """The same for other faces by which it can be held, when it does not lie with the first one up."""
 
     def __post_init__(self) -> None:
         if (self.kind is PartKind.SERVO) != (self.servo is not None):
@@ -179,6 +181,11 @@ class PartType(Table):
             raise ValueError("connectors: a box has none")
         if not sum(solid.mass for solid in self.solids):
             raise ValueError("solids: they need a mass; only what is fixed to the world has none")
+
+    @property
+    def grasps(self) -> tuple[Transform, ...]:
+        """The frames of the gripper on all faces by which it can hold the part, the usual one first."""
+        return self.grasp, *self.further_grasps
 
     @property
     def is_module(self) -> bool:
@@ -369,6 +376,8 @@ class CellSetup(Table):
     """Largest error of the parts' poses at the start, metres and radians, drawn with `seed`."""
     scatter: bool = False
     """True to have the parts in bins lie anywhere in them, turned at will about their upper face's normal."""
+    turned_over: Annotated[float, Interval(ge=0.0, le=1.0)] = 0.0
+    """Fraction of the scattered parts that lie on another side, so that one of their further grasps is up."""
     attach_failure: Annotated[float, Interval(ge=0.0, le=1.0)] = 0.0
     """Fraction of the attempts of the gripper to attach that fail by themselves, drawn with `seed`."""
     seed: Seed = 0
