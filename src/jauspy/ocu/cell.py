@@ -214,6 +214,8 @@ class Connector:
             offset=Transform.from_pose(Pose(*(value or 0.0 for value in offset))),
             force=report.force or 0.0,
             moment=report.moment or 0.0,
+            mass=report.load_mass or 0.0,
+            mass_deviation=math.inf if report.load_mass_deviation is None else report.load_mass_deviation,
             broken_off=report.broken_off or 0,
             last_error=report.error_text or "",
         )
