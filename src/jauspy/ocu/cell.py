@@ -31,7 +31,7 @@ from jauspy.messages.cell.v1_0 import (
 from jauspy.ocu.service import ServiceClient
 from jauspy.platform.modular.arm import ArmController, ModularArmState
 from jauspy.platform.modular.cell import ConveyorState
-from jauspy.platform.modular.connector import ConnectorState
+from jauspy.platform.modular.connector import ConnectorError, ConnectorState
 
 ALL_FIELDS: Final = 0xFFFFFFFF
 POLL_INTERVAL: Final = 0.05
@@ -40,6 +40,9 @@ ELSEWHERE: Final = 0.02
 """Radians off its goal at which a joint with another target has not arrived."""
 SLACK: Final = (3.0, 5.0)
 """Factor of the duration and seconds on top of it in which a motion must end, unless another time-out is given."""
+
+_ERRORS: Final = dict(enumerate(ConnectorError))
+"""Reasons by their number in the message, whose order is the same."""
 
 
 class ModularArm:
@@ -166,7 +169,11 @@ class Connector:
             offset=Transform.from_pose(Pose(*(value or 0.0 for value in offset))),
             force=report.force or 0.0,
             moment=report.moment or 0.0,
+            utilisation=report.utilisation or 0.0,
+            vacuum=report.vacuum or 0.0,
+            latched=bool(report.latched),
             broken_off=report.broken_off or 0,
+            error=_ERRORS.get(report.error or 0, ConnectorError.OTHER),
             last_error=report.error_text or "",
         )
 

@@ -43,6 +43,12 @@ class ConnectorState:
     """Magnitude of what it holds, in newtons."""
     moment: float = 0.0
     """Magnitude about the middle of the plate, in newton metres."""
+    utilisation: float = 0.0
+    """Fraction of the connection's strength that the load uses; above 1 it breaks off."""
+    vacuum: float = 0.0
+    """Pascals below the ambient pressure."""
+    latched: bool = False
+    """True when the attached part is locked mechanically."""
     broken_off: int = 0
     """Number of parts that an overload has released."""
     error: ConnectorError = ConnectorError.NONE
