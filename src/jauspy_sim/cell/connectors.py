@@ -501,11 +501,11 @@ def _make(cell: CellModel) -> dict[str, SimulatedConnector]:
             frames[f"{part.name}/{name}"] = part.name, carrier(part.name, kind), frame
     limits = setup.limits
     found = {}
-    for name, (part, body, frame) in frames.items():
-        cup = limits.cup if part else limits.gripper
-        latch = limits.latch if part and setup.type_of(part).latch else None
+    for name, (owner, body, frame) in frames.items():
+        cup = limits.cup if owner else limits.gripper
+        latch = limits.latch if owner and setup.type_of(owner).latch else None
         weld = int(model.equality(name).id)
-        found[name] = SimulatedConnector(name, part, int(model.body(body).id), frame, weld, cup=cup, latch=latch)
+        found[name] = SimulatedConnector(name, owner, int(model.body(body).id), frame, weld, cup=cup, latch=latch)
     return found
 
 

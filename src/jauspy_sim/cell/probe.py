@@ -181,8 +181,8 @@ class Probe:
             kind = "gripper" if not connector.part else "latch" if not connector.until_locked else "cup"
             last = self.peaks.get((connector.name, kind))
             if last is None or used > last.utilisation:
-                exerted = *map(float, force), *map(float, moment)
-                self.peaks[connector.name, kind] = Peak(used, time, face.part, kind, exerted[:3], exerted[3:])
+                (x, y, z), (a, b, c) = force.tolist(), moment.tolist()
+                self.peaks[connector.name, kind] = Peak(used, time, face.part, kind, (x, y, z), (a, b, c))
 
     def largest_loads(self) -> dict[str, Peak]:
         """The largest load of each kind of connection."""
