@@ -27,8 +27,6 @@ RAISED: Final = 0.12
 SHARE: Final = 0.35
 """Fraction of the joints' speed."""
 UPRIGHT_MARGIN: Final = 0.0
-PARTS: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_10", "servo_5")
-"""The arm that steps: its fourth joint carries all others when the arm stands on its other end."""
 
 
 @dataclass(slots=True)
