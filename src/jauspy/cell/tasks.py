@@ -27,6 +27,8 @@ from jauspy.cell.standing import all_frames, standing_on
 from jauspy.cell.step import Stepper
 from jauspy.cell.story import Stage, Told, tell, untold
 from jauspy.errors import JausError
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Z, rotation_about
 
 BASE: Final = "platform_1/top"
 MAX_ARM_ERROR: Final = 0.03
@@ -50,15 +52,15 @@ async def ur10_of(session: Session, seed: int = 0) -> Assembler:
     return ur10
 
 
-async def prepared(session: Session, parts: Sequence[str] = FIVE_JOINTS) -> ArmOperator:
+async def prepared(session: Session, parts: Sequence[str] = FIVE_JOINTS, *, heading: float = 0.0) -> ArmOperator:
     """The operator of the arm that stands on the platform; the UR10 parks.
 
     Without one, in a simulation of this process, `parts` are assembled by writing their positions, which the result
-    says. Raises `TaskFailed` when there is no arm, or none with as many joints.
+    says; the first is turned by `heading`, in radians. Raises `TaskFailed` when there is no arm, or none with as many joints.
     """
     cell, layout = session.cell, session.layout
     if session.judge is not None and not await standing_on(cell, layout, BASE):
-        session.judge.prepare(BASE, parts)
+        session.judge.prepare(BASE, parts, {parts[0]: Transform(rotation_about(Z, heading))})
         await cell.sleep(SETTLE)
     await (await ur10_of(session)).park()
     arm = await ArmOperator.found(cell, layout, BASE)
@@ -223,7 +225,7 @@ async def step(session: Session, seed: int) -> Measured:
 async def take_apart(session: Session, seed: int) -> Measured:
     """Take the arm apart, from its tip down, and put its parts back into their bins."""
     begun = session.cell.now()
-    arm = await prepared(session)
+    arm = await prepared(session, heading=math.pi)  # as the UR10 builds it: grasped from its side
     await arm.look()
     await arm.go(np.zeros(arm.chain.model.nq), margin=0.0)
     ur10 = await ur10_of(session, seed)
