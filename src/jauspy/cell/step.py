@@ -95,7 +95,7 @@ class Stepper:
         start = await arm.positions()
         up = np.array([0.0, 0.0, 1.0])
         hover = arm.above((there * shifted(z=HOVER)).translation.tolist(), start, up.tolist())[0]
-        hover = self._facing(hover, there * arm.members[0].offset)
+        hover = self._facing(hover, there)
         await arm.go(hover, share=SHARE)
         await self._lower(there, up, hover, self.base, first)
         await self._release(arm.tip, holds=self.base, part=first)
@@ -106,7 +106,7 @@ class Stepper:
             await self._stand_up()
 
     def _facing(self, posture: Array, frame: pin.SE3) -> Array:
-        """The posture with the last joint turned so that the free end faces as `frame` does, about its own z axis."""
+        """The posture with the last joint turned so that the free end faces as `frame` does, about its own z axis, which is that of the base."""
         chain = self.arm.chain
         off = chain.forward(posture).actInv(frame).rotation
         rate = pin.computeFrameJacobian(chain.model, chain.data, posture, chain.tool, pin.LOCAL)[5, -1]

@@ -56,7 +56,8 @@ async def prepared(session: Session, parts: Sequence[str] = FIVE_JOINTS, *, head
     """The operator of the arm that stands on the platform; the UR10 parks.
 
     Without one, in a simulation of this process, `parts` are assembled by writing their positions, which the result
-    says; the first is turned by `heading`, in radians. Raises `TaskFailed` when there is no arm, or none with as many joints.
+    says; the first is turned by `heading`, in radians. Raises `TaskFailed` when there is no arm, or none with as many
+    joints.
     """
     cell, layout = session.cell, session.layout
     if session.judge is not None and not await standing_on(cell, layout, BASE):
