@@ -106,7 +106,7 @@ class Stepper:
             await self._stand_up()
 
     def _facing(self, posture: Array, frame: pin.SE3) -> Array:
-        """The posture with the last joint turned so that the free end faces as `frame` does, about its own z axis, which is that of the base."""
+        """The posture with the last joint turned so that the free end faces as `frame` does, about its z axis."""
         chain = self.arm.chain
         off = chain.forward(posture).actInv(frame).rotation
         rate = pin.computeFrameJacobian(chain.model, chain.data, posture, chain.tool, pin.LOCAL)[5, -1]
