@@ -67,6 +67,9 @@ PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
 """The UR10's posture away from platforms and conveyor, in radians."""
 WHEEL_TURNS: Final = 12
 """Angles about its axis at which a wheel may be joined."""
+BACK: Final = 0.02
+BACK_STEPS: Final = 4
+"""Metres, and how often, that the gripper moves back from what it has released until there is room around it."""
 RELEASE_TIME: Final = 0.2
 """Seconds until a connector has let go."""
 POLL: Final = 0.02
@@ -215,7 +218,19 @@ class Assembler:
     async def park(self) -> None:
         """Move the UR10 out of the way of what stands on the platforms and on the conveyor."""
         await self.look()
+        await self.back_off()
         await self.go(await self._path_to(PARKED))
+
+    async def back_off(self) -> None:
+        """Move straight back from what the gripper has released while that is too close to plan a path from here."""
+        for _ in range(BACK_STEPS):
+            here = self.scene.clearance(self.at).distance
+            if here >= self.planner.margin:
+                return
+            back = self.handling.retreat(self.at, BACK)
+            if self.scene.clearance(back.end).distance <= here:
+                return
+            await self.go(back, speed=LIFT_SPEED, contact=True)
 
     async def _path_to(self, posture: Array) -> Path:
         return await self.cell.compute(partial(self.planner.to_posture, self.at, posture))
