@@ -395,7 +395,8 @@ async def run_one(
             found = await (run or TASKS[task])(session, seed)
         except JausError as error:
             found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
-        found.written = session.true.written
+        if session.judge is not None:
+            found.written = session.judge.written
     found.wall = time.perf_counter() - begun
     if session.film is not None:
         found.film_problem = session.film.problem
