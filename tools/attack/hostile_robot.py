@@ -19,7 +19,7 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
     QueryVisualSensorCapabilities,
     ReportVisualSensorCapabilities,
 )
-from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmState
+from jauspy.platform.modular.arm import ArmController, ArmMotion, ModularArm, ModularArmState
 from jauspy.platform.modular.cell import Observation, ObservedPart, PartSensor
 from jauspy.platform.modular.connector import ConnectorState, VacuumConnector
 from jauspy.platform.modular.parts import CellSetup, ConnectorLimits
@@ -75,11 +75,7 @@ class _Arm(ModularArm):
             error=PAYLOADS[0],
         )
 
-    def move(self, positions: Sequence[float], duration: float) -> int:  # noqa: ARG002 - nothing moves
-        """Nothing moves."""
-        return 0
-
-    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
+    def begin(self, motion: ArmMotion) -> None:
         """Nothing moves."""
 
     def hold(self) -> None:

@@ -54,8 +54,10 @@ MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
 STALE: Final = 0.5
 """Seconds since a part was last seen from which on it is looked for again before it is grasped."""
-WEIGHT_TOLERANCE: Final = 0.5
-"""Fraction of a part's weight by which the gripper's force may differ while it hangs still."""
+WEIGHT_TOLERANCE: Final = 0.3
+"""Fraction of a part's mass by which what hangs on the gripper may differ, beside the uncertainty."""
+SURE: Final = 3.0
+"""Standard deviations of the mass by the UR10's motors within which it is certain."""
 CHECK_ANGLE: Final = 0.06
 """Radians that a joint turns to and fro when it is checked."""
 CHECK_TIME: Final = 0.5
@@ -114,6 +116,9 @@ class PartResult:
     """Texts of the failed attempts."""
     grasp_force: float = 0.0
     """Newtons that the gripper measured while the part hung still."""
+    mass: float = 0.0
+    """Kilograms by the UR10's motors, and their standard deviation; zero while they are not known."""
+    mass_deviation: float = 0.0
     joint_force: float = 0.0
     joint_moment: float = 0.0
     shift: float = 0.0
@@ -386,11 +391,12 @@ class Assembler:
             return f"it was dropped while it was lifted{_because(state)}"
         self._hold(plan.part, state)
         row.grasp_force = state.force
+        if math.isfinite(state.mass_deviation):
+            row.mass, row.mass_deviation = state.mass, state.mass_deviation
         type = self.layout.type_of(plan.part)
-        weight = GRAVITY * (body_inertia(type).mass + output_inertia(type).mass)
-        if weigh and abs(state.force - weight) > WEIGHT_TOLERANCE * weight:
+        if weigh and (why := _wrong_weight(state, body_inertia(type).mass + output_inertia(type).mass)):
             await self._put_back(plan, release)
-            return f"the gripper measures {state.force:.1f} N where {weight:.1f} N should hang; it may be stuck"
+            return why
         return ""
 
     def _hold(self, part: str, state: ConnectorState) -> None:
@@ -592,6 +598,20 @@ class Tip:
         self.connector, self.part, self.frame = f"{part}/{connector}", part, frame * output
         x = self.frame.rotation.T @ before.rotation[:, 0]
         self.square = turned("z", math.atan2(x[1], x[0]))
+
+
+def _wrong_weight(state: ConnectorState, mass: float) -> str:
+    """Why what hangs on the gripper is not a part of this mass, kg: by the gripper's force and by the UR10's motors."""
+    tolerance = WEIGHT_TOLERANCE * mass
+    if abs(state.force / GRAVITY - mass) > tolerance:
+        return (
+            f"the gripper measures {state.force:.1f} N where {GRAVITY * mass:.1f} N should hang; it may be stuck, "
+            "or another part hangs on it"
+        )
+    if math.isfinite(state.mass_deviation) and abs(state.mass - mass) > tolerance + SURE * state.mass_deviation:
+        found = f"{state.mass:.2f} kg (deviation {state.mass_deviation:.2f} kg)"
+        return f"the motors carry {found} where {mass:.2f} kg should hang; it may be stuck, or another part hangs on it"
+    return ""
 
 
 def _because(state: ConnectorState) -> str:

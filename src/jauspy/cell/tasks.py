@@ -21,6 +21,7 @@ from jauspy.cell.kitting import Kitter, drawn_order, score
 from jauspy.cell.lift import Lifter
 from jauspy.cell.measurements import Measured
 from jauspy.cell.modular_arm import FIVE_JOINTS, ArmOperator
+from jauspy.cell.physics import Physics
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.session import Disturbances, Session, simulated
 from jauspy.cell.standing import all_frames, standing_on
@@ -391,12 +392,13 @@ async def run_one(
     camera = FILMED_BY.get(task, "overview")
     async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:
         start = session.cell.now()
+        probe = session.judge.probe() if session.judge is not None else None
         try:
             found = await (run or TASKS[task])(session, seed)
         except JausError as error:
             found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
-        if session.judge is not None:
-            found.written = session.judge.written
+        if session.judge is not None and probe is not None:
+            found.physics, found.written = Physics.of(probe), session.judge.written
     found.wall = time.perf_counter() - begun
     if session.film is not None:
         found.film_problem = session.film.problem

@@ -49,6 +49,19 @@ VERBS: Final = {
     ),
     "still": ("jauspy.cli.still:still", "Take a picture with a camera and save it."),
     "decode": ("jauspy.cli.decode:decode", "Print the JAUS messages in a capture file or in hex text."),
+    "echo": (
+        "jauspy.cli.echo:echo",
+        "Print messages as the node manager of this machine routes them, until Ctrl-C.",
+    ),
+    "hz": (
+        "jauspy.cli.rates:hz",
+        "Measure how often messages come: rate, shortest and longest interval, and their standard deviation.",
+    ),
+    "bw": (
+        "jauspy.cli.rates:bw",
+        "Measure how many bytes a second messages take: packets with their headers, without those of UDP and IP.",
+    ),
+    "graph": ("jauspy.cli.rates:graph", "Show who talks to whom: the messages between components, with their rates."),
     "audit": (
         "jauspy.cli.operators:audit",
         "Verify an audit log: name the first line that was changed or removed, or cut off at the end.",

@@ -17,6 +17,7 @@ from jauspy.geometry.vectors import Rotation, Vector
 from jauspy.platform.contract import PartId
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState, VacuumConnector
 from jauspy.platform.modular.parts import PartKind, PartType, Shape
+from jauspy.platform.payload import NOTHING
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, angle_between, carrier
 
 Array = NDArray[np.float64]
@@ -78,6 +79,8 @@ class SimulatedConnector(VacuumConnector):
         """Newtons, newton metres."""
         self.enabled = False
         """True while its pump runs."""
+        self.payload = NOTHING
+        """All that hangs on the robot's gripper, as the robot has found it out."""
         self._state = ConnectorState()
 
     @cached_property
@@ -85,10 +88,18 @@ class SimulatedConnector(VacuumConnector):
         """Kind and name."""
         return PartId(VacuumConnector, self.name)
 
+    @property
+    def attached_to(self) -> str:
+        """Name of the part that it holds; empty without one."""
+        return self._state.attached_to
+
     def state(self) -> ConnectorState:
         """The measured state."""
-        state = self._state
-        if self.held is None or (state.force, state.moment) == self.load:
+        state, payload = self._state, self.payload
+        if self.held is None or (state.force, state.moment, state.mass_deviation) == (
+            *self.load,
+            payload.mass_deviation,
+        ):
             return state
         # written out: `replace` takes five times as long
         self._state = ConnectorState(
@@ -98,6 +109,8 @@ class SimulatedConnector(VacuumConnector):
             offset=state.offset,
             force=self.load[0],
             moment=self.load[1],
+            mass=payload.mass,
+            mass_deviation=payload.mass_deviation,
             broken_off=state.broken_off,
             error=state.error,
             last_error=state.last_error,
@@ -288,7 +301,9 @@ class Attachments:
         self._model.eq_obj2id[weld] = 0
         connector.held = None
         connector.load = 0.0, 0.0
-        connector.change(attached_to="", offset=IDENTITY, force=0.0, moment=0.0, **fields)
+        connector.change(
+            attached_to="", offset=IDENTITY, force=0.0, moment=0.0, mass=0.0, mass_deviation=math.inf, **fields
+        )
         self.wake(connector.body)
         self.wake(held.body)
         self._changed()
@@ -394,7 +409,8 @@ def _faces(cell: CellModel) -> Iterable[Face]:
             continue
         if kind.kind is not PartKind.BASE:
             yield Face(part.name, body, IDENTITY)
-        yield Face(part.name, body, kind.grasp)
+        for grasp in kind.grasps:
+            yield Face(part.name, body, grasp)
         carried = int(cell.model.body(carrier(part.name, kind)).id)
         for frame in kind.connectors.values():
             yield Face(part.name, carried, frame @ TURNED)

@@ -276,7 +276,7 @@ class Probe:
     # --- joints ---------------------------------------------------------------------------------------------------
 
     def _measure_joints(self, group: SimulatedJoints) -> None:
-        state = group.state()
+        state = group.true_state()
         rows = zip(group.joints, state.positions, state.velocities, state.efforts, group.setpoints(), strict=True)
         for joint, position, velocity, effort, setpoint in rows:
             figures = self.joints.get(joint.name)

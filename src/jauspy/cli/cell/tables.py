@@ -22,7 +22,18 @@ def assembly_table(found: Measured) -> Table:
     table = Table(title=f"assembly, seed {found.seed}", title_justify="left")
     for heading in ("place", "part"):
         table.add_column(heading)
-    for heading in ("fetch s", "join s", "grasp N", "joint N", "joint Nm", "off mm", "tilt deg", "turn deg", "retries"):
+    for heading in (
+        "fetch s",
+        "join s",
+        "grasp N",
+        "mass kg",
+        "joint N",
+        "joint Nm",
+        "off mm",
+        "tilt deg",
+        "turn deg",
+        "retries",
+    ):
         table.add_column(heading, justify="right")
     for row in found.rows:
         placed = "error" in row
@@ -32,6 +43,7 @@ def assembly_table(found: Measured) -> Table:
             f"{row['fetch_time']:.1f}",
             f"{row['join_time']:.1f}",
             f"{row['grasp_force']:.1f}",
+            f"{row['mass']:.2f} ±{row['mass_deviation']:.2f}",
             f"{row['joint_force']:.1f}",
             f"{row['joint_moment']:.2f}",
             millimetres(row["error"]) if placed else "-",
