@@ -110,6 +110,10 @@ SCHEMA_VERBS: Final = {
     ),
 }
 CELL_VERBS: Final = {
+    "demo": (
+        "jauspy.cli.cell.tasks:demo",
+        "Do everything in one run: build the arm, throw, step, take it apart, build the car, drive off with the arm.",
+    ),
     "assemble": (
         "jauspy.cli.cell.tasks:assemble",
         "Build an arm with five joints: the UR10 takes modules out of the bins and joins them.",
@@ -123,6 +127,10 @@ CELL_VERBS: Final = {
         "Throw a box ten times, each aim corrected by where the boxes before came to rest.",
     ),
     "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
+    "take-apart": (
+        "jauspy.cli.cell.tasks:take_apart",
+        "Take the modular arm apart: the UR10 puts its parts back into their bins.",
+    ),
     "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
     "kpi": (
         "jauspy.cli.cell.measurements:kpi",
