@@ -413,7 +413,7 @@ class Assembler:
         await self.go(Path((self.at, *plan.lift.points[-2::-1])), speed=0.1, contact=True)
         if connector:
             await self.cell.enable(connector, True)
-            await self._wait_attached(connector)
+            await self._wait_held(connector)
         await self.cell.enable(GRIPPER, False)
         self._drop(plan.part)
         await self.go(self.handling.retreat(self.at), contact=True)
