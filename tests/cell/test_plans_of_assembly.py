@@ -23,7 +23,9 @@ from jauspy.cell.assembly import (
     Tip,
 )
 from jauspy.cell.frames import offset_between, shifted, tilt_between, transform, turned
+from jauspy.cell.handling import TURNS
 from jauspy.cell.interface import SeenPart
+from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
 from jauspy.platform.modular.connector import ConnectorState
@@ -179,3 +181,38 @@ def test_retries_are_the_attempts_of_all_parts() -> None:
     )
     assert result.retries == 3
     assert result.clearance.distance == 1.0
+
+
+class TestPartsThatLieTurnedOver:
+    """Parts in the air over the floor, beside the UR10."""
+
+    START = np.array([0.0, -1.9, 2.1, -1.77, -1.57, 0.0])
+
+    @staticmethod
+    def lying(layout: Layout, part: str, face: int) -> pin.SE3:
+        """The part with one of the faces up by which the gripper can hold it."""
+        up = pin.SE3(turned("x", math.pi).rotation, np.array([-0.1, 0.65, 0.6]))
+        return up * pin.SE3(layout.grasps(part)[face].inverse().rotation, np.zeros(3))
+
+    @pytest.mark.parametrize("part", ["servo_1", "servo_2", "tube_1", "bracket_1", "bracket_3"])
+    def test_they_are_held_by_the_face_that_is_up(self, layout: Layout, part: str) -> None:
+        handling = Assembler(FakeCell(layout), layout).handling
+        for face, grasp in enumerate(layout.grasps(part)):
+            pose = self.lying(layout, part, face)
+            found = handling.upper_grasps(part, pose)
+            assert all(turned.translation == pytest.approx(grasp.translation) for turned in found)
+            assert all((pose * turned).rotation[2, 2] == pytest.approx(-1.0) for turned in found)
+            assert len(found) == TURNS
+
+    def test_one_on_its_side_is_picked(self, layout: Layout) -> None:
+        ur10 = Assembler(FakeCell(layout), layout)
+        pose = self.lying(layout, "servo_1", 2)
+        ur10.scene.put("servo_1", ur10.handling.pieces("servo_1"), pose)
+        plan = ur10.handling.pick("servo_1", pose, self.START)
+        assert plan.grasp.translation == pytest.approx(layout.grasps("servo_1")[2].translation)
+
+    def test_what_has_no_face_up_is_left_and_said_so(self, layout: Layout) -> None:
+        ur10 = Assembler(FakeCell(layout), layout)
+        pose = self.lying(layout, "wheel_1", 0) * turned("x", math.pi)
+        with pytest.raises(NoPath, match="wheel_1 lies turned over: no face"):
+            ur10.handling.pick("wheel_1", pose, self.START)

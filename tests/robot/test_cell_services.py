@@ -519,11 +519,10 @@ def test_the_client_hears_when_a_motion_has_ended(arm):
 def test_the_state_of_an_earlier_motion_ends_no_command(arm, monkeypatch):
     """The robot's thread takes a motion only later than its service looks at the arm."""
     arm.control()
-    begin, late = arm.robot.arm.move_as, []
-    monkeypatch.setattr(arm.robot.arm, "move_as", lambda *motion: late.append(motion))
-    monkeypatch.setattr(arm.robot.arm, "move", lambda *motion: (late.append((1, *motion)), 1)[1])
+    begin, late = arm.robot.arm.begin, []
+    monkeypatch.setattr(arm.robot.arm, "begin", late.append)
     assert command_results(arm, 1, move(0.5, 0.5, duration=0.5)) == []
-    begin(*late[0])
+    begin(late[0])
     heard = arm.run(1.0)
     results = [each.command_result for each in heard if isinstance(each, CommandEvent)]
     assert results == [CommandEvent.CommandResult.SUCCESSFUL]

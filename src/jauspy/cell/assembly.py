@@ -54,8 +54,10 @@ MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
 STALE: Final = 0.5
 """Seconds since a part was last seen from which on it is looked for again before it is grasped."""
-WEIGHT_TOLERANCE: Final = 0.5
-"""Fraction of a part's weight by which the gripper's force may differ while it hangs still."""
+WEIGHT_TOLERANCE: Final = 0.3
+"""Fraction of a part's mass by which what hangs on the gripper may differ, beside the uncertainty."""
+SURE: Final = 3.0
+"""Standard deviations of the mass by the UR10's motors within which it is certain."""
 CHECK_ANGLE: Final = 0.06
 """Radians that a joint turns to and fro when it is checked."""
 CHECK_TIME: Final = 0.5
@@ -67,6 +69,11 @@ PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
 """The UR10's posture away from platforms and conveyor, in radians."""
 WHEEL_TURNS: Final = 12
 """Angles about its axis at which a wheel may be joined."""
+BACK: Final = 0.02
+BACK_STEPS: Final = 4
+"""Metres, and how often, that the gripper moves back from what it has released until there is room around it."""
+RELEASE_TIME: Final = 0.2
+"""Seconds until a connector has let go."""
 POLL: Final = 0.02
 """Seconds between two queries of a connector."""
 OUT_OF_CONTACT: Final = (ConnectorError.NO_CONTACT, ConnectorError.TOO_FAR, ConnectorError.NOT_ALIGNED)
@@ -91,7 +98,7 @@ FIVE_JOINTS: Final = (
     Slot("upper arm", ("tube_long",)),
     Slot("joint 3", ("x8_9_elbow", "x5_9_elbow")),
     Slot("forearm", ("tube_short",)),
-    Slot("joint 4", ("x5_4_elbow", "x5_9_elbow")),
+    Slot("joint 4", ("x8_9_elbow", "x5_9_elbow")),
     Slot("joint 5", ("x5_4_inline", "x5_1_inline")),
 )
 """The arm with five joints, base to tip."""
@@ -109,6 +116,9 @@ class PartResult:
     """Texts of the failed attempts."""
     grasp_force: float = 0.0
     """Newtons that the gripper measured while the part hung still."""
+    mass: float = 0.0
+    """Kilograms by the UR10's motors, and their standard deviation; zero while they are not known."""
+    mass_deviation: float = 0.0
     joint_force: float = 0.0
     joint_moment: float = 0.0
     shift: float = 0.0
@@ -213,7 +223,19 @@ class Assembler:
     async def park(self) -> None:
         """Move the UR10 out of the way of what stands on the platforms and on the conveyor."""
         await self.look()
+        await self.back_off()
         await self.go(await self._path_to(PARKED))
+
+    async def back_off(self) -> None:
+        """Move straight back from what the gripper has released while that is too close to plan a path from here."""
+        for _ in range(BACK_STEPS):
+            here = self.scene.clearance(self.at).distance
+            if here >= self.planner.margin:
+                return
+            back = self.handling.retreat(self.at, BACK)
+            if self.scene.clearance(back.end).distance <= here:
+                return
+            await self.go(back, speed=LIFT_SPEED, contact=True)
 
     async def _path_to(self, posture: Array) -> Path:
         return await self.cell.compute(partial(self.planner.to_posture, self.at, posture))
@@ -277,6 +299,18 @@ class Assembler:
         tried = "; ".join(row.attempts) or "none is left"
         raise TaskFailed(f"no {' or '.join(slot.types)} could be grasped for {slot.name}: {tried}")
 
+    def know(self, frames: Mapping[str, pin.SE3]) -> None:
+        """Take parts for where connectors and joints report them, until the sensor sees them; they are not grasped."""
+        self.placed |= {name: (self.cell.now(), frame) for name, frame in frames.items()}
+        self.rejected |= set(frames)
+
+    def stands(self, frames: Mapping[str, pin.SE3]) -> None:
+        """Parts stand where connectors and joints report them, whatever the sensor sees, until they are taken off."""
+        self.used |= set(frames)
+        self.rejected -= set(frames)
+        for name, frame in frames.items():
+            self.scene.put(name, self.handling.pieces(name), frame)
+
     async def look(self, *, fresh: bool = False) -> None:
         """Measure where the parts are, and put them there in the scene."""
         self.seen = await self.cell.observe(fresh=fresh)
@@ -328,8 +362,12 @@ class Assembler:
             await self.look(fresh=True)
         return False
 
-    async def try_grasp(self, plan: PickPlan, row: PartResult, *, weigh: bool = True) -> str:
-        """One attempt; returns why it failed, or an empty text. `weigh` compares the force with the part's weight."""
+    async def try_grasp(self, plan: PickPlan, row: PartResult, *, weigh: bool = True, release: str = "") -> str:
+        """One attempt; returns why it failed, or an empty text.
+
+        `weigh` compares the force with the part's weight. `release` is a connector that holds the part, and lets go of
+        it before it is lifted.
+        """
         await self.go(plan.approach)
         await self.cell.enable(GRIPPER, True)
         await self.go(plan.near, speed=NEAR_SPEED, contact=True)
@@ -340,6 +378,10 @@ class Assembler:
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)
             return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}, or has not locked it"
+        if release:
+            await self.cell.leave(plan.part)
+            await self.cell.enable(release, False)
+            await self.cell.sleep(RELEASE_TIME)
         self._hold(plan.part, state)
         await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True, gentle=heavy)
         await self.cell.sleep(0.15)
@@ -349,30 +391,34 @@ class Assembler:
             return f"it was dropped while it was lifted{_because(state)}"
         self._hold(plan.part, state)
         row.grasp_force = state.force
+        if math.isfinite(state.mass_deviation):
+            row.mass, row.mass_deviation = state.mass, state.mass_deviation
         type = self.layout.type_of(plan.part)
-        weight = GRAVITY * (body_inertia(type).mass + output_inertia(type).mass)
-        if weigh and abs(state.force - weight) > WEIGHT_TOLERANCE * weight:
-            await self._put_back(plan)
-            return f"the gripper measures {state.force:.1f} N where {weight:.1f} N should hang; it may be stuck"
+        if weigh and (why := _wrong_weight(state, body_inertia(type).mass + output_inertia(type).mass)):
+            await self._put_back(plan, release)
+            return why
         return ""
 
     def _hold(self, part: str, state: ConnectorState) -> None:
         grasp = se3(state.offset).inverse()
         self.held = Held(part, grasp)
-        self.planner.payload = self.handling.payload(part, grasp)
+        self.planner.load = self.handling.load(part, grasp)
         self.scene.hold(part, self.handling.pieces(part), grasp.inverse())
 
     def forget_held(self) -> None:
         """Plan without what the gripper has held."""
-        self.held = self.planner.payload = None
+        self.held = self.planner.load = None
         self.scene.release()
 
     def _drop(self, part: str) -> None:
         self.forget_held()
         self.used.discard(part)
 
-    async def _put_back(self, plan: PickPlan) -> None:
+    async def _put_back(self, plan: PickPlan, connector: str = "") -> None:
         await self.go(Path((self.at, *plan.lift.points[-2::-1])), speed=0.1, contact=True)
+        if connector:
+            await self.cell.enable(connector, True)
+            await self._wait_held(connector)
         await self.cell.enable(GRIPPER, False)
         self._drop(plan.part)
         await self.go(self.handling.retreat(self.at), contact=True)
@@ -408,7 +454,7 @@ class Assembler:
             except NoPath as error:
                 row.attempts.append(f"{part}: {error}")
                 if attempt == 0:
-                    await self._put_down(part)
+                    await self.put_down(part)
                     return False
                 continue
             await self.go(plan.transfer)
@@ -425,7 +471,7 @@ class Assembler:
             back = plan.insert.points[0]
             await self.go(Path((self.at, plan.insert.end, back)), speed=NEAR_SPEED, contact=True)
         if self.held is not None:
-            await self._put_down(part)
+            await self.put_down(part)
         return False
 
     def _joined_wrongly(self, connector: str, part: str, state: ConnectorState) -> str:
@@ -457,7 +503,16 @@ class Assembler:
         if slot.connector in self.layout.type_of(part).connectors:
             tip.advance(part, slot.connector, frame, self._connector(part, slot.connector))
 
-    async def _put_down(self, part: str) -> None:
+    async def put_here(self, part: str, frame: pin.SE3) -> None:
+        """Let go of the held part, which then is at `frame` in the world until the sensor sees it."""
+        await self.cell.enable(GRIPPER, False)
+        await self.cell.sleep(0.3)
+        self._drop(part)
+        self.placed[part] = self.cell.now(), frame
+        self.scene.put(part, self.handling.pieces(part), frame)
+        await self.go(self.handling.retreat(self.at), speed=LIFT_SPEED, contact=True)
+
+    async def put_down(self, part: str) -> None:
         """Let the part lie where there is room on the floor, so that another one can be taken."""
         self.rejected.add(part)
         solve, down = self.layout.kinematics.solve, turned("x", math.pi)
@@ -549,6 +604,20 @@ class Tip:
         self.connector, self.part, self.frame = f"{part}/{connector}", part, frame * output
         x = self.frame.rotation.T @ before.rotation[:, 0]
         self.square = turned("z", math.atan2(x[1], x[0]))
+
+
+def _wrong_weight(state: ConnectorState, mass: float) -> str:
+    """Why what hangs on the gripper is not a part of this mass, kg: by the gripper's force and by the UR10's motors."""
+    tolerance = WEIGHT_TOLERANCE * mass
+    if abs(state.force / GRAVITY - mass) > tolerance:
+        return (
+            f"the gripper measures {state.force:.1f} N where {GRAVITY * mass:.1f} N should hang; it may be stuck, "
+            "or another part hangs on it"
+        )
+    if math.isfinite(state.mass_deviation) and abs(state.mass - mass) > tolerance + SURE * state.mass_deviation:
+        found = f"{state.mass:.2f} kg (deviation {state.mass_deviation:.2f} kg)"
+        return f"the motors carry {found} where {mass:.2f} kg should hang; it may be stuck, or another part hangs on it"
+    return ""
 
 
 def _because(state: ConnectorState) -> str:

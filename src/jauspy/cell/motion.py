@@ -15,8 +15,8 @@ import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.frames import Array, offset_between
+from jauspy.cell.held_load import MOST, HeldLoad
 from jauspy.cell.kinematics import Posture
-from jauspy.cell.payload import MOST, Payload
 from jauspy.cell.scene import CLEAR, Clearance, PlanningScene
 from jauspy.errors import RequestError
 
@@ -115,7 +115,7 @@ class MotionPlanner:
         self.margin = margin
         """Metres to keep from everything, except at the end of an approach."""
         self._random = np.random.default_rng(seed)
-        self.payload: Payload | None = None
+        self.load: HeldLoad | None = None
         """What the tool holds. Motions to postures then use no more than `MOST` of what holds it, at rest."""
         self._hanging: Array = np.zeros(3)
         """Direction of the tool at the goal of a detour."""
@@ -203,11 +203,11 @@ class MotionPlanner:
         return all(self.scene.is_free(a + (b - a) * (number / count), margin) for number in range(1, count + 1))
 
     def _used(self, posture: Array) -> float:
-        return self.payload.utilisation(self.kinematics.forward(posture)) if self.payload is not None else 0.0
+        return self.load.utilisation(self.kinematics.forward(posture)) if self.load is not None else 0.0
 
     def _is_held(self, a: Array, b: Array) -> bool:
         """True if the load hangs safely all along a straight joint motion."""
-        if self.payload is None or self.payload.worst <= MOST:
+        if self.load is None or self.load.worst <= MOST:
             return True
         count = max(1, math.ceil(float(np.max(np.abs(b - a))) / STEP))
         return all(self._used(a + (b - a) * (number / count)) <= MOST for number in range(1, count + 1))
@@ -265,7 +265,7 @@ class MotionPlanner:
         if far < 1e-9:
             return near
         point = target if far <= REACH else tree.points[near] + way * (REACH / far)
-        if self.payload is not None and point is not target:
+        if self.load is not None and point is not target:
             held = self._as_held(point)
             if held is None or float(np.max(np.abs(held - tree.points[near]))) > 2.0 * REACH:
                 return None

@@ -406,6 +406,10 @@ class Layout:
             scene.put(part.name, pieces_of_part(self.type_of(part.name)), se3_of_pose(part.pose))
         return scene
 
+    def grasps(self, part: str) -> list[pin.SE3]:
+        """The gripper's poses in the part's frame on all faces by which it can hold the part, the usual one first."""
+        return [se3(grasp) for grasp in self.type_of(part).grasps]
+
     def grasp(self, part: str) -> pin.SE3:
         """The gripper's pose in the part's frame when it holds the part."""
         return se3(self.type_of(part).grasp)

@@ -23,6 +23,7 @@ from jauspy.platform.contract import PartId
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState, VacuumConnector
 from jauspy.platform.modular.holding import HOLDS, Cup, Holding, Latch
 from jauspy.platform.modular.parts import PartKind, PartType, Shape
+from jauspy.platform.payload import NOTHING
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, angle_between, carrier
 from jauspy_sim.cell.loads import ConnectorLoads, Load
 
@@ -100,6 +101,8 @@ class SimulatedConnector(VacuumConnector):
         """Seconds until the latch has locked; infinite when it does not, 0 when it has."""
         self.enabled = False
         """True while its pump runs."""
+        self.payload = NOTHING
+        """All that hangs on the robot's gripper, as the robot has found it out."""
         self._state = ConnectorState()
 
     @cached_property
@@ -107,12 +110,19 @@ class SimulatedConnector(VacuumConnector):
         """Kind and name."""
         return PartId(VacuumConnector, self.name)
 
+    @property
+    def attached_to(self) -> str:
+        """Name of the part that it holds; empty without one."""
+        return self._state.attached_to
+
     def state(self) -> ConnectorState:
         """The measured state."""
-        state = self._state
+        state, payload = self._state, self.payload
         force, moment, utilisation = self.load
         vacuum = self.vacuum * self.cup.pressure
-        if state.vacuum == vacuum and state.force == force and state.utilisation == utilisation:
+        if (state.vacuum, state.force, state.utilisation) == (vacuum, force, utilisation) and (
+            self.held is None or state.mass_deviation == payload.mass_deviation
+        ):
             return state
         # written out: `replace` takes five times as long
         self._state = ConnectorState(
@@ -122,6 +132,8 @@ class SimulatedConnector(VacuumConnector):
             offset=state.offset,
             force=force,
             moment=moment,
+            mass=payload.mass,
+            mass_deviation=payload.mass_deviation,
             utilisation=utilisation,
             vacuum=vacuum,
             latched=state.latched,
@@ -396,7 +408,16 @@ class Attachments:
         connector.held = None
         connector.load, connector.vacuum, connector.until_locked = (0.0, 0.0, 0.0), 0.0, math.inf
         connector.change(
-            attached_to="", offset=IDENTITY, force=0.0, moment=0.0, utilisation=0.0, vacuum=0.0, latched=False, **fields
+            attached_to="",
+            offset=IDENTITY,
+            force=0.0,
+            moment=0.0,
+            mass=0.0,
+            mass_deviation=math.inf,
+            utilisation=0.0,
+            vacuum=0.0,
+            latched=False,
+            **fields,
         )
         self.wake(connector.body)
         self.wake(held.body)
@@ -508,7 +529,8 @@ def _faces(cell: CellModel) -> Iterable[Face]:
         carried = int(cell.model.body(carrier(part.name, kind)).id)
         for frame in kind.connectors.values():
             yield Face(part.name, carried, frame @ TURNED, latch=kind.latch)
-        yield Face(part.name, body, kind.grasp)
+        for grasp in kind.grasps:
+            yield Face(part.name, body, grasp)
 
 
 def _box_faces(part: str, kind: PartType, body: int) -> Iterable[Face]:

@@ -55,8 +55,8 @@ class Peak:
     """The part that it held."""
     kind: str = ""
     """Kind of the connection: `latch`, `cup`, or `gripper`."""
-    force: tuple[float, ...] = (0.0, 0.0, 0.0)
-    moment: tuple[float, ...] = (0.0, 0.0, 0.0)
+    force: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    moment: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """N and N m that it exerted, in the connector's frame."""
 
 
@@ -181,8 +181,8 @@ class Probe:
             kind = "gripper" if not connector.part else "latch" if not connector.until_locked else "cup"
             last = self.peaks.get((connector.name, kind))
             if last is None or used > last.utilisation:
-                exerted = (tuple(force.tolist()), tuple(moment.tolist()))
-                self.peaks[connector.name, kind] = Peak(used, time, face.part, kind, *exerted)
+                (x, y, z), (a, b, c) = force.tolist(), moment.tolist()
+                self.peaks[connector.name, kind] = Peak(used, time, face.part, kind, (x, y, z), (a, b, c))
 
     def largest_loads(self) -> dict[str, Peak]:
         """The largest load of each kind of connection."""
@@ -327,7 +327,7 @@ class Probe:
     # --- joints ---------------------------------------------------------------------------------------------------
 
     def _measure_joints(self, group: SimulatedJoints) -> None:
-        state = group.state()
+        state = group.true_state()
         rows = zip(group.joints, state.positions, state.velocities, state.efforts, group.setpoints(), strict=True)
         for joint, position, velocity, effort, setpoint in rows:
             figures = self.joints.get(joint.name)

@@ -94,11 +94,17 @@ def _anywhere(bin: BinSetup, part: PlacedPart, cell: CellSetup, random: np.rando
     """Random poses in the world of a part in a bin, whose middle is where it is grasped."""
     frame = Transform.from_pose(bin.pose)
     local = frame.inverse() @ Transform.from_pose(part.pose)
-    x, y, z = (local @ cell.types[part.type].grasp).position
+    kind = cell.types[part.type]
+    height = (local @ kind.grasp).position[2]
+    upper = kind.grasp
+    if kind.further_grasps and random.random() < cell.turned_over:
+        upper = kind.further_grasps[int(random.integers(len(kind.further_grasps)))]
+        local = Transform(local.rotation) @ Transform(kind.grasp.rotation) @ Transform(upper.rotation).inverse()
+    x, y, z = (local @ upper).position
     for _ in range(MAX_DRAWS):
         along, across = random.uniform(-0.5, 0.5, 2).tolist()
         turn = rotation_about(Z, random.uniform(-math.pi, math.pi))
-        place = Transform(turn, (along * bin.length, across * bin.width, z + DROP))
+        place = Transform(turn, (along * bin.length, across * bin.width, height + DROP))
         yield frame @ place @ Transform(position=(-x, -y, -z)) @ local
 
 

@@ -62,6 +62,19 @@ def test_scattered_parts_are_turned_by_the_seed() -> None:
     assert abs(first.roll - other.roll) > 0.05  # its x axis is along the normal of the floor
 
 
+def test_scattered_parts_lie_on_other_sides_if_they_are_turned_over() -> None:
+    cell = open_cell(scatter=True, turned_over=1.0)
+    upward = []
+    for part in cell.setup.parts:
+        if (kind := cell.setup.types[part.type]).further_grasps:
+            frame = cell.truth.frame(part.name)
+            up = [-(frame @ grasp).rotation[2][2] for grasp in kind.grasps]
+            assert max(up) > 0.85  # the floors of the bins are 20 degrees off
+            upward.append(up.index(max(up)))
+    assert len(upward) > 15
+    assert set(upward) == {1, 2, 3}
+
+
 def test_errors_of_the_start_differ_by_seed() -> None:
     one, other = (open_cell(pose_error=(0.01, FIVE_DEGREES), seed=seed) for seed in (1, 2))
     assert one.truth.pose("tube_1") != other.truth.pose("tube_1")

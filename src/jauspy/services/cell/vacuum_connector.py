@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Final
 
@@ -79,6 +80,7 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
             return None
         state = connector.state()
         offset = state.offset.to_pose()
+        known = math.isfinite(state.mass_deviation)
         refusal = self._refusals.get(query.connector) if state.attached_to else None
         return ReportConnectorState(
             connector=query.connector,
@@ -98,6 +100,8 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
             broken_off=min(state.broken_off, 0xFFFF),
             error=_ERRORS[state.error] if refusal is None else _Error.OTHER_ERROR,
             error_text=sent_text(state.last_error if refusal is None else refusal),
+            load_mass=state.mass if known else None,
+            load_mass_deviation=state.mass_deviation if known else None,
         )
 
     def report_connector_specification(self) -> ReportConnectorSpecification:

@@ -21,7 +21,7 @@ UP: Final = np.array([0.0, 0.0, GRAVITY])
 
 
 @dataclass(frozen=True, slots=True)
-class Payload:
+class HeldLoad:
     """A rigid load on a connector or on the gripper."""
 
     inertia: pin.Inertia
