@@ -70,6 +70,8 @@ class Handling:
         self.planner = planner
         self.composites: dict[str, list[Piece]] = {}
         """Shapes of parts to which others are attached, with those of the others, in the frame of the part."""
+        self.faces: dict[str, pin.SE3] = {}
+        """Where parts are grasped that cannot be grasped as their type says: the gripper in the frame of the part."""
 
     def pieces(self, part: str) -> list[Piece]:
         """The shapes of a part, and of what is attached to it."""
@@ -77,7 +79,7 @@ class Handling:
 
     def grasps(self, part: str, first: float = 0.0) -> list[pin.SE3]:
         """The poses of the gripper in the frame of a part, for all angles about its axis."""
-        grasp = self.layout.grasp(part)
+        grasp = self.faces.get(part) or self.layout.grasp(part)
         return [grasp * turned("z", first + math.tau * number / TURNS) for number in range(TURNS)]
 
     def pick(

@@ -394,6 +394,14 @@ class Layout:
             scene.put(part.name, pieces_of_part(self.type_of(part.name)), se3_of_pose(part.pose))
         return scene
 
+    def thickness(self, part: str) -> float:
+        """Height of a part that lies with its grasp upward, metres."""
+        solid = self.type_of(part).solids[0]
+        if solid.shape is Shape.CYLINDER:
+            return solid.size[2]
+        normal = np.abs(self.grasp(part).rotation[:, 2])
+        return float(normal @ np.array(solid.size))
+
     def grasp(self, part: str) -> pin.SE3:
         """The gripper's pose in the part's frame when it holds the part."""
         return se3(self.type_of(part).grasp)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import math
 import time
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import AsyncExitStack, asynccontextmanager
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -70,6 +70,8 @@ class Session:
     layout: Layout
     judge: Judge | None = None
     film: Film | None = None
+    network: VirtualNetwork | None = None
+    """The network of a cell that is simulated here, for further clients."""
 
     @property
     def true(self) -> Judge:
@@ -103,12 +105,14 @@ async def simulated(
     film: Path | None = None,
     camera: str = "overview",
     view: bool = False,
+    changed: Callable[[RobotConfig], RobotConfig] = lambda config: config,
 ) -> AsyncIterator[Session]:
     """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
 
     `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
+    `changed` makes another cell of the one in the file.
     """
-    config = configured(seed, disturbances or Disturbances())
+    config = changed(configured(seed, disturbances or Disturbances()))
     model = robot_files.robot_model(config)
     layout = Layout(model)
     backend = WatchedBackend(backends.find(config.backend))
@@ -125,7 +129,7 @@ async def simulated(
             await stack.enter_async_context(recording)
         ocu = await stack.enter_async_context(network.ocu(OCU_ID))
         cell = await stack.enter_async_context(CellClient(ocu, config, layout))
-        yield Session(cell, layout, judge, recording)
+        yield Session(cell, layout, judge, recording, network)
 
 
 @asynccontextmanager

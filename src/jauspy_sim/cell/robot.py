@@ -24,6 +24,7 @@ from jauspy_sim.cell.assembly import GRIPPER, CellModel, build_cell
 from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
 from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
+from jauspy_sim.cell.faults import Faults
 from jauspy_sim.cell.probe import Probe
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
 from jauspy_sim.cell.start import disturb, put, put_on_each_other, scatter
@@ -150,6 +151,7 @@ class SimulatedCell:
         self._payload = Payload(cell.model, data, setup, gripper, self._attachments) if setup.gripper else None
         self._arm = self._make_arm(setup)
         self._truth = Truth(cell, data, self._servos)
+        self._faults = Faults(self._attachments, self._sensor, self._servos, lambda: self.time)
         self._probes: list[Probe] = []
         self._revision = -1
         self._owed = 0.0
@@ -187,6 +189,11 @@ class SimulatedCell:
     def truth(self) -> Truth:
         """The true state; for tests and measurements only."""
         return self._truth
+
+    @property
+    def faults(self) -> Faults:
+        """Breaks parts of the cell, for trials."""
+        return self._faults
 
     @property
     def drive(self) -> FixedBase:
