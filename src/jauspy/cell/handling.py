@@ -72,19 +72,22 @@ class Handling:
         self.planner = planner
         self.composites: dict[str, list[Piece]] = {}
         """Shapes of parts to which others are attached, with those of the others, in the frame of the part."""
+        self.faces: dict[str, pin.SE3] = {}
+        """Where parts are grasped that cannot be grasped as their type says: the gripper in the frame of the part."""
 
     def pieces(self, part: str) -> list[Piece]:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
-    def grasps(self, part: str) -> list[pin.SE3]:
-        """The poses of the gripper in the frame of a part on its usual face, for all angles about its axis."""
-        return _turned(self.layout.grasp(part))
+    def grasps(self, part: str, first: float = 0.0) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part on the face that is chosen, for all angles about its axis."""
+        return _turned(self.faces.get(part) or self.layout.grasp(part), first)
 
-    def upper_grasps(self, part: str, pose: pin.SE3) -> list[pin.SE3]:
+    def upper_grasps(self, part: str, pose: pin.SE3, first: float = 0.0) -> list[pin.SE3]:
         """The same on all faces that are up while the part is at `pose`: from beside and below, bins are in the way."""
-        up = [grasp for grasp in self.layout.grasps(part) if (pose.rotation @ grasp.rotation)[2, 2] < -DOWNWARD]
-        return [found for grasp in up for found in _turned(grasp)]
+        faces = [self.faces[part]] if part in self.faces else self.layout.grasps(part)
+        up = [grasp for grasp in faces if (pose.rotation @ grasp.rotation)[2, 2] < -DOWNWARD]
+        return [found for grasp in up for found in _turned(grasp, first)]
 
     def pick(
         self,
@@ -99,11 +102,13 @@ class Handling:
     ) -> PickPlan:
         """A way to grasp a part that is at `pose`, such that it can be put to one of `goals` afterwards.
 
-        `supports`: what it lies on or in. `skip` leaves out that many of the solutions.
+        `supports`: what it stands on, or is joined to; without any it lies in a bin. `skip` leaves out that many of the
+        solutions.
         """
         k = self.layout.kinematics
         options: list[tuple[float, pin.SE3, Array]] = []
-        for grasp in (grasps := self.upper_grasps(part, pose)):
+        grasps = self.grasps(part) if supports else self.upper_grasps(part, pose)
+        for grasp in grasps:
             over = pose * grasp * shifted(z=-APPROACH)
             options += [
                 (k.distance(posture.positions, start), grasp, posture.positions)
@@ -208,8 +213,8 @@ class Handling:
         return any(k.solve(goal * shifted(z=INSERT) * grasp, near, condition=CONDITION) for goal in goals)
 
 
-def _turned(grasp: pin.SE3) -> list[pin.SE3]:
-    return [grasp * turned("z", math.tau * number / TURNS) for number in range(TURNS)]
+def _turned(grasp: pin.SE3, first: float = 0.0) -> list[pin.SE3]:
+    return [grasp * turned("z", first + math.tau * number / TURNS) for number in range(TURNS)]
 
 
 def _first(options: Sequence[Option], plan: Callable[[Option], Plan]) -> Plan:

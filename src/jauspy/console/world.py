@@ -473,6 +473,12 @@ def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
     return None
 
 
+def known_cell(name: str, files: Sequence[str]) -> CellSetup | None:
+    """The cell around a robot of this name whose file is on this machine."""
+    found = _known(name, files, set())
+    return None if found is None else found.cell
+
+
 def _is_near(one: Sequence[float], other: Sequence[float]) -> bool:
     """True for two poses that differ by less than `PART_STEP`."""
     far, turned = PART_STEP

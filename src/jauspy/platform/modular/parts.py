@@ -84,6 +84,8 @@ class Inertia:
     """The rows of the matrix."""
 
 
+HALF_TURN: Final = Transform(((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)))
+"""Half a turn about x: two plates that face each other."""
 POSITION_GAINS: Final = Gains(40.0, 30.0, 2.0, 5.0)
 VELOCITY_GAINS: Final = Gains(4.0, 30.0, 0.0, 5.0)
 
@@ -189,6 +191,19 @@ class PartType(Table):
     def grasps(self) -> tuple[Transform, ...]:
         """The frames of the gripper on all faces by which it can hold the part, the usual one first."""
         return self.grasp, *self.further_grasps
+
+    @property
+    def back(self) -> Transform | None:
+        """Frame of the gripper on the flat face opposite to `grasp`, for a part that lies upside down.
+
+        None where that face has a flange (a wheel), where the gripper may be anywhere (a box), and for bases.
+        """
+        solid = self.solids[0]
+        if self.kind in (PartKind.BASE, PartKind.WHEEL, PartKind.BOX) or solid.shape is not Shape.CUBOID:
+            return None
+        normal = (solid.pose.inverse() @ self.grasp).rotate((0.0, 0.0, 1.0))
+        thickness = sum(abs(part) * size for part, size in zip(normal, solid.size, strict=True))
+        return self.grasp @ Transform(position=(0.0, 0.0, thickness)) @ HALF_TURN
 
     @property
     def is_module(self) -> bool:
