@@ -78,6 +78,8 @@ class Measured:
     """Lines of a table."""
     physics: Physics | None = None
     """What the simulation measured at each step; None for a cell elsewhere."""
+    written: tuple[str, ...] = ()
+    """What was put in place by writing positions, as the simulation saw it; empty when all was done by the task."""
     film_problem: str = ""
     """Why the film of the run is incomplete, as a sentence; empty if it is complete, or was not wanted."""
 

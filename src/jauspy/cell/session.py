@@ -33,6 +33,8 @@ _LOG: Final = get_logger(__name__)
 
 ROBOT: Final = "cell"
 OCU_ID: Final = "42.1.1"
+TURNED_OVER: Final = 0.25
+"""Fraction of scattered parts that lie on another side."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +94,7 @@ def configured(seed: int, disturbances: Disturbances, robot: str = ROBOT) -> Rob
         pose_error=(disturbances.position, disturbances.angle),
         attach_failure=disturbances.attach_failure,
         scatter=disturbances.scatter,
+        turned_over=TURNED_OVER,
     )
     return config.model_copy(update={"cell": cell})
 
