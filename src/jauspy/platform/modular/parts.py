@@ -35,6 +35,17 @@ from jauspy.platform.tables import (
 )
 
 
+class ContactReaction(Enum):
+    """What a modular arm does when it meets something in its way."""
+
+    STOP = "stop"
+    """It holds where it is, and lets the torque at the contact fall."""
+    YIELD = "yield"
+    """It moves out of the way of what pushes it, and holds there."""
+    IGNORE = "ignore"
+    """It pushes on."""
+
+
 class PartKind(Enum):
     """The purpose of a part."""
 
@@ -407,6 +418,8 @@ class CellSetup(Table):
     seed: Seed = 0
     arm: Literal[""] | Identifier = "arm"
     """Name of the modular arm; empty without one."""
+    contact: ContactReaction = ContactReaction.STOP
+    """What the modular arm does when it meets something in its way."""
     car: Literal[""] | Identifier = ""
     """Name of the base that is a car once wheels are attached to it; empty without one."""
 
