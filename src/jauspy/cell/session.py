@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import math
 import time
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import AsyncExitStack, asynccontextmanager
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -22,6 +22,7 @@ from jauspy.logs import get_logger
 from jauspy.ocu import OCU
 from jauspy.platform.camera import CameraSession, CameraSource
 from jauspy.platform.contract import Robot
+from jauspy.platform.description import RobotModel
 from jauspy.robot import robot_files
 from jauspy.robot.config import RobotConfig
 from jauspy.robot.runner import RobotRunner
@@ -106,15 +107,16 @@ async def simulated(
     film: Path | None = None,
     camera: str = "overview",
     view: bool = False,
+    change: Callable[[RobotModel], RobotModel] = lambda model: model,
 ) -> AsyncIterator[Session]:
     """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
 
     `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
+    `change` makes the cell another one, as with a load that is bolted to it.
     """
     config = configured(seed, disturbances or Disturbances())
-    model = robot_files.robot_model(config)
-    layout = Layout(model)
-    backend = WatchedBackend(backends.find(config.backend))
+    layout = Layout(change(robot_files.robot_model(config)))
+    backend = WatchedBackend(backends.find(config.backend), change)
     async with AsyncExitStack() as stack:
         network = await stack.enter_async_context(VirtualNetwork(seed=seed))
         realtime = WatchedTime if view else VirtualTime

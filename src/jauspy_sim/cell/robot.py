@@ -27,6 +27,7 @@ from jauspy_sim.cell.probe import Probe
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
 from jauspy_sim.cell.start import disturb, put, put_on_each_other, scatter
 from jauspy_sim.cell.truth import Truth
+from jauspy_sim.cell.writes import Writes
 from jauspy_sim.physics.dynamics import dynamics_of
 from jauspy_sim.physics.joints import SimulatedJoints
 from jauspy_sim.rendering.cameras import SimulatedCamera, SimulatedCameras
@@ -105,6 +106,7 @@ class SimulatedCell:
         settling = SETTLING_STEPS * (SCATTERED_TIMES if setup.scatter else 1)
         self._steps = -settling
         self._run(settling)
+        self._truth.writes = Writes(cell.model, data)
         self._sensor.step(0.0)
         self._parts = tuple(self._list_parts())
         self._cameras = SimulatedCameras(cell.model, data, cell.prefix, robot)
@@ -233,12 +235,16 @@ class SimulatedCell:
 
     def _run(self, steps: int) -> None:
         model, data = self._model, self._data
+        writes = self._truth.writes
         for _ in range(steps):
+            if writes is not None:
+                writes.check()
             self._control()
             if self._box_flies():
                 self._short_steps()
             else:
                 mujoco.mj_step(model, data)
+                self._check_loads()
             self._steps += 1
             if (watch := self._truth.watching) is not None:
                 watch.step()
@@ -246,6 +252,8 @@ class SimulatedCell:
                 probe.step(self.time)
             if self._conveyor is not None:
                 self._conveyor.control()
+            if writes is not None:
+                writes.keep()
             self._sensor.step(self.time)
 
     def _box_flies(self) -> bool:
@@ -262,15 +270,24 @@ class SimulatedCell:
         model.opt.timestep = TIMESTEP / SHORT_STEPS
         for _ in range(SHORT_STEPS):
             mujoco.mj_step(model, data)
+            self._check_loads()
         model.opt.timestep = TIMESTEP
+
+    def _check_loads(self) -> None:
+        """Break off what the step that was just made has overloaded."""
+        for probe in self._probes:
+            probe.measure_loads(self.time)
+        self._attachments.check()
 
     def _control(self) -> None:
         for servo in self._powered:
             servo.sample()
         if not self._steps % CONTROL_EVERY:
-            self._attachments.control()
+            self._attachments.control(CONTROL_EVERY * TIMESTEP)
             if self._attachments.revision != self._revision:
                 self._follow_attachments()
+            if self._car is not None:
+                self._car.control(CONTROL_EVERY * TIMESTEP)
             if self._arm is not None:
                 self._arm.control(self.time, CONTROL_EVERY * TIMESTEP)
         for group in self._groups.values():

@@ -41,11 +41,10 @@ class Dynamics:
         model.opt.gravity[:] = world.opt.gravity
         self._load = int(model.body(LOAD).id)
         model.body_sameframe[self._load] = int(mujoco.mjtSameFrame.mjSAMEFRAME_NONE)  # its centre of mass will move
-        self._data = mujoco.MjData(model)
-        self._world = data
-        self._from, self._to = _positions(world, model, prefix)
+        self._data = own = mujoco.MjData(model)
+        self._qpos, self._qvel, self._qacc, self._world_qpos = own.qpos, own.qvel, own.qacc, data.qpos
+        self._from, self._to = map(_block, _positions(world, model, prefix))
         joints = [robot.description.joint(name) for name in group.joints]
-        self._dofs = np.array([int(model.joint(joint.name).dofadr[0]) for joint in joints])
         followers = [
             (joint, joints.index(leader), joint.multiplier)
             for joint in robot.description.joints.values()
@@ -55,14 +54,17 @@ class Dynamics:
         self._followers = [
             (int(model.joint(joint.name).dofadr[0]), number, multiplier) for joint, number, multiplier in followers
         ]
-        moved = [*self._dofs.tolist(), *(dof for dof, _, _ in self._followers)]
-        self._world_dofs = np.array([int(world.joint(f"{prefix}{_name(model, dof)}").dofadr[0]) for dof in moved])
-        self._moved = np.array(moved)
+        leaders = [int(model.joint(joint.name).dofadr[0]) for joint in joints]
+        self._dofs = _block(leaders)
+        moved = [*leaders, *(dof for dof, _, _ in self._followers)]
+        self._world_dofs = _block([int(world.joint(f"{prefix}{_name(model, dof)}").dofadr[0]) for dof in moved])
+        self._moved = _block(moved)
         self._armature = model.dof_armature[self._moved].copy()
         self._friction = model.dof_frictionloss[self._moved].copy()
         self.friction = model.dof_frictionloss[self._dofs].copy()
         """Dry friction of the group's joints, N m or N."""
         self._efforts = np.zeros(world.nv)
+        self._view = view(self._efforts)
         self._found = np.zeros(model.nv)
 
     def carry(self, mass: float, center: Vector) -> None:
@@ -79,7 +81,7 @@ class Dynamics:
         data, load = self._data, self._load
         carried = data.cinert[load].copy()
         arm = data.xpos[load] - data.subtree_com[self._model.body_rootid[load]]
-        rows = np.empty((len(self._dofs), 4))
+        rows = np.empty((len(self.friction), 4))
         data.cinert[load] = 0.0
         without = self._inverse_dynamics()
         for column, (mass, moment) in enumerate(
@@ -92,7 +94,7 @@ class Dynamics:
 
     def _inverse_dynamics(self) -> NDArray[np.float64]:
         mujoco.mj_rne(self._model, self._data, 1, self._found)
-        found: NDArray[np.float64] = self._found[self._dofs]
+        found: NDArray[np.float64] = self._found[self._dofs].copy()
         return found
 
     def efforts(self, setpoints: Sequence[tuple[float, float]]) -> memoryview[float]:
@@ -101,17 +103,17 @@ class Dynamics:
         Without those against viscous damping, which the controllers of the joints add.
         """
         model, data, moved = self._model, self._data, self._moved
-        data.qpos[self._to] = self._world.qpos[self._from]
+        self._qpos[self._to] = self._world_qpos[self._from]
         rows = [*setpoints, *((m * setpoints[n][0], m * setpoints[n][1]) for _, n, m in self._followers)]
-        wanted = np.array(rows)
-        data.qvel[moved], data.qacc[moved] = wanted[:, 0], wanted[:, 1]
+        velocities, accelerations = np.array(rows).T
+        self._qvel[moved], self._qacc[moved] = velocities, accelerations
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_comVel(model, data)
         mujoco.mj_rne(model, data, 1, self._found)
-        friction = self._friction * np.tanh(2.0 * wanted[:, 0] / BREAKAWAY)
-        self._efforts[self._world_dofs] = self._found[moved] + self._armature * wanted[:, 1] + friction
-        return view(self._efforts)
+        friction = self._friction * np.tanh(2.0 / BREAKAWAY * velocities)
+        self._efforts[self._world_dofs] = self._found[moved] + self._armature * accelerations + friction
+        return self._view
 
 
 def dynamics_of(
@@ -119,6 +121,13 @@ def dynamics_of(
 ) -> Dynamics | None:
     """The dynamics for a group of joints with feed-forward; None for one without."""
     return Dynamics(world, data, prefix, robot, group) if group.feed_forward else None
+
+
+def _block(indices: list[int]) -> slice | NDArray[np.int64]:
+    """The indices as a slice if they are contiguous, which is several times as fast."""
+    if indices == list(range(indices[0], indices[0] + len(indices))):
+        return slice(indices[0], indices[0] + len(indices))
+    return np.array(indices)
 
 
 def _about(arm: NDArray[np.float64], mass: float, moment: NDArray[np.float64]) -> list[float]:

@@ -46,21 +46,19 @@ class Encoder:
 
     def start(self, true: float) -> None:
         """Read at first; the rate begins at zero."""
-        self.position, self.rate = self._read(true), 0.0
+        self.sample(true)
+        self.rate = 0.0
 
     def sample(self, true: float, acceleration: float = 0.0) -> None:
         """Read the true position, `dt` seconds after the last time.
 
         With the acceleration that was commanded meanwhile, the rate does not lag behind by the time of its average.
         """
-        found = self._read(true)
-        expected = self.rate + acceleration * self._dt
-        # the difference is the rate at the end of the step: MuJoCo moves positions by the velocity at its end
-        self.rate = expected + self._part * ((found - self.position) / self._dt - expected)
-        self.position = found
-
-    def _read(self, true: float) -> float:
         if self._deviation:
             true += self._deviation * self._noise()
-        step = self._step
-        return step * round(true / step) if step else true
+        if step := self._step:
+            true = step * round(true / step)
+        expected = self.rate + acceleration * self._dt
+        # the difference is the rate at the end of the step: MuJoCo moves positions by the velocity at its end
+        self.rate = expected + self._part * ((true - self.position) / self._dt - expected)
+        self.position = true

@@ -69,11 +69,13 @@ class SimulatedJoints:
         self._dynamics = dynamics
         self._setpoints = [(0.0, 0.0)] * len(self._joints)
         """Velocities and accelerations of the setpoints in the last control cycle."""
-        controller = JointController if dynamics is None else FedForwardController
-        self._controllers = [
-            controller(joint, setup.gains[joint.name], start)
-            for joint, start in zip(self._joints, setup.start, strict=True)
+        starts = [
+            (joint, setup.gains[joint.name], start) for joint, start in zip(self._joints, setup.start, strict=True)
         ]
+        fed_forward = [FedForwardController(*row) for row in starts] if dynamics is not None else []
+        self._fed_forward = fed_forward
+        """Those of the controllers that `dynamics` feeds forward: all or none."""
+        self._controllers: Sequence[JointController] = fed_forward or [JointController(*row) for row in starts]
         self._brakes = [
             LoadBrake(model, data, joint, dof, self._dt) for joint, dof in zip(self._joints, self._dofs, strict=True)
         ]
@@ -158,7 +160,7 @@ class SimulatedJoints:
         measured = self._measure()
         setpoints, learns = self._setpoints, False
         if self._dynamics is not None:
-            self._setpoints = setpoints = [controller.preview(dt) for controller in self._controllers]
+            self._setpoints = setpoints = [controller.begin(dt) for controller in self._fed_forward]
             learns = self.held is not None and self.held.prepare(setpoints)
             bias = self._dynamics.efforts(setpoints)
         for (controller, dof, motor, followers, brake), (value, velocity) in zip(self._rows, measured, strict=True):
