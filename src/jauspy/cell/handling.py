@@ -34,6 +34,8 @@ INSERT: Final = 0.06
 """Metres above a connector at which a part is lowered in a straight line."""
 LINE_MARGIN: Final = 0.003
 """Metres to keep from everything but what is touched, on straight lines."""
+BIN_MARGIN: Final = 0.0015
+"""The same where a part is grasped: one that lies at a bin's wall is not much higher than that."""
 MAX_PLANS: Final = 8
 """Postures for which a whole plan is tried."""
 CONDITION: Final = 0.03
@@ -127,8 +129,8 @@ class Handling:
             _, grasp, posture = option
             approach = self.planner.to_posture(start, posture)
             with self.scene.without(part):
-                near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=LINE_MARGIN)
-                contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=LINE_MARGIN)
+                near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=BIN_MARGIN)
+                contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=BIN_MARGIN)
             try:
                 self.scene.hold(part, pieces, grasp.inverse())
                 with self.scene.without(*supports):

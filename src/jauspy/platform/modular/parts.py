@@ -505,3 +505,8 @@ def _of_point(mass: float, position: Vector) -> Moments:
 
 def _sum(a: Moments, b: Moments) -> Moments:
     return add(a[0], b[0]), add(a[1], b[1]), add(a[2], b[2])
+
+
+def mass_of(part: PartType) -> float:
+    """Kilograms of a whole part."""
+    return body_inertia(part).mass + output_inertia(part).mass
