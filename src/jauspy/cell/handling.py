@@ -77,9 +77,12 @@ class Handling:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
-    def grasps(self, part: str) -> list[pin.SE3]:
-        """The poses of the gripper in the frame of a part on its usual face, for all angles about its axis."""
-        return _turned(self.layout.grasp(part))
+    def grasps(self, part: str, face: pin.SE3 | None = None) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part for all angles about its axis, on its usual face or another.
+
+        `face` is one of `Layout.grasps`.
+        """
+        return _turned(self.layout.grasp(part) if face is None else face)
 
     def upper_grasps(self, part: str, pose: pin.SE3) -> list[pin.SE3]:
         """The same on all faces that are up while the part is at `pose`: from beside and below, bins are in the way."""
@@ -96,14 +99,17 @@ class Handling:
         lift: float = LIFT,
         supports: Iterable[str] = (),
         skip: int = 0,
+        face: pin.SE3 | None = None,
     ) -> PickPlan:
         """A way to grasp a part that is at `pose`, such that it can be put to one of `goals` afterwards.
 
-        `supports`: what it lies on or in. `skip` leaves out that many of the solutions.
+        `supports`: what it lies on or in. `face`: where it is grasped, if not on a face that is up. `skip` leaves out
+        that many of the solutions.
         """
         k = self.layout.kinematics
         options: list[tuple[float, pin.SE3, Array]] = []
-        for grasp in (grasps := self.upper_grasps(part, pose)):
+        grasps = self.upper_grasps(part, pose) if face is None else self.grasps(part, face)
+        for grasp in grasps:
             over = pose * grasp * shifted(z=-APPROACH)
             options += [
                 (k.distance(posture.positions, start), grasp, posture.positions)
