@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pinocchio as pin
@@ -28,6 +29,8 @@ from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
 from jauspy.platform.modular.connector import ConnectorState
+
+TOP = "platform_1/top"
 
 
 @pytest.fixture(scope="module")
@@ -77,13 +80,21 @@ def test_the_tip_stays_square_to_the_base_however_parts_are_turned(parts: list[t
 class TestJoined:
     @staticmethod
     def state(part: str, offset: pin.SE3 | None = None, error: str = "") -> ConnectorState:
-        return ConnectorState(True, True, part, transform(offset or pin.SE3.Identity()), 20.0, last_error=error)
+        frame = transform(offset or pin.SE3.Identity())
+        return ConnectorState(True, True, part, frame, 20.0, latched=not error, last_error=error)
 
-    @given(st.floats(0.0, 0.9), st.floats(0.0, 0.9), st.floats(-3.1, 3.1))
+    @given(share=st.floats(0.0, 0.9), lean=st.floats(0.0, 0.9), turn=st.floats(-3.1, 3.1))
     @settings(max_examples=25)
-    def test_what_sits_within_the_limits_is_joined(self, share: float, lean: float, turn: float) -> None:
+    def test_what_sits_within_the_limits_is_joined(
+        self, assembler: Assembler, share: float, lean: float, turn: float
+    ) -> None:
         offset = shifted(share * MAX_SHIFT) * turned("x", lean * MAX_TILT) * turned("z", turn)
-        assert Assembler._joined_wrongly(None, "servo_1", self.state("servo_1", offset)) == ""
+        assert assembler._joined_wrongly(TOP, "servo_1", self.state("servo_1", offset)) == ""
+
+    def test_what_is_not_locked_is_not_joined(self, assembler: Assembler) -> None:
+        state = replace(self.state("servo_1"), latched=False)
+        assert assembler._joined_wrongly(TOP, "servo_1", state) == "platform_1/top does not lock it"
+        assert assembler._joined_wrongly("gripper", "servo_1", state) == ""
 
     @pytest.mark.parametrize(
         ("offset", "text"),
@@ -93,12 +104,12 @@ class TestJoined:
         ],
     )
     def test_what_sits_badly_is_described(self, assembler: Assembler, offset: pin.SE3, text: str) -> None:
-        assert assembler._joined_wrongly("servo_1", self.state("servo_1", offset)) == text
+        assert assembler._joined_wrongly(TOP, "servo_1", self.state("servo_1", offset)) == text
 
     def test_another_part_or_none_is_named(self, assembler: Assembler) -> None:
-        assert assembler._joined_wrongly("servo_1", self.state("bracket_1")) == "the connector holds bracket_1"
-        assert assembler._joined_wrongly("servo_1", self.state("")) == "the connector holds nothing"
-        assert assembler._joined_wrongly("servo_1", self.state("", error="leaks")) == "leaks"
+        assert assembler._joined_wrongly(TOP, "servo_1", self.state("bracket_1")) == "the connector holds bracket_1"
+        assert assembler._joined_wrongly(TOP, "servo_1", self.state("")) == "the connector holds nothing"
+        assert assembler._joined_wrongly(TOP, "servo_1", self.state("", error="leaks")) == "leaks"
 
 
 class TestChoice:

@@ -87,7 +87,13 @@ class FakeCell:
         part, offset = self.attached.get(name, ("", pin.SE3.Identity()))
         force = GRAVITY * sum(each.mass for each in self._solids(part)) if part else 0.0
         return ConnectorState(
-            True, bool(self.enabled[name]), part, transform(offset), force, last_error=self._error(name)
+            True,
+            bool(self.enabled[name]),
+            part,
+            transform(offset),
+            force,
+            latched=bool(part),
+            last_error=self._error(name),
         )
 
     async def enable(self, name: str, enabled: bool) -> None:

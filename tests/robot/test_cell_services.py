@@ -335,7 +335,9 @@ def test_a_connector_attaches_and_releases():
     connector.touches = "box_1"
     bench.tell(m.SetConnector(1, m.SetConnector.Enabled.ENABLED))
     offset = Transform.from_pose(Pose(0.001, -0.002, 0.003, 0.01, -0.02, 0.03))
-    connector.current = replace(connector.current, offset=offset, force=12.5, moment=0.5)
+    connector.current = replace(
+        connector.current, offset=offset, force=12.5, moment=0.5, utilisation=0.25, vacuum=9e4, latched=True
+    )
     report = bench.ask(m.QueryConnectorState(ALL_FIELDS, 1))
     assert (report.connector, report.enabled, report.attached_to, report.error, report.error_text) == (
         1,
@@ -354,6 +356,7 @@ def test_a_connector_attaches_and_releases():
     ]
     assert pose == pytest.approx([0.001, -0.002, 0.003, 0.01, -0.02, 0.03])
     assert (report.force, report.moment) == (12.5, 0.5)
+    assert (report.utilisation, report.vacuum, report.latched) == (0.25, 9e4, m.ReportConnectorState.Latched.LATCHED)
     bench.tell(m.SetConnector(1, m.SetConnector.Enabled.DISABLED))
     assert bench.ask(m.QueryConnectorState(0b10, 1)).attached_to == ""
 
@@ -377,7 +380,7 @@ def test_a_base_has_a_connector_for_each_side():
     assert names == ["top", "front_left", "rear_left", "front_right", "rear_right"]
     limits = specification.connector_limits_rec
     assert (limits.name, limits.type) == ("car", "chassis")
-    assert limits.max_force == pytest.approx(bench.robot.cell.limits.max_force)
+    assert (limits.max_force, limits.max_moment) == pytest.approx((1100.0, 27.5))  # its latches
     bench.control()
     bench.robot.connectors["car/rear_left"].touches = "wheel_1"
     bench.tell(m.SetConnector(3, m.SetConnector.Enabled.ENABLED))

@@ -22,6 +22,7 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
 from jauspy.platform.modular.arm import ArmController, ArmMotion, ModularArm, ModularArmState
 from jauspy.platform.modular.cell import Observation, ObservedPart, PartSensor
 from jauspy.platform.modular.connector import ConnectorState, VacuumConnector
+from jauspy.platform.modular.holding import Holding
 from jauspy.platform.modular.parts import CellSetup, ConnectorLimits
 from jauspy.services.cell.equipment import PartSensorService
 from jauspy.services.cell.modular_arm import ArmMotionControl, ModularArmService
@@ -131,7 +132,7 @@ def _components(connect: str) -> list[jauspy.Component]:
     functions: list[list[Service]] = [
         [
             ModularArmService(ArmMotionControl(_Arm()), cell),
-            VacuumConnectorService(IMAGE, PAYLOADS[0], [_Connector()], ConnectorLimits()),
+            VacuumConnectorService(IMAGE, PAYLOADS[0], [_Connector()], ConnectorLimits(), Holding(100.0, 0.03, 0.5)),
             PartSensorService(_Sensor()),
         ],
         [_Video(), _Lens()],

@@ -413,7 +413,7 @@ class Assembler:
         await self.go(Path((self.at, *plan.lift.points[-2::-1])), speed=0.1, contact=True)
         if connector:
             await self.cell.enable(connector, True)
-            await self._wait_attached(connector)
+            await self._wait_held(connector)
         await self.cell.enable(GRIPPER, False)
         self._drop(plan.part)
         await self.go(self.handling.retreat(self.at), contact=True)
@@ -457,7 +457,7 @@ class Assembler:
             await self.press(plan.contact)
             await self.cell.enable(tip.connector, True)  # in contact: enabled before, it would leave a gap of its lip
             state = await self.touch(Path((self.at,)), tip.connector, plan.goal)
-            why = self._joined_wrongly(part, state)
+            why = self._joined_wrongly(tip.connector, part, state)
             if not why:
                 await self._let_go(part, row, tip, slot, state)
                 return True
@@ -469,13 +469,15 @@ class Assembler:
             await self.put_down(part)
         return False
 
-    def _joined_wrongly(self, part: str, state: ConnectorState) -> str:
+    def _joined_wrongly(self, connector: str, part: str, state: ConnectorState) -> str:
         if state.attached_to != part:
             return state.last_error or f"the connector holds {state.attached_to or 'nothing'}"
         offset = se3(state.offset)
         tilt, shift = tilt_between(pin.SE3.Identity(), offset), float(np.linalg.norm(offset.translation))
         if tilt > MAX_TILT or shift > MAX_SHIFT:
             return f"it sits {1000 * shift:.1f} mm and {math.degrees(tilt):.1f} degrees off"
+        if self.layout.locks(connector, part) and not state.latched:
+            return state.last_error or f"{connector} does not lock it"
         return ""
 
     async def _let_go(self, part: str, row: PartResult, tip: Tip, slot: Slot, state: ConnectorState) -> None:
@@ -526,9 +528,8 @@ class Assembler:
     async def touch(self, path: Path, connector: str, frame: pin.SE3, *, speed: float = TOUCH_SPEED) -> ConnectorState:
         """Move until a connector attaches something; press on, along -z of `frame`, while none does."""
         for press in range(PRESSES + 1):
-            state = await self.cell.touch(path, connector, tool_speed=speed)
-            if not state.attached_to:
-                state = await self._wait_attached(connector)
+            await self.cell.touch(path, connector, tool_speed=speed)
+            state = await self._wait_held(connector)
             self.at = await self.cell.posture()
             if state.attached_to or not state.enabled or press == PRESSES:
                 break
@@ -540,14 +541,15 @@ class Assembler:
         await self.cell.touch(path, GRIPPER, tool_speed=TOUCH_SPEED, contact=CONTACT_FORCE)
         self.at = await self.cell.posture()
 
-    async def _wait_attached(self, connector: str) -> ConnectorState:
-        """Wait until a connector has attached something, or reports that it is not in contact."""
+    async def _wait_held(self, connector: str) -> ConnectorState:
+        """Wait until a connector has attached something, and locked it if it can, or reports why it does not."""
         begun = self.cell.now()
         while True:
             state = await self.cell.connector(connector)
             waited = self.cell.now() - begun
-            gives_up = not state.enabled or state.error in OUT_OF_CONTACT
-            if state.attached_to or waited > (SEAL_TIME if gives_up else ATTACH_TIME):
+            gives_up = not state.enabled or state.error in OUT_OF_CONTACT or (state.attached_to and state.last_error)
+            held = state.attached_to and (state.latched or not self.layout.locks(connector, state.attached_to))
+            if held or waited > (SEAL_TIME if gives_up else ATTACH_TIME):
                 return state
             await self.cell.sleep(POLL)
 

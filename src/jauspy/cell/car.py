@@ -386,7 +386,7 @@ class CarTask:
         await ur10.press(ur10.planner.line(ur10.at, down))
         await self.cell.enable(connector, True)
         state = await ur10.touch(Path((ur10.at,)), connector, top)
-        if state.attached_to != root:
+        if state.attached_to != root or not state.latched:
             raise TaskFailed(f"{connector} does not hold the arm: {state.last_error or 'nothing attaches'}")
         frames = self._arm_frames(self.arm.last_goal)
         stands = top * se3(state.offset) * frames[root].inverse()

@@ -213,12 +213,14 @@ class ArmOperator:
         return free
 
     async def wait_attached(self, connector: str, within: float) -> str:
-        """The part that a connector has attached; empty when it has not after `within` seconds."""
+        """The part that a connector has attached, and locked if it can; empty if it has not within so many seconds."""
         until = self.cell.now() + within
         while True:
             state = await self.cell.connector(connector)
-            if state.attached_to or self.cell.now() > until:
+            if state.attached_to and (state.latched or not self.layout.locks(connector, state.attached_to)):
                 return state.attached_to
+            if self.cell.now() > until:
+                return ""
             await self.cell.sleep(POLL)
 
 

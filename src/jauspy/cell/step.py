@@ -140,6 +140,8 @@ class Stepper:
         state = await self.cell.connector(holds)
         if state.attached_to != part:
             raise TaskFailed(f"{connector} stays enabled: {holds} holds {state.attached_to or 'nothing'}, not {part}")
+        if self.layout.locks(holds, part) and not state.latched:
+            raise TaskFailed(f"{connector} stays enabled: {holds} has not locked {part}: {state.last_error}")
         self.result.log.append(f"{holds} holds {part} with {state.force:.1f} N; {connector} is released")
         await self.cell.enable(connector, False)
         await self.cell.sleep(0.2)

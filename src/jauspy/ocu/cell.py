@@ -33,7 +33,7 @@ from jauspy.messages.cell.v1_0 import (
 from jauspy.ocu.service import ServiceClient
 from jauspy.platform.modular.arm import ArmController, ModularArmState, MotionResult, TrajectoryPoint
 from jauspy.platform.modular.cell import ConveyorState
-from jauspy.platform.modular.connector import ConnectorState
+from jauspy.platform.modular.connector import ConnectorError, ConnectorState
 from jauspy.services.cell.modular_arm import trajectory_command
 
 ALL_FIELDS: Final = 0xFFFFFFFF
@@ -45,6 +45,9 @@ MAX_NUMBER: Final = 0xFFFF_FFFF
 """The largest number of a motion that fits the message."""
 SLACK: Final = (3.0, 5.0)
 """Factor of the duration and seconds on top of it in which a motion must end, unless another time-out is given."""
+
+_ERRORS: Final = dict(enumerate(ConnectorError))
+"""Reasons by their number in the message, whose order is the same."""
 
 _ENDINGS: Final[Mapping[MotionResult, str]] = {
     MotionResult.REFUSED: "the modular arm refused to move",
@@ -216,7 +219,11 @@ class Connector:
             moment=report.moment or 0.0,
             mass=report.load_mass or 0.0,
             mass_deviation=math.inf if report.load_mass_deviation is None else report.load_mass_deviation,
+            utilisation=report.utilisation or 0.0,
+            vacuum=report.vacuum or 0.0,
+            latched=bool(report.latched),
             broken_off=report.broken_off or 0,
+            error=_ERRORS.get(report.error or 0, ConnectorError.OTHER),
             last_error=report.error_text or "",
         )
 

@@ -244,6 +244,7 @@ class SimulatedCell:
                 self._short_steps()
             else:
                 mujoco.mj_step(model, data)
+                self._check_loads()
             self._steps += 1
             if (watch := self._truth.watching) is not None:
                 watch.step()
@@ -269,15 +270,24 @@ class SimulatedCell:
         model.opt.timestep = TIMESTEP / SHORT_STEPS
         for _ in range(SHORT_STEPS):
             mujoco.mj_step(model, data)
+            self._check_loads()
         model.opt.timestep = TIMESTEP
+
+    def _check_loads(self) -> None:
+        """Break off what the step that was just made has overloaded."""
+        for probe in self._probes:
+            probe.measure_loads(self.time)
+        self._attachments.check()
 
     def _control(self) -> None:
         for servo in self._powered:
             servo.sample()
         if not self._steps % CONTROL_EVERY:
-            self._attachments.control()
+            self._attachments.control(CONTROL_EVERY * TIMESTEP)
             if self._attachments.revision != self._revision:
                 self._follow_attachments()
+            if self._car is not None:
+                self._car.control(CONTROL_EVERY * TIMESTEP)
             if self._arm is not None:
                 self._arm.control(self.time, CONTROL_EVERY * TIMESTEP)
         for group in self._groups.values():

@@ -94,7 +94,7 @@ class Dynamics:
 
     def _inverse_dynamics(self) -> NDArray[np.float64]:
         mujoco.mj_rne(self._model, self._data, 1, self._found)
-        found: NDArray[np.float64] = self._found[self._dofs]
+        found: NDArray[np.float64] = self._found[self._dofs].copy()
         return found
 
     def efforts(self, setpoints: Sequence[tuple[float, float]]) -> memoryview[float]:

@@ -19,6 +19,7 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, ORIGIN, Transform
 from jauspy.geometry.vectors import GRAVITY, Vector, add, difference, dot, product, scaled, transposed
 from jauspy.platform.joints import EncoderSetup, Gains
+from jauspy.platform.modular.holding import GRIPPER_PLATE, LATCH, PLATE, Cup, Holding, Latch
 from jauspy.platform.tables import (
     Converted,
     FrameOfTable,
@@ -173,6 +174,8 @@ class PartType(Table):
     """Frame of the gripper when it holds the part, in the frame of the part; its z points into the part."""
     further_grasps: tuple[FrameOfTable, ...] = ()
     """The same for other faces by which it can be held, when it does not lie with the first one up."""
+    latch: bool = False
+    """True if its input flange and its connectors have mechanical latches; two that meet lock."""
 
     def __post_init__(self) -> None:
         if (self.kind is PartKind.SERVO) != (self.servo is not None):
@@ -201,10 +204,16 @@ class ConnectorLimits(Table):
     """Metres between the middles of the plates; on a box, which may be held anywhere, along its face's normal."""
     max_angle: Annotated[float, Interval(gt=0.0, le=math.pi)] = math.radians(4.0)
     """Angle between the plates' normals, in radians; the angle about the normal is free."""
-    max_force: Positive = 180.0
-    """Newtons, any direction."""
-    max_moment: Positive = 18.0
-    """Newton metres about any axis."""
+    cup: Cup = PLATE
+    """The suction cup of each connector of a part."""
+    gripper: Cup = GRIPPER_PLATE
+    """The suction cup of the robot's gripper."""
+    latch: Latch = LATCH
+    """The latch of parts that have one."""
+
+    def strength(self, *, latched: bool) -> Holding:
+        """Strength of a part's connector, with or without its latch."""
+        return self.latch if latched else self.cup.holding
 
 
 @dataclass(frozen=True, slots=True)

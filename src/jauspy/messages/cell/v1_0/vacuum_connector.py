@@ -44,6 +44,9 @@ class ReportConnectorState(jd.Message):
     error_text: up to 255 characters, optional. The same in words; empty after a success
     load_mass: in kilogram, optional. Mass of all that hangs on the gripper, as the robot's motors tell while it moves
     load_mass_deviation: in kilogram, optional. Standard deviation of that mass; absent while the mass is not known
+    utilisation: optional. Fraction of the strength of the connection that the load uses; above 1 it breaks off
+    vacuum: in pascal, optional. Pressure below that of the surroundings, in pascals
+    latched: Latched, optional. Whether the attached part is locked mechanically
     """
 
     class Enabled(IntEnum):
@@ -59,6 +62,10 @@ class ReportConnectorState(jd.Message):
         OVERLOADED = 5
         NO_POWER = 6
         OTHER_ERROR = 7
+
+    class Latched(IntEnum):
+        NOT_LATCHED = 0
+        LATCHED = 1
 
     connector: int = jd.field("Connector", jd.Number("B", jd.Values(None, ((1, 255),))))
     enabled: ReportConnectorState.Enabled | int | None = jd.field("Enabled", lambda: jd.Number("B", jd.Values(ReportConnectorState.Enabled)), default=None)
@@ -76,6 +83,9 @@ class ReportConnectorState(jd.Message):
     error_text: str | None = jd.field("ErrorText", jd.Text(count=jd.Count("B", 0, 255)), default=None)
     load_mass: float | None = jd.field("LoadMass", jd.Number("f", jd.ANY, "kilogram"), default=None)
     load_mass_deviation: float | None = jd.field("LoadMassDeviation", jd.Number("f", jd.ANY, "kilogram"), default=None)
+    utilisation: float | None = jd.field("Utilisation", jd.Number("f"), default=None)
+    vacuum: float | None = jd.field("Vacuum", jd.Number("f", jd.ANY, "pascal"), default=None)
+    latched: ReportConnectorState.Latched | int | None = jd.field("Latched", lambda: jd.Number("B", jd.Values(ReportConnectorState.Latched)), default=None)
     reserved_presence: int = 0
 
 
