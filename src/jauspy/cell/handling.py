@@ -81,9 +81,12 @@ class Handling:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
-    def grasps(self, part: str, first: float = 0.0) -> list[pin.SE3]:
-        """The poses of the gripper in the frame of a part on the face that is chosen, for all angles about its axis."""
-        return _turned(self.faces.get(part) or self.layout.grasp(part), first)
+    def grasps(self, part: str, first: float = 0.0, face: pin.SE3 | None = None) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part for all angles about its axis, the first one at `first` rad.
+
+        `face` is one of `Layout.grasps`; by default the one that is chosen in `faces`, or the usual one.
+        """
+        return _turned(face or self.faces.get(part) or self.layout.grasp(part), first)
 
     def upper_grasps(self, part: str, pose: pin.SE3, first: float = 0.0) -> list[pin.SE3]:
         """The same on all faces that are up while the part is at `pose`: from beside and below, bins are in the way."""
@@ -101,15 +104,16 @@ class Handling:
         lift: float = LIFT,
         supports: Iterable[str] = (),
         skip: int = 0,
+        face: pin.SE3 | None = None,
     ) -> PickPlan:
         """A way to grasp a part that is at `pose`, such that it can be put to one of `goals` afterwards.
 
-        `supports`: what it stands on, or is joined to; without any it lies in a bin. `skip` leaves out that many of the
-        solutions.
+        `supports`: what it lies on or in. `face`: where it is grasped, if not on a face that is up. `skip` leaves out
+        that many of the solutions.
         """
         k = self.layout.kinematics
         options: list[tuple[float, pin.SE3, Array]] = []
-        grasps = self.grasps(part) if supports else self.upper_grasps(part, pose)
+        grasps = self.upper_grasps(part, pose) if face is None else self.grasps(part, face=face)
         for grasp in grasps:
             over = pose * grasp * shifted(z=-APPROACH)
             options += [
