@@ -16,7 +16,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from jauspy.cell.design.chains import ChainPosture, Element, mass_of, posture, servos
+from jauspy.cell.design.chains import ChainPosture, Element, posture, servos, total_mass
 from jauspy.cell.design.tasks import DesignTask, Goal
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
@@ -88,7 +88,7 @@ def costs_of(
         time_ += max(turn / servo.max_speed for turn, servo in zip(turns, modules, strict=True))
         way += sum(turns)
         before = row
-    return {"cyc": time_, "qDist": way, "mass": mass_of(elements, types), "numJ": float(len(modules))}
+    return {"cyc": time_, "qDist": way, "mass": total_mass(elements, types), "numJ": float(len(modules))}
 
 
 class Search:
@@ -158,7 +158,7 @@ class Search:
         if not servos(elements, self._types):
             return "no joint"
         best = self.found.best
-        known = self._weights.get("mass", 0.0) * mass_of(elements, self._types)
+        known = self._weights.get("mass", 0.0) * total_mass(elements, self._types)
         known += self._weights.get("numJ", 0.0) * len(servos(elements, self._types))
         if best is not None and known >= best.cost:
             return "costs more than the best"
@@ -176,7 +176,7 @@ class Search:
             slack = sum(max(map(abs, limits)) for limits in goal.tolerances.values())
             if math.dist(goal.pose.position, self.mount.position) > reach + slack:
                 return "too short"
-        weight = (mass_of(elements, self._types) + self._load) * GRAVITY
+        weight = (total_mass(elements, self._types) + self._load) * GRAVITY
         held = LATCH.utilisation(self.mount.inverse().rotate((0.0, 0.0, weight)), (0.0, 0.0, 0.0))
         return "too heavy for the base's connector" if held > 1.0 / SAFETY else ""
 
