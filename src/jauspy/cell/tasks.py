@@ -302,11 +302,12 @@ async def run_one(
     begun = time.perf_counter()
     camera = FILMED_BY.get(task, "overview")
     async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:
-        start = session.cell.now()
+        start, drawn = session.cell.now(), session.true.power().energy
         try:
             found = await TASKS[task](session, seed)
         except JausError as error:
             found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
+        found.values["energy"] = session.true.power().energy - drawn
     found.wall = time.perf_counter() - begun
     if session.film is not None:
         found.film_problem = session.film.problem

@@ -23,7 +23,8 @@ from jauspy_sim.assembly import STEP_TOLERANCE, TIMESTEP, redirect_warnings, vie
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, build_cell
 from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
-from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
+from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor
+from jauspy_sim.cell.power import SimulatedPower
 from jauspy_sim.cell.probe import Probe
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
 from jauspy_sim.cell.start import disturb, put, put_on_each_other, scatter
@@ -141,7 +142,7 @@ class SimulatedCell:
         self._servos = servos_of(cell.model, data, setups, setup.seed)
         self._powered: tuple[SimulatedServo, ...] = ()
         self._attachments = Attachments(cell, data, random)
-        self._power = SimulatedPower(setup, self._pairs, self._set_powered)
+        self._power = SimulatedPower(setup, self._pairs, self._set_powered, self._servos, self._attachments.connectors)
         self._conveyor = SimulatedConveyor(cell.model, data, setup.conveyor) if setup.conveyor else None
         self._sensor = SimulatedPartSensor(cell.model, data, setup, setup.sensor)
         connectors = self._attachments.connectors
@@ -299,6 +300,7 @@ class SimulatedCell:
                 probe.step(self.time)
             if self._conveyor is not None:
                 self._conveyor.control()
+            self._power.step(self.time)
             self._sensor.step(self.time)
 
     def _box_flies(self) -> bool:
