@@ -23,16 +23,12 @@ from jauspy.cell.scene import CLEAR, Clearance, Piece, PlanningScene
 from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.arm_setpoints import SHAPING_TIME
 from jauspy.platform.modular.assembly import TORQUE_RESERVE, motion_limits
+from jauspy.platform.modular.holding import CUP, LATCH, SAFETY
 from jauspy.platform.modular.parts import ServoData
 from jauspy.platform.modular.trajectory import Limits, MotionError, PlannedMotion, Setpoint
 
 PERIOD: Final = 0.004
 """Seconds from one setpoint of the arm's controller to the next."""
-CUP: Final = (254.0, 0.030, 0.5)
-LATCH: Final = (1100.0, 0.025, 0.5)
-"""Strength (N), radius (m) and friction of the cup on a box (90 kPa on 30 mm) and of a latched joint (27.5 N m)."""
-SAFETY: Final = 1.5
-"""Strength of each connection over its load."""
 MARGIN: Final = 0.02
 """Metres from everything, for the arm, the box that it holds, and the box in flight."""
 STARTS: Final = 60
@@ -168,16 +164,6 @@ def flight(chain: Chain, load: Load, q: Array, v: Array) -> Flight:
     return replace(found, time=time)
 
 
-def utilisation(wrench: pin.Force, strength: tuple[float, float, float]) -> float:
-    """Load over strength of a connection: `wrench` is what it transmits, in the plate's frame."""
-    force, radius, friction = strength
-    linear, angular = wrench.linear, wrench.angular
-    pull = abs(float(linear[2]))
-    bending, torsion = math.hypot(angular[0], angular[1]), abs(float(angular[2]))
-    shear = math.hypot(linear[0], linear[1])
-    return (pull + max(bending / radius, math.hypot(shear, torsion / radius) / friction)) / force
-
-
 class ThrowPlanner:
     """Plans throws of one box with an arm that bends in a plane, which its first joint turns."""
 
@@ -298,7 +284,8 @@ class ThrowPlanner:
             torques = pin.rnea(model, data, q, v, a) + rotor * a + damping * v + friction * np.sign(v)
             torque = max(torque, float(np.max(np.abs(torques) / most)))
             for _, joint, frame in self.chain.mounts[:-1]:
-                load = max(load, utilisation(frame.actInv(data.f[joint]), LATCH))
+                wrench = frame.actInv(data.f[joint])
+                load = max(load, LATCH.utilisation(wrench.linear.tolist(), wrench.angular.tolist()))
             if held:
                 load = max(load, self._cup(q, v, a))
         return torque, load
@@ -344,7 +331,8 @@ class ThrowPlanner:
         up = data.oMf[tool].rotation.T @ np.array([0.0, 0.0, GRAVITY])
         acceleration = pin.Motion(acceleration.linear + up, acceleration.angular)
         box = self.load.frame.act(self._box)
-        return utilisation(box * acceleration + velocity.cross(box * velocity), CUP)
+        wrench = box * acceleration + velocity.cross(box * velocity)
+        return CUP.utilisation(wrench.linear.tolist(), wrench.angular.tolist())
 
     def _clearance(self, moved: SampledMotion, index: int, thrown: Flight) -> Clearance:
         best, held = CLEAR, self.scene.held
