@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import math
 import time
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import AsyncExitStack, asynccontextmanager
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -22,6 +22,7 @@ from jauspy.logs import get_logger
 from jauspy.ocu import OCU
 from jauspy.platform.camera import CameraSession, CameraSource
 from jauspy.platform.contract import Robot
+from jauspy.platform.modular.parts import CellSetup
 from jauspy.robot import robot_files
 from jauspy.robot.config import RobotConfig
 from jauspy.robot.runner import RobotRunner
@@ -79,13 +80,18 @@ class Session:
         return self.judge
 
 
-def configured(seed: int, disturbances: Disturbances, robot: str = ROBOT) -> RobotConfig:
-    """The cell's file with a seed and disturbances."""
+def configured(
+    seed: int,
+    disturbances: Disturbances,
+    robot: str = ROBOT,
+    furnish: Callable[[CellSetup], CellSetup] = lambda cell: cell,
+) -> RobotConfig:
+    """The cell's file with a seed, disturbances, and what `furnish` puts into it."""
     config = robot_files.load(robot)
     if config.cell is None:
         raise ConfigError(f"the robot {robot!r} has no [cell]")
     cell = replace(
-        config.cell,
+        furnish(config.cell),
         seed=seed,
         sensor=replace(config.cell.sensor, seed=seed),
         pose_error=(disturbances.position, disturbances.angle),
@@ -103,12 +109,14 @@ async def simulated(
     film: Path | None = None,
     camera: str = "overview",
     view: bool = False,
+    robot: str = ROBOT,
+    furnish: Callable[[CellSetup], CellSetup] = lambda cell: cell,
 ) -> AsyncIterator[Session]:
     """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
 
     `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
     """
-    config = configured(seed, disturbances or Disturbances())
+    config = configured(seed, disturbances or Disturbances(), robot, furnish)
     model = robot_files.robot_model(config)
     layout = Layout(model)
     backend = WatchedBackend(backends.find(config.backend))

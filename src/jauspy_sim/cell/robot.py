@@ -27,7 +27,7 @@ from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor
 from jauspy_sim.cell.power import SimulatedPower
 from jauspy_sim.cell.probe import Probe
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
-from jauspy_sim.cell.start import disturb, put, put_on_each_other, scatter
+from jauspy_sim.cell.start import disturb, put, put_fixture, put_on_each_other, scatter
 from jauspy_sim.cell.truth import Truth
 from jauspy_sim.physics.dynamics import dynamics_of
 from jauspy_sim.physics.joints import SimulatedJoints
@@ -257,7 +257,13 @@ class SimulatedCell:
         put_on_each_other(self, connector, parts, errors)
 
     def place(self, part: str, pose: Pose) -> None:
-        """Put a free part somewhere, at rest, by writing its position: for what a task does not do itself."""
+        """Put a free part somewhere, at rest, by writing its position: for what a task does not do itself.
+
+        A fixture may be moved, too.
+        """
+        if any(fixture.name == part for fixture in self._setup.fixtures):
+            put_fixture(self, part, Transform.from_pose(pose))
+            return
         put(self, part, Transform.from_pose(pose))
         self._attachments.wake(int(self._model.body(part).id))
 

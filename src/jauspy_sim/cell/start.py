@@ -156,6 +156,13 @@ def put(cell: SimulatedCell, name: str, pose: Transform) -> None:
     mujoco.mj_kinematics(cell.model, cell.data)
 
 
+def put_fixture(cell: SimulatedCell, name: str, pose: Transform) -> None:
+    """Place a fixture in the world."""
+    body = cell.model.body(name)
+    body.pos, body.quat = pose.position, quaternion(pose.rotation)
+    mujoco.mj_forward(cell.model, cell.data)
+
+
 def put_on(cell: SimulatedCell, connector: str, name: str, error: Transform = IDENTITY) -> None:
     """Put a part in front of a connector, with its plate in contact, and enable the connector."""
     offset = Transform(position=(0.0, 0.0, GAP)) @ error
