@@ -10,10 +10,10 @@ import pinocchio as pin
 import pytest
 
 from jauspy.cell.frames import offset_between, shifted
-from jauspy.cell.modular_arm import Chain, HangingChain, Member
+from jauspy.cell.modular_arm import FIVE_JOINTS, Chain, HangingChain, Member
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
-from jauspy.cell.step import PARTS, PRESSES, Stepper
+from jauspy.cell.step import PRESSES, Stepper
 from jauspy.geometry.poses import IDENTITY
 from jauspy.platform.modular.connector import ConnectorState
 
@@ -60,7 +60,7 @@ class Arm:
 
     def __init__(self, cell: Cell, layout: Layout, base: pin.SE3) -> None:
         self._cell = cell
-        self.members = tuple(Member(name, layout.type_of(name), pin.SE3.Identity(), "output") for name in PARTS)
+        self.members = tuple(Member(name, layout.type_of(name), pin.SE3.Identity(), "output") for name in FIVE_JOINTS)
         self.tip = "servo_5/output"
         self.at = np.zeros(5)
         self.chains: list[Chain] = []

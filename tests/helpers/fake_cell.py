@@ -97,6 +97,9 @@ class FakeCell:
             self.attached.pop(name, None)
         self._attach()
 
+    async def leave(self, part: str) -> None:
+        self.log.append(f"leave {part}")
+
     async def arm(self) -> ModularArmState:
         joints, at = [], "platform_1/top"
         while at in self.attached:

@@ -68,6 +68,8 @@ PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
 QUARTERS: Final = (0.0, math.pi, math.pi / 2.0, -math.pi / 2.0)
 WHEEL_TURNS: Final = 12
 """Angles about its axis at which a wheel may be joined."""
+RELEASE_TIME: Final = 0.2
+"""Seconds until a connector has let go."""
 POLL: Final = 0.02
 """Seconds between two queries of a connector."""
 STRAIGHT: Final = 0.999
@@ -97,7 +99,7 @@ FIVE_JOINTS: Final = (
     Slot("upper arm", ("tube_long",)),
     Slot("joint 3", ("x8_9_elbow", "x5_9_elbow")),
     Slot("forearm", ("tube_short",)),
-    Slot("joint 4", ("x5_4_elbow", "x5_9_elbow")),
+    Slot("joint 4", ("x8_9_elbow", "x5_9_elbow")),
     Slot("joint 5", ("x5_4_inline", "x5_1_inline")),
 )
 """The arm with five joints, base to tip."""
@@ -283,6 +285,18 @@ class Assembler:
         tried = "; ".join(row.attempts) or "none is left"
         raise TaskFailed(f"no {' or '.join(slot.types)} could be grasped for {slot.name}: {tried}")
 
+    def know(self, frames: Mapping[str, pin.SE3]) -> None:
+        """Take parts for where connectors and joints report them, until the sensor sees them; they are not grasped."""
+        self.placed |= {name: (self.cell.now(), frame) for name, frame in frames.items()}
+        self.rejected |= set(frames)
+
+    def stands(self, frames: Mapping[str, pin.SE3]) -> None:
+        """Parts stand where connectors and joints report them, whatever the sensor sees, until they are taken off."""
+        self.used |= set(frames)
+        self.rejected -= set(frames)
+        for name, frame in frames.items():
+            self.scene.put(name, self.handling.pieces(name), frame)
+
     async def look(self, *, fresh: bool = False) -> None:
         """Measure where the parts are, and put them there in the scene."""
         self.seen = await self.cell.observe(fresh=fresh)
@@ -335,8 +349,12 @@ class Assembler:
             await self.look(fresh=True)
         return False
 
-    async def try_grasp(self, plan: PickPlan, row: PartResult, *, weigh: bool = True) -> str:
-        """One attempt; returns why it failed, or an empty text. `weigh` compares the force with the part's weight."""
+    async def try_grasp(self, plan: PickPlan, row: PartResult, *, weigh: bool = True, release: str = "") -> str:
+        """One attempt; returns why it failed, or an empty text.
+
+        `weigh` compares the force with the part's weight. `release` is a connector that holds the part, and lets go of
+        it before it is lifted.
+        """
         await self.go(plan.approach)
         await self.cell.enable(GRIPPER, True)
         await self.go(plan.near, speed=NEAR_SPEED, contact=True)
@@ -347,6 +365,10 @@ class Assembler:
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)
             return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}"
+        if release:
+            await self.cell.leave(plan.part)
+            await self.cell.enable(release, False)
+            await self.cell.sleep(RELEASE_TIME)
         self._hold(plan.part, state)
         await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True, gentle=heavy)
         await self.cell.sleep(0.15)
@@ -359,7 +381,7 @@ class Assembler:
         type = self.layout.type_of(plan.part)
         weight = GRAVITY * (body_inertia(type).mass + output_inertia(type).mass)
         if weigh and abs(state.force - weight) > WEIGHT_TOLERANCE * weight:
-            await self._put_back(plan)
+            await self._put_back(plan, release)
             return f"the gripper measures {state.force:.1f} N where {weight:.1f} N should hang; it may be stuck"
         return ""
 
@@ -373,8 +395,11 @@ class Assembler:
         self.scene.release()
         self.used.discard(part)
 
-    async def _put_back(self, plan: PickPlan) -> None:
+    async def _put_back(self, plan: PickPlan, connector: str = "") -> None:
         await self.go(Path((self.at, *plan.lift.points[-2::-1])), speed=0.1, contact=True)
+        if connector:
+            await self.cell.enable(connector, True)
+            await self._wait_attached(connector)
         await self.cell.enable(GRIPPER, False)
         self._drop(plan.part)
         await self.go(self.handling.retreat(self.at), contact=True)
@@ -410,7 +435,7 @@ class Assembler:
             except NoPath as error:
                 row.attempts.append(f"{part}: {error}")
                 if attempt == 0:
-                    await self._put_down(part)
+                    await self.put_down(part)
                     return False
                 continue
             await self.go(plan.transfer)
@@ -427,7 +452,7 @@ class Assembler:
             back = plan.insert.points[0]
             await self.go(Path((self.at, plan.insert.end, back)), speed=NEAR_SPEED, contact=True)
         if self.held is not None:
-            await self._put_down(part)
+            await self.put_down(part)
         return False
 
     def _joined_wrongly(self, part: str, state: ConnectorState) -> str:
@@ -458,7 +483,16 @@ class Assembler:
         if slot.connector in self.layout.type_of(part).connectors:
             tip.advance(part, slot.connector, frame, self._connector(part, slot.connector), (*slot.turns, 0.0)[0])
 
-    async def _put_down(self, part: str) -> None:
+    async def put_here(self, part: str, frame: pin.SE3) -> None:
+        """Let go of the held part, which then is at `frame` in the world until the sensor sees it."""
+        await self.cell.enable(GRIPPER, False)
+        await self.cell.sleep(0.3)
+        self._drop(part)
+        self.placed[part] = self.cell.now(), frame
+        self.scene.put(part, self.handling.pieces(part), frame)
+        await self.go(self.handling.retreat(self.at), speed=LIFT_SPEED, contact=True)
+
+    async def put_down(self, part: str) -> None:
         """Let the part lie where there is room on the floor, so that another one can be taken."""
         self.rejected.add(part)
         solve, down = self.layout.kinematics.solve, turned("x", math.pi)

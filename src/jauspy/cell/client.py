@@ -66,7 +66,9 @@ class CellClient:
         self._robot: Robot | None = None
         self._arm: Arm | None = None
         self._components: dict[JausID, ComponentClient] = {}
-        self._controlled: set[JausID] = set()
+        self._controlled: dict[JausID, AsyncExitStack] = {}
+        self._left: set[JausID] = set()
+        """Components of parts that have lost their power since they were discovered."""
         self._locks: defaultdict[JausID, asyncio.Lock] = defaultdict(asyncio.Lock)
         self._seen: dict[str, deque[pin.SE3]] = {}
         self._observed = asyncio.Event()
@@ -251,6 +253,13 @@ class CellClient:
         """Switch modules on or off."""
         await (await self._control(self._module("CM-PRT"))).part_station.switch(names, on=on)
 
+    async def leave(self, part: str) -> None:
+        """Release control of a part, which is about to lose its power; it is discovered anew when it is used again."""
+        for id in [self._config.id_of(module) for module in self._config.modules if module.part == part]:
+            await self._release(id)
+            self._components.pop(id, None)
+            self._left.add(id)
+
     async def servo(self, name: str) -> ReportServoState:
         """Measurements of a servo module."""
         return await (await self._component(self._module("CM-SRV", name))).servo.state()
@@ -311,11 +320,12 @@ class CellClient:
         until = self.now() + APPEAR_TIME
         while id not in self._components:
             assert self._robot is not None
-            if any(component.id == id for component in self._robot.components):
+            if id not in self._left and any(component.id == id for component in self._robot.components):
                 self._components[id] = self._robot.component(str(id))
             elif self.now() > until:
                 raise RequestError(f"component {id} has not appeared within {APPEAR_TIME:g} s; has it power?")
             else:
+                self._left.discard(id)
                 self._robot = await self._ocu.discover(self._config.subsystem)
         return self._components[id]
 
@@ -325,9 +335,17 @@ class CellClient:
         async with self._locks[id]:
             if id not in self._controlled:
                 assert self._robot is not None
-                await self._stack.enter_async_context(self._robot.control(str(id), authority=AUTHORITY))
-                self._controlled.add(id)
+                control = AsyncExitStack()
+                await control.enter_async_context(self._robot.control(str(id), authority=AUTHORITY))
+                self._controlled[id] = control
+                self._stack.push_async_callback(self._release, id)
         return component
+
+    async def _release(self, id: JausID) -> None:
+        """Release control of a component; without effect if this client has none."""
+        async with self._locks[id]:
+            if (control := self._controlled.pop(id, None)) is not None:
+                await control.aclose()
 
     # --- watching -------------------------------------------------------------------------------------------------
 

@@ -87,6 +87,10 @@ class Cell(Protocol):
         """Start or stop the pump of a connector or of the gripper."""
         ...
 
+    async def leave(self, part: str) -> None:
+        """Release control of a part, which is about to lose its power."""
+        ...
+
     async def arm(self) -> ModularArmState:
         """The modular arm's joints and motion."""
         ...

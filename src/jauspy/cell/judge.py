@@ -38,6 +38,11 @@ class Watched(Protocol):
 class Truth(Protocol):
     """The true state of a simulation."""
 
+    @property
+    def written(self) -> Sequence[str]:
+        """What was put in place by writing positions since the start, in order."""
+        ...
+
     def pose(self, part: str) -> Pose:
         """The pose of a part's frame in the world."""
         ...
@@ -104,12 +109,17 @@ class Judge:
         self.prepare = robot.prepare
         """Assembles an arm before a task starts, for tasks that do not include the assembly."""
         self.place = robot.place
-        """Puts a part somewhere by writing its position; results say so."""
+        """Puts a part somewhere by writing its position; `written` names it."""
 
     @property
     def time(self) -> float:
         """Seconds of the robot's own time."""
         return self._robot.time
+
+    @property
+    def written(self) -> tuple[str, ...]:
+        """What was put in place by writing positions since the start, in order: the simulation compares all steps."""
+        return tuple(self._truth.written)
 
     def pose(self, part: str) -> pin.SE3:
         """The true frame of a part in the world."""

@@ -50,6 +50,8 @@ class Measured:
     """Figures by name, SI units."""
     rows: list[dict[str, Any]] = field(default_factory=list)
     """Lines of a table."""
+    written: tuple[str, ...] = ()
+    """What was put in place by writing positions, as the simulation saw it; empty when all was done by the task."""
     film_problem: str = ""
     """Why the film of the run is incomplete, as a sentence; empty if it is complete, or was not wanted."""
 

@@ -29,6 +29,7 @@ from jauspy_sim.cell.probe import Probe
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
 from jauspy_sim.cell.start import disturb, put, put_fixture, put_on_each_other, scatter
 from jauspy_sim.cell.truth import Truth
+from jauspy_sim.cell.writes import Writes
 from jauspy_sim.physics.dynamics import dynamics_of
 from jauspy_sim.physics.joints import SimulatedJoints
 from jauspy_sim.rendering.cameras import SimulatedCamera, SimulatedCameras
@@ -159,6 +160,7 @@ class SimulatedCell:
         settling = SETTLING_STEPS * (SCATTERED_TIMES if setup.scatter else 1)
         self._steps = -settling
         self._run(settling)
+        self._truth.writes = Writes(cell.model, data)
         self._sensor.step(0.0)
         self._parts = tuple(self._list_parts())
         self._cameras = SimulatedCameras(cell.model, data, cell.prefix, robot)
@@ -293,7 +295,10 @@ class SimulatedCell:
 
     def _run(self, steps: int) -> None:
         model, data = self._model, self._data
+        writes = self._truth.writes
         for _ in range(steps):
+            if writes is not None:
+                writes.check()
             self._control()
             if self._box_flies():
                 self._short_steps()
@@ -307,6 +312,8 @@ class SimulatedCell:
             if self._conveyor is not None:
                 self._conveyor.control()
             self._power.step(self.time)
+            if writes is not None:
+                writes.keep()
             self._sensor.step(self.time)
 
     def _box_flies(self) -> bool:
