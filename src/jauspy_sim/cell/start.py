@@ -157,10 +157,13 @@ def put(cell: SimulatedCell, name: str, pose: Transform) -> None:
 
 
 def put_fixture(cell: SimulatedCell, name: str, pose: Transform) -> None:
-    """Place a fixture in the world."""
-    body = cell.model.body(name)
+    """Place a fixture in the world. MuJoCo computes where static bodies are only while nothing may sleep."""
+    model, body = cell.model, cell.model.body(name)
     body.pos, body.quat = pose.position, quaternion(pose.rotation)
-    mujoco.mj_forward(cell.model, cell.data)
+    flags = model.opt.enableflags
+    model.opt.enableflags = flags & ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+    mujoco.mj_kinematics(model, cell.data)
+    model.opt.enableflags = flags
 
 
 def put_on(cell: SimulatedCell, connector: str, name: str, error: Transform = IDENTITY) -> None:

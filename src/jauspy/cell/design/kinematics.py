@@ -26,6 +26,8 @@ class ChainKinematics:
         self._fixed: list[Any] = []
         self._axes: list[Any] = []
         self.bounds: list[float] = []
+        self.mount = mount
+        """The connector that carries it, in the world."""
         frame = mount
         for offset, part in parts:
             frame = frame @ offset

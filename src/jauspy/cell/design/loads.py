@@ -107,7 +107,7 @@ class LoadedChain:
         torques = pin.rnea(model, data, q, v, a)
         torques = torques + self._rotor * a + self._damping * v + self._friction * np.sign(v)
         wrenches = [frame.actInv(data.f[joint]) for _, joint, frame in self._chain.mounts[:-1] if joint]
-        carried = model.jointPlacements[1].act(data.f[1]) + self._foot
+        carried = data.liMi[1].act(data.f[1]) + self._foot
         wrenches += [frame.actInv(carried) for frame in self._feet]
         connector = max(LATCH.utilisation(w.linear.tolist(), w.angular.tolist()) for w in wrenches)
         if self._mass:

@@ -51,8 +51,10 @@ def design(
     check_extra()
     if (record or view) and not build:
         raise typer.BadParameter("--record and --view show what is built; add --build")
-    from jauspy.cell.design.build import build_all, furnished, why_not_buildable
+    from jauspy.cell.design.build import build_all
+    from jauspy.cell.design.rehearsal import first_buildable
     from jauspy.cell.design.search import Search, check, parse_costs
+    from jauspy.cell.design.surroundings import furnished
     from jauspy.cell.design.tasks import load_task
     from jauspy.cell.scene import Layout, cell_of
     from jauspy.robot import robot_files
@@ -69,14 +71,7 @@ def design(
         best = found.best
         if build:
             layout = Layout(replace(model, cell=furnished(cell, [task], base, load)))
-            best = None
-            for option in reversed(found.designs):
-                why = why_not_buildable(layout, option, base, load)
-                if not why:
-                    best = option
-                    break
-                console.note(f"{task.name}: the design of cost {option.cost:.3f} cannot be built: {why}")
-                found.reasons["the UR10 cannot build it"] += 1
+            best = first_buildable(layout, found, base, load, console.note)
         wrong = [] if best is None else check(cell, task, base, best, load=load)
         chosen.append(None if wrong else best)
         results.append(
