@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.assembly import GRASPS, HEAVY_TOUCH_SPEED, NEAR_SPEED, Assembler, PartResult, Slot, Tip
+from jauspy.cell.assembly import GRASPS, HEAVY_TOUCH_SPEED, NEAR_SPEED, PARKED, Assembler, PartResult, Slot, Tip
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
 from jauspy.cell.handling import LINE_MARGIN, PRESS, SLOW
@@ -31,6 +32,8 @@ ARM_SPEED: Final = 0.12
 BESIDE: Final = (0.015, 0.12)
 """Metres from the middle of the belt towards the UR10, and from the line of the arm against the belt's direction, at
 which the car is put down."""
+AWAY: Final = 0.1
+"""Metres that the gripper moves back from the arm on the car."""
 ROOM: Final = 0.42
 """Metres along the belt from the middle of the car to that of a box beside it, which arm and gripper pass."""
 ON_BELT: Final = 0.1
@@ -285,6 +288,8 @@ class CarTask:
                         near = planner.line(approach.end, contact * shifted(z=-SLOW), margin=-0.002)
                         touch = planner.line(near.end, contact * shifted(z=PRESS), margin=-0.002)
                     up, over = self._plan_across(touch.end, contact, frames, root, top)
+                    moved = shifted(*(top.translation - frames[root].translation).tolist())
+                    self._check_way_out(over.end, moved * k.forward(touch.end), grasped, frames, moved)
                 except NoPath as error:
                     reasons.append(str(error))
                     continue
@@ -316,6 +321,28 @@ class CarTask:
             return up, over
         finally:
             scene.release()
+            for name, frame in frames.items():
+                scene.put(name, pieces_of_part(self.layout.type_of(name)), frame)
+
+    def _check_way_out(
+        self, above: Array, tool: pin.SE3, grasped: str, frames: Mapping[str, pin.SE3], moved: pin.SE3
+    ) -> None:
+        """Check that the gripper gets away from the arm on the car, to where `moved` takes it, and the UR10 parks.
+
+        `tool` is the gripper's frame then. Raises `NoPath`.
+        """
+        ur10 = self.ur10
+        scene, planner = ur10.scene, ur10.planner
+        try:
+            for name, frame in frames.items():
+                scene.put(name, pieces_of_part(self.layout.type_of(name)), moved * frame)
+            with scene.without(grasped):
+                put = planner.line(above, tool)
+            back = ur10.handling.retreat(put.end, AWAY)
+            if back.clearance.distance < 0.0:
+                raise NoPath(f"the gripper could not get away: {' and '.join(back.clearance.between)} would touch")
+            planner.to_posture(back.end, PARKED)
+        finally:
             for name, frame in frames.items():
                 scene.put(name, pieces_of_part(self.layout.type_of(name)), frame)
 
@@ -359,14 +386,14 @@ class CarTask:
         await ur10.press(ur10.planner.line(ur10.at, down))
         await self.cell.enable(connector, True)
         state = await ur10.touch(Path((ur10.at,)), connector, top)
-        if state.attached_to != root:
+        if state.attached_to != root or not state.latched:
             raise TaskFailed(f"{connector} does not hold the arm: {state.last_error or 'nothing attaches'}")
         frames = self._arm_frames(self.arm.last_goal)
         stands = top * se3(state.offset) * frames[root].inverse()
         ur10.know({name: stands * frame for name, frame in frames.items()})
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.2)
-        await ur10.go(ur10.handling.retreat(ur10.at, 0.1), speed=0.2, contact=True)
+        await ur10.go(ur10.handling.retreat(ur10.at, AWAY), speed=0.2, contact=True)
 
     def _root_from(self, grasped: str, root: str) -> pin.SE3:
         """The frame of the arm's first part in that of the one that is held, where the joints went last."""

@@ -22,7 +22,7 @@ from jauspy.ids import JausID
 from jauspy.messages.cell.v1_0 import ReportServoState
 from jauspy.ocu import OCU, Arm, ComponentClient, MotionLimits, Robot
 from jauspy.ocu.cell import PartObservation
-from jauspy.platform.modular.arm import ArmController, ModularArmState
+from jauspy.platform.modular.arm import ArmController, ModularArmState, TrajectoryPoint
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.robot.config import RobotConfig
 
@@ -33,6 +33,8 @@ POLL: Final = 0.02
 """Seconds between two queries of the joints at the end of a motion."""
 ARRIVED: Final = 0.0015
 """Radians from the goal within which a joint has arrived, and radians between two queries within which it stands."""
+REPEATED: Final = 0.1
+"""Seconds from one command of a velocity to its repetition."""
 LATE: Final = 0.8
 """Seconds after which a motion that is not quite there counts as ended."""
 BLOCKED: Final = 0.03
@@ -132,6 +134,21 @@ class CellClient:
         """
         for start, goal in pairwise(path.points):
             await self._move(start, goal, speed, tool_speed, GENTLE if gentle else 1.0)
+
+    async def slide(self, velocity: Array, duration: float) -> None:
+        """Move the UR10's tool straight at a velocity (m/s, in the world) for `duration` seconds, and let it stop."""
+        arm = await self._ur10()
+        rows = zip(
+            self.layout.group.joints, self.layout.speeds.tolist(), self.layout.accelerations.tolist(), strict=True
+        )
+        await arm.set_motion_limits({name: MotionLimits(speed, rate, rate) for name, speed, rate in rows})
+        until = self.now() + duration
+        try:
+            while (left := until - self.now()) > 0.0:
+                await arm.move_tool_at(velocity.tolist())
+                await asyncio.sleep(min(left, REPEATED))
+        finally:
+            await arm.move_tool_at()
 
     async def touch(
         self, path: Path, connector: str, *, tool_speed: float, contact: float = math.inf
@@ -283,6 +300,10 @@ class CellClient:
     async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
         await (await self._control(self._module("CM-ARM"))).modular_arm.move(positions, duration)
+
+    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
+        """Move joints of the modular arm through points, and wait; raises `RequestError` as `move_arm` does."""
+        await (await self._control(self._module("CM-ARM"))).modular_arm.follow(joints, points)
 
     async def choose_controller(self, controller: ArmController) -> None:
         """Choose how the joints of the modular arm follow."""

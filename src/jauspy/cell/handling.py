@@ -18,6 +18,8 @@ Plan = TypeVar("Plan")
 
 TURNS: Final = 12
 """Angles of the gripper about its axis that are tried; the suction plate is round."""
+DOWNWARD: Final = 0.5
+"""Least cosine of the angle from straight down at which the gripper reaches for a part."""
 APPROACH: Final = 0.07
 """Metres from the part at which the straight approach begins."""
 LIFT: Final = 0.10
@@ -75,10 +77,14 @@ class Handling:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
-    def grasps(self, part: str, first: float = 0.0) -> list[pin.SE3]:
-        """The poses of the gripper in the frame of a part, for all angles about its axis."""
-        grasp = self.layout.grasp(part)
-        return [grasp * turned("z", first + math.tau * number / TURNS) for number in range(TURNS)]
+    def grasps(self, part: str) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part on its usual face, for all angles about its axis."""
+        return _turned(self.layout.grasp(part))
+
+    def upper_grasps(self, part: str, pose: pin.SE3) -> list[pin.SE3]:
+        """The same on all faces that are up while the part is at `pose`: from beside and below, bins are in the way."""
+        up = [grasp for grasp in self.layout.grasps(part) if (pose.rotation @ grasp.rotation)[2, 2] < -DOWNWARD]
+        return [found for grasp in up for found in _turned(grasp)]
 
     def pick(
         self,
@@ -97,13 +103,15 @@ class Handling:
         """
         k = self.layout.kinematics
         options: list[tuple[float, pin.SE3, Array]] = []
-        for grasp in self.grasps(part):
+        for grasp in (grasps := self.upper_grasps(part, pose)):
             over = pose * grasp * shifted(z=-APPROACH)
             options += [
                 (k.distance(posture.positions, start), grasp, posture.positions)
                 for posture in k.solve(over, start, condition=CONDITION)
                 if self.scene.is_free(posture.positions, self.planner.margin)
             ]
+        if not grasps:
+            raise NoPath(f"{part} lies turned over: no face by which the gripper can hold it is up")
         options.sort(key=lambda option: option[0])
         options = [option for option in options if not goals or self._reaches(option[1], option[2], goals)]
         if not options:
@@ -198,6 +206,10 @@ class Handling:
     def _reaches(self, grasp: pin.SE3, near: Array, goals: Sequence[pin.SE3]) -> bool:
         k = self.layout.kinematics
         return any(k.solve(goal * shifted(z=INSERT) * grasp, near, condition=CONDITION) for goal in goals)
+
+
+def _turned(grasp: pin.SE3) -> list[pin.SE3]:
+    return [grasp * turned("z", math.tau * number / TURNS) for number in range(TURNS)]
 
 
 def _first(options: Sequence[Option], plan: Callable[[Option], Plan]) -> Plan:

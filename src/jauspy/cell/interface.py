@@ -11,7 +11,7 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array
 from jauspy.cell.motion import Path
-from jauspy.platform.modular.arm import ModularArmState
+from jauspy.platform.modular.arm import ModularArmState, TrajectoryPoint
 from jauspy.platform.modular.connector import ConnectorState
 
 T = TypeVar("T")
@@ -97,4 +97,8 @@ class Cell(Protocol):
 
     async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
+        ...
+
+    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
+        """Move joints of the modular arm through points, and wait; raises `RequestError` as `move_arm` does."""
         ...

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
 import pinocchio as pin
 
 from jauspy.cell.frames import offset_between, se3, se3_of_pose, tilt_between
+from jauspy.cell.physics import Probe
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import Vector
@@ -84,6 +85,10 @@ class KnowsTruth(Protocol):
         """Put a free part somewhere, at rest, by writing its position."""
         ...
 
+    def probe(self) -> Probe:
+        """Measure contacts, attachments and the robot's joints at each step from now on."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class Placement:
@@ -108,6 +113,8 @@ class Judge:
         self._robot: Robot = robot
         self.prepare = robot.prepare
         """Assembles an arm before a task starts, for tasks that do not include the assembly."""
+        self.probe = robot.probe
+        """Measures contacts, attachments and the UR10's joints at each step from then on."""
         self.place = robot.place
         """Puts a part somewhere by writing its position; `written` names it."""
 
@@ -168,10 +175,11 @@ class Judge:
 
 
 class WatchedBackend:
-    """Opens robots with another backend, and remembers the last one for the judge."""
+    """Opens robots with another backend, changed by `change`, and remembers the last one for the judge."""
 
-    def __init__(self, backend: Backend) -> None:
+    def __init__(self, backend: Backend, change: Callable[[RobotModel], RobotModel] = lambda model: model) -> None:
         self._backend = backend
+        self._change = change
         self.robot: Robot | None = None
 
     @property
@@ -181,5 +189,5 @@ class WatchedBackend:
 
     def open(self, robot: RobotModel, world: str) -> Robot:
         """Open a robot."""
-        self.robot = self._backend.open(robot, world)
+        self.robot = self._backend.open(self._change(robot), world)
         return self.robot

@@ -15,7 +15,7 @@ import pinocchio as pin
 from jauspy.cell.assembly import PARKED
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3
-from jauspy.cell.motion import MotionPlanner, NoPath
+from jauspy.cell.motion import STEP, MotionPlanner, NoPath, Path
 from jauspy.cell.scene import (
     Clearance,
     Layout,
@@ -26,9 +26,11 @@ from jauspy.cell.scene import (
     pieces_of_part,
 )
 from jauspy.cell.schedule import TaskFailed
+from jauspy.cell.smoothing import smoothed
 from jauspy.cell.standing import base_frame, chain_of, standing_on
 from jauspy.errors import ConfigError
-from jauspy.platform.modular.arm import ModularArmState
+from jauspy.ocu.cell import MotionRefused
+from jauspy.platform.modular.arm import ModularArmState, TrajectoryPoint
 from jauspy.platform.modular.dynamics import solid_inertia
 from jauspy.platform.modular.parts import PartSolid, PartType
 
@@ -42,6 +44,11 @@ PEAK: Final = 1.9
 """Largest speed of a motion that begins and ends smoothly, as a multiple of its mean."""
 MIN_TIME: Final = 0.6
 """Seconds of the shortest motion."""
+ACCELERATION: Final = 5.0
+"""rad/s^2 of the joints on smooth paths."""
+SLOWER: Final = 1.3
+"""Factor of the times of a smooth motion for which the arm is too weak."""
+SLOWER_ROUNDS: Final = 4
 POLL: Final = 0.02
 
 
@@ -144,13 +151,41 @@ class ArmOperator:
                 self.scene.put(name, pieces_of_part(self.layout.type_of(name)), seen.pose)
 
     async def go(self, goal: Array, *, share: float = SHARE, margin: float | None = None) -> None:
-        """Move to a posture on a free path, a motion for each straight piece; raises `NoPath` or `RequestError`."""
+        """Move to a posture on a free path, smoothly if that is free, too; raises `NoPath` or `RequestError`."""
         start = await self.positions()
         path = self.planner.to_posture(start, goal, margin=margin)
-        if path.clearance.distance < self.clearance.distance:
-            self.clearance = path.clearance
+        if len(path.points) > 2 and await self._flow(path, share):
+            return
+        self._passed(path.clearance)
         for a, b in pairwise(path.points):
             await self.move(b, self.time(a, b, share))
+
+    def _passed(self, clearance: Clearance) -> None:
+        if clearance.distance < self.clearance.distance:
+            self.clearance = clearance
+
+    async def _flow(self, path: Path, share: float) -> bool:
+        """Move along a spline near a path, without stops; False if none is as free, or the arm is too weak for it."""
+        least = min(path.clearance.distance, self.planner.margin)
+        clearances: list[Clearance] = []
+
+        def is_free(postures: Sequence[Array]) -> bool:
+            clearances.append(self.scene.along(postures, STEP))
+            return clearances[-1].distance >= least
+
+        speeds, accelerations = self.chain.speeds * share, np.full(len(self.chain.speeds), ACCELERATION)
+        points = smoothed(path.points, speeds, accelerations, is_free)
+        for _ in range(SLOWER_ROUNDS if points else 0):
+            assert points is not None
+            try:
+                self.last_goal = path.end
+                await self.cell.follow_arm(self.chain.joints, points)
+            except MotionRefused:
+                points = [TrajectoryPoint(point.time * SLOWER, point.positions) for point in points]
+            else:
+                self._passed(clearances[-1])
+                return True
+        return False
 
     def time(self, start: Array, goal: Array, share: float) -> float:
         """Seconds for a motion at this fraction of the joints' speed, with smooth ends."""
@@ -178,12 +213,14 @@ class ArmOperator:
         return free
 
     async def wait_attached(self, connector: str, within: float) -> str:
-        """The part that a connector has attached; empty when it has not after `within` seconds."""
+        """The part that a connector has attached, and locked if it can; empty if it has not within so many seconds."""
         until = self.cell.now() + within
         while True:
             state = await self.cell.connector(connector)
-            if state.attached_to or self.cell.now() > until:
+            if state.attached_to and (state.latched or not self.layout.locks(connector, state.attached_to)):
                 return state.attached_to
+            if self.cell.now() > until:
+                return ""
             await self.cell.sleep(POLL)
 
 

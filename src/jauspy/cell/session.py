@@ -22,7 +22,7 @@ from jauspy.logs import get_logger
 from jauspy.ocu import OCU
 from jauspy.platform.camera import CameraSession, CameraSource
 from jauspy.platform.contract import Robot
-from jauspy.platform.modular.parts import CellSetup
+from jauspy.platform.description import RobotModel
 from jauspy.robot import robot_files
 from jauspy.robot.config import RobotConfig
 from jauspy.robot.runner import RobotRunner
@@ -33,6 +33,8 @@ _LOG: Final = get_logger(__name__)
 
 ROBOT: Final = "cell"
 OCU_ID: Final = "42.1.1"
+TURNED_OVER: Final = 0.25
+"""Fraction of scattered parts that lie on another side."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,23 +82,19 @@ class Session:
         return self.judge
 
 
-def configured(
-    seed: int,
-    disturbances: Disturbances,
-    robot: str = ROBOT,
-    furnish: Callable[[CellSetup], CellSetup] = lambda cell: cell,
-) -> RobotConfig:
-    """The cell's file with a seed, disturbances, and what `furnish` puts into it."""
+def configured(seed: int, disturbances: Disturbances, robot: str = ROBOT) -> RobotConfig:
+    """The cell's file with a seed and disturbances."""
     config = robot_files.load(robot)
     if config.cell is None:
         raise ConfigError(f"the robot {robot!r} has no [cell]")
     cell = replace(
-        furnish(config.cell),
+        config.cell,
         seed=seed,
         sensor=replace(config.cell.sensor, seed=seed),
         pose_error=(disturbances.position, disturbances.angle),
         attach_failure=disturbances.attach_failure,
         scatter=disturbances.scatter,
+        turned_over=TURNED_OVER,
     )
     return config.model_copy(update={"cell": cell})
 
@@ -110,16 +108,16 @@ async def simulated(
     camera: str = "overview",
     view: bool = False,
     robot: str = ROBOT,
-    furnish: Callable[[CellSetup], CellSetup] = lambda cell: cell,
+    change: Callable[[RobotModel], RobotModel] = lambda model: model,
 ) -> AsyncIterator[Session]:
     """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
 
     `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
+    `change` makes the cell another one, as with a load that is bolted to it.
     """
-    config = configured(seed, disturbances or Disturbances(), robot, furnish)
-    model = robot_files.robot_model(config)
-    layout = Layout(model)
-    backend = WatchedBackend(backends.find(config.backend))
+    config = configured(seed, disturbances or Disturbances(), robot)
+    layout = Layout(change(robot_files.robot_model(config)))
+    backend = WatchedBackend(backends.find(config.backend), change)
     async with AsyncExitStack() as stack:
         network = await stack.enter_async_context(VirtualNetwork(seed=seed))
         realtime = WatchedTime if view else VirtualTime

@@ -106,7 +106,7 @@ class Stepper:
             await self._stand_up()
 
     def _facing(self, posture: Array, frame: pin.SE3) -> Array:
-        """The posture with the last joint turned so that the free end faces as `frame` does, about its own z axis, which is that of the base."""
+        """The posture with the last joint turned so that the free end faces as `frame` does, about its z axis."""
         chain = self.arm.chain
         off = chain.forward(posture).actInv(frame).rotation
         rate = pin.computeFrameJacobian(chain.model, chain.data, posture, chain.tool, pin.LOCAL)[5, -1]
@@ -140,6 +140,8 @@ class Stepper:
         state = await self.cell.connector(holds)
         if state.attached_to != part:
             raise TaskFailed(f"{connector} stays enabled: {holds} holds {state.attached_to or 'nothing'}, not {part}")
+        if self.layout.locks(holds, part) and not state.latched:
+            raise TaskFailed(f"{connector} stays enabled: {holds} has not locked {part}: {state.last_error}")
         self.result.log.append(f"{holds} holds {part} with {state.force:.1f} N; {connector} is released")
         await self.cell.enable(connector, False)
         await self.cell.sleep(0.2)

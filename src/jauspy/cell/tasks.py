@@ -21,6 +21,7 @@ from jauspy.cell.kitting import Kitter, drawn_order, score
 from jauspy.cell.lift import Lifter
 from jauspy.cell.measurements import Measured
 from jauspy.cell.modular_arm import FIVE_JOINTS, ArmOperator
+from jauspy.cell.physics import Physics
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.session import Disturbances, Session, simulated
 from jauspy.cell.standing import all_frames, standing_on
@@ -390,13 +391,16 @@ async def run_one(
     begun = time.perf_counter()
     camera = FILMED_BY.get(task, "overview")
     async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:
-        start, drawn = session.cell.now(), session.true.power().energy
+        start = session.cell.now()
+        drawn = session.judge.power().energy if session.judge is not None else 0.0
+        probe = session.judge.probe() if session.judge is not None else None
         try:
             found = await (run or TASKS[task])(session, seed)
         except JausError as error:
             found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
-        found.values["energy"] = session.true.power().energy - drawn
-        found.written = session.true.written
+        if session.judge is not None and probe is not None:
+            found.physics, found.written = Physics.of(probe), session.judge.written
+            found.values["energy"] = session.judge.power().energy - drawn
     found.wall = time.perf_counter() - begun
     if session.film is not None:
         found.film_problem = session.film.problem

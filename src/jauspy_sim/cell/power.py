@@ -157,10 +157,16 @@ class SimulatedPower(ModulePower):
 
     def _energy(self, name: str, dt: float) -> float:
         """Joules that a part has drawn: its servo, and the pumps of its connectors."""
-        running = sum(pump.enabled and pump.state().powered for pump in self._pumps.get(name, ()))
+        running = sum(_pumps(connector) for connector in self._pumps.get(name, ()))
         self._pumped[name] += PUMP_POWER * running * dt
         servo = self._servos.get(name)
         return self._pumped[name] + (servo.energy if servo is not None else 0.0)
+
+
+def _pumps(connector: SimulatedConnector) -> bool:
+    """True while the pump of a connector runs: what a latch has locked needs no vacuum."""
+    state = connector.state()
+    return connector.enabled and state.powered and not state.latched
 
 
 def _reached(source: str, neighbours: Mapping[str, list[str]]) -> set[str]:

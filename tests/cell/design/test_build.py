@@ -101,10 +101,10 @@ async def test_obstacles_stand_in_the_simulation_where_the_task_has_them(wall: D
     post = load_task(TASKS / "beside_a_post.json")
     tasks = [wall, post]
 
-    def furnish(cell: CellSetup) -> CellSetup:
-        return furnished(cell, tasks, BASE, 0.3)
+    def change(model: RobotModel) -> RobotModel:
+        return replace(model, cell=furnished(cell_of(model), tasks, BASE, 0.3))
 
-    async with simulated(0, UNDISTURBED, furnish=furnish) as session:
+    async with simulated(0, UNDISTURBED, change=change) as session:
         truth = session.true._truth
         assert truth.frame("task_1_box_1").position == pytest.approx(wall.obstacles[0].pose.position)
         assert truth.frame("task_2_box_1").position[0] > ASIDE / 2.0

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
@@ -26,12 +27,12 @@ from jauspy.cell.disassembly import Disassembler
 from jauspy.cell.frames import Array, se3, transform
 from jauspy.cell.measurements import Measured
 from jauspy.cell.modular_arm import ArmOperator
-from jauspy.cell.scene import pieces_of_part
+from jauspy.cell.scene import cell_of, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.session import ROBOT, Session, simulated
 from jauspy.errors import JausError
 from jauspy.geometry.poses import Transform
-from jauspy.platform.modular.parts import CellSetup
+from jauspy.platform.description import RobotModel
 
 CAMERA: Final = "platforms"
 """The camera that films it."""
@@ -58,10 +59,10 @@ async def build_all(
     tasks = [task for task, _ in designs]
     results: list[Measured] = []
 
-    def furnish(cell: CellSetup) -> CellSetup:
-        return furnished(cell, tasks, base, load)
+    def change(model: RobotModel) -> RobotModel:
+        return replace(model, cell=furnished(cell_of(model), tasks, base, load))
 
-    async with simulated(seed, film=film, camera=CAMERA, view=view, robot=robot, furnish=furnish) as session:
+    async with simulated(seed, film=film, camera=CAMERA, view=view, robot=robot, change=change) as session:
         for number, (task, design) in enumerate(designs):
             begun, start = time.perf_counter(), session.cell.now()
             if number:

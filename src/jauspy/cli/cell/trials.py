@@ -33,7 +33,9 @@ def with_progress(what: str, total: int, results: Iterable[Measured]) -> Iterato
 
 def trials(
     *,
-    task: Annotated[str, typer.Argument(metavar="TASK", help="What to run: assemble, lift, step, car.")] = "assemble",
+    task: Annotated[
+        str, typer.Argument(metavar="TASK", help="What to run: assemble, lift, step, take-apart, car, demo.")
+    ] = "assemble",
     seeds: Seeds = 100,
     first: Annotated[int, typer.Option("--first", min=0, metavar="N", help="The first seed.")] = 0,
     jobs: Jobs = None,

@@ -17,9 +17,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
-from jauspy.platform.tables import Positive, Table
+from annotated_types import Interval
+
+from jauspy.platform.tables import NotNegative, Positive, Table
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,6 +30,12 @@ SAFETY: Final = 1.5
 """Strength over the largest load that is planned, as Schmalz recommends for airtight, smooth workpieces."""
 FULL_VACUUM: Final = 90e3
 """Pascals below the ambient pressure: 0.9 bar, which ejectors reach on airtight parts."""
+HOLDS: Final = 0.6
+"""Fraction of the full vacuum from which on a part counts as attached: the vacuum at which Schmalz states forces."""
+AIR: Final = 1.2
+"""Kilograms of a cubic metre of air."""
+DISCHARGE: Final = 0.6
+"""Discharge coefficient of a sharp-edged opening."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,24 +78,76 @@ class Holding(Table):
 
 @dataclass(frozen=True, slots=True)
 class Cup(Table):
-    """A suction cup: its strength is pressure times area, its lever the radius of its lip."""
+    """A suction cup with its pump. Its strength is pressure times area, its lever the radius of its lip."""
 
     radius: Positive
     """Metres."""
     pressure: Positive = FULL_VACUUM
     """Pascals below the ambient pressure when nothing leaks."""
     friction: Positive = 0.5
-    """Schmalz: 0.5 for metal and glass, dry and clean."""
+    """Schmalz: 0.5 on metal, glass, stone and wood."""
+    stroke: Positive = 0.002
+    """Metres between plate and face that the lip seals; assumption."""
+    volume: Positive = 30e-6
+    """Cubic metres of cup and hose; assumption."""
+    suction: Positive = 1.2e-3
+    """Cubic metres of air a second that the pump takes in at ambient pressure, and less the higher the vacuum is;
+    assumption for a small ejector."""
 
     @property
     def holding(self) -> Holding:
         """Strength at full vacuum; it is proportional to the vacuum."""
         return Holding(self.pressure * math.pi * self.radius**2, self.radius, self.friction)
 
+    def leak(self, gap: float, tilt: float) -> float:
+        """Square metres between lip and face that stay open: `gap` in metres at the middle, `tilt` in radians."""
+        least, swing = gap - self.stroke, self.radius * math.sin(tilt)
+        if least + swing <= 0.0:
+            return 0.0
+        # the mean of max(0, least + swing cos(angle)) along the rim
+        if least >= swing:
+            return math.tau * self.radius * least
+        edge = math.acos(-least / swing)
+        return 2.0 * self.radius * (least * edge + swing * math.sin(edge))
 
-CUP: Final = Cup(0.030).holding
+    def settled(self, leak: float) -> float:
+        """Fraction of the full vacuum at which the pump keeps up with a leak, in square metres."""
+        ratio = self._flow(leak) / self.suction
+        root = (math.sqrt(ratio * ratio + 4.0) - ratio) / 2.0
+        return root * root
+
+    def evacuated(self, vacuum: float, leak: float, dt: float) -> float:
+        """Fraction of the full vacuum `dt` seconds later, exact without a leak."""
+        rate = (self.suction * (1.0 - vacuum) - self._flow(leak) * math.sqrt(vacuum)) / self.volume
+        settled = self.settled(leak)
+        if abs(settled - vacuum) < 1e-6:
+            return settled
+        return settled + (vacuum - settled) * math.exp(-rate * dt / (settled - vacuum))
+
+    def _flow(self, leak: float) -> float:
+        """Cubic metres of air a second through a leak at full vacuum."""
+        return DISCHARGE * leak * math.sqrt(2.0 * self.pressure / AIR)
+
+
+@dataclass(frozen=True, slots=True)
+class Latch(Holding):
+    """A mechanical latch that locks what the cup beside it has pulled into contact."""
+
+    max_distance: Positive = 0.001
+    """Metres between the axes at which it locks."""
+    max_angle: Annotated[float, Interval(gt=0.0, le=math.pi)] = math.radians(2.0)
+    """Radians between the axes at which it locks."""
+    time: NotNegative = 0.2
+    """Seconds that it takes to lock; assumption."""
+
+
+PLATE: Final = Cup(0.030)
+"""The cup of a connector."""
+GRIPPER_PLATE: Final = Cup(0.022)
+"""The cup of the UR10's gripper."""
+CUP: Final = PLATE.holding
 """A connector without its latch: 254 N, 7.6 N m."""
-GRIPPER_CUP: Final = Cup(0.022).holding
-"""The gripper of the UR10: 137 N, 3.0 N m."""
-LATCH: Final = Holding(1100.0, 0.025)
+GRIPPER_CUP: Final = GRIPPER_PLATE.holding
+"""137 N, 3.0 N m."""
+LATCH: Final = Latch(1100.0, 0.025)
 """A quick-change system SCHUNK SWS-011: its locking force, on its diameter of 50 mm; 27.5 N m follow."""
