@@ -43,13 +43,13 @@ ROWS = [
         "64da0107" + b"servo_1".hex() + "00",
         id="a supply",
     ),
-    pytest.param(m.QueryModuleEnergy(), "6aea", id="a query for energy"),
+    pytest.param(m.QueryModuleEnergy(), "6bea", id="a query for energy"),
     pytest.param(
         m.ReportModuleEnergy(
             [m.ReportModuleEnergy.ModuleEnergyRec("s", 2.5, 100.0)],
             [m.ReportModuleEnergy.BatteryRec("b", 50.0, 1000.0, 36.0, 1.25)],
         ),
-        "6afa"
+        "6bfa"
         "0101"
         + b"s".hex()
         + struct.pack("<fd", 2.5, 100.0).hex()

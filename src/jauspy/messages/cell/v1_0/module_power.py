@@ -58,9 +58,9 @@ class QueryModulePower(jd.Message):
     REPORT = ReportModulePower
 
 
-@jd.message(_SERVICE, 0xFA6A)
+@jd.message(_SERVICE, 0xFA6B)
 class ReportModuleEnergy(jd.Message):
-    """ReportModuleEnergy (0xFA6A): Tells what modules draw, and what batteries have left.
+    """ReportModuleEnergy (0xFA6B): Tells what modules draw, and what batteries have left.
 
     module_list: 0..255 items. The modules
     battery_list: 0..255 items. The batteries
@@ -94,7 +94,7 @@ class ReportModuleEnergy(jd.Message):
     battery_list: list[ReportModuleEnergy.BatteryRec] = jd.field("BatteryList", lambda: jd.Repeat(jd.Count("B", 0, 255), ReportModuleEnergy.BatteryRec.layout()))
 
 
-@jd.message(_SERVICE, 0xEA6A, query=True)
+@jd.message(_SERVICE, 0xEA6B, query=True)
 class QueryModuleEnergy(jd.Message):
-    """QueryModuleEnergy (0xEA6A): Asks what modules draw, and what batteries have left."""
+    """QueryModuleEnergy (0xEA6B): Asks what modules draw, and what batteries have left."""
     REPORT = ReportModuleEnergy
