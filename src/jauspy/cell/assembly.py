@@ -389,10 +389,10 @@ class Assembler:
         backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
         heavy = plan.part in self.handling.composites
         state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if heavy else TOUCH_SPEED)
-        if state.attached_to != plan.part:
+        if state.attached_to != plan.part or (self.layout.locks(GRIPPER, plan.part) and not state.latched):
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)
-            return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}"
+            return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}, or has not locked it"
         if release:
             await self.cell.leave(plan.part)
             await self.cell.enable(release, False)
@@ -417,11 +417,16 @@ class Assembler:
     def _hold(self, part: str, state: ConnectorState) -> None:
         grasp = se3(state.offset).inverse()
         self.held = Held(part, grasp)
+        self.planner.load = self.handling.load(part, grasp)
         self.scene.hold(part, self.handling.pieces(part), grasp.inverse())
 
-    def _drop(self, part: str) -> None:
-        self.held = None
+    def forget_held(self) -> None:
+        """Plan without what the gripper has held."""
+        self.held = self.planner.load = None
         self.scene.release()
+
+    def _drop(self, part: str) -> None:
+        self.forget_held()
         self.used.discard(part)
 
     async def _put_back(self, plan: PickPlan, connector: str = "") -> None:
@@ -498,8 +503,7 @@ class Assembler:
     async def _let_go(self, part: str, row: PartResult, tip: Tip, slot: Slot, state: ConnectorState) -> None:
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.1)
-        self.held = None
-        self.scene.release()
+        self.forget_held()
         offset = se3(state.offset)
         frame = tip.frame * offset
         self.used.add(part)

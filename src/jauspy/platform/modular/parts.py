@@ -439,6 +439,8 @@ class CellSetup(Table):
     limits: ConnectorLimits = ConnectorLimits()
     gripper: Annotated[str, MaxLen(80)] = ""
     """Link of the URDF with the vacuum gripper, whose z axis points out of it; empty without one."""
+    gripper_latch: bool = False
+    """True if the gripper has a latch as parts do: it locks on their flanges, but not on other faces."""
     pose_error: tuple[NotNegative, NotNegative] = (0.0, 0.0)
     """Largest error of the parts' poses at the start, metres and radians, drawn with `seed`."""
     scatter: bool = False
