@@ -81,6 +81,8 @@ WHEEL_TURNS: Final = 12
 BACK: Final = 0.02
 BACK_STEPS: Final = 4
 """Metres, and how often, that the gripper moves back from what it has released until there is room around it."""
+EVACUATED_TIME: Final = 0.15
+"""Seconds after an attachment in which the gripper's pump reaches the full vacuum."""
 RELEASE_TIME: Final = 0.2
 """Seconds until a connector has let go."""
 POLL: Final = 0.02
@@ -388,13 +390,21 @@ class Assembler:
         await self.go(plan.near, speed=NEAR_SPEED, contact=True)
         backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
         heavy = plan.part in self.handling.composites
-        state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if heavy else TOUCH_SPEED)
+        if release:
+            await self.cell.leave(plan.part)
+        stiff = heavy or bool(release)
+        state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if stiff else TOUCH_SPEED)
         if state.attached_to != plan.part or (self.layout.locks(GRIPPER, plan.part) and not state.latched):
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)
             return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}, or has not locked it"
         if release:
-            await self.cell.leave(plan.part)
+            await self.cell.sleep(EVACUATED_TIME)
+            state = await self.cell.connector(GRIPPER)
+            if state.attached_to != plan.part:
+                await self.cell.enable(GRIPPER, False)
+                await self.go(self.handling.retreat(self.at), contact=True)
+                return f"the gripper lost it{_because(state)}"
             await self.cell.enable(release, False)
             await self.cell.sleep(RELEASE_TIME)
         self._hold(plan.part, state)
