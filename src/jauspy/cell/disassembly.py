@@ -54,6 +54,11 @@ class Disassembler:
         self.ur10 = ur10
         self.result = DisassemblyResult()
         self._homes = {part.name: se3_of_pose(part.pose) for part in layout.setup.parts}
+        self._shelves = [
+            *(bin.name for bin in layout.setup.bins),
+            *(part.name for part in layout.setup.parts if part.fixed),
+        ]
+        """Things on which parts may lie: bins and platforms."""
 
     async def run(self, base: str = "platform_1/top") -> DisassemblyResult:
         """Take off all parts, those that carry nothing first. Raises `TaskFailed`, and then keeps what is held."""
@@ -116,7 +121,6 @@ class Disassembler:
         """
         scene, pieces, usual = self.ur10.scene, self.ur10.handling.pieces(part), self.layout.grasp(part)
         home = self._homes[part] * usual * (face or usual).inverse()
-        bins = [bin.name for bin in self.layout.setup.bins]
         length = next(
             (
                 frame.rotation[:, 0]
@@ -130,7 +134,7 @@ class Disassembler:
         try:
             for along in ASIDE:
                 place = shifted(z=ABOVE) * shifted(*(along * length).tolist()) * home
-                with scene.without(*bins):
+                with scene.without(*self._shelves):
                     free = scene.clearance_of(pieces, place).distance >= ROOM
                 if free:
                     yield place
@@ -142,7 +146,6 @@ class Disassembler:
         """Lower the held part into a free place of its bin, or let it lie on the floor."""
         ur10, held = self.ur10, self.ur10.held
         assert held is not None
-        bins = [bin.name for bin in self.layout.setup.bins]
         for place in places:
             lower = partial(
                 ur10.handling.place,
@@ -151,7 +154,7 @@ class Disassembler:
                 ur10.at,
                 [place],
                 along=shifted(z=LIFT),
-                touches=bins,
+                touches=self._shelves,
                 press=DEEPER,
             )
             try:

@@ -109,6 +109,7 @@ async def simulated(
     film: Path | None = None,
     camera: str = "overview",
     view: bool = False,
+    robot: str = ROBOT,
     change: Callable[[RobotModel], RobotModel] = lambda model: model,
     changed: Callable[[RobotConfig], RobotConfig] = lambda config: config,
 ) -> AsyncIterator[Session]:
@@ -117,7 +118,7 @@ async def simulated(
     `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
     `change` makes the cell another one, as with a load that is bolted to it; `changed` does so with its configuration.
     """
-    config = changed(configured(seed, disturbances or Disturbances()))
+    config = changed(configured(seed, disturbances or Disturbances(), robot))
     layout = Layout(change(robot_files.robot_model(config)))
     backend = WatchedBackend(backends.find(config.backend), change)
     async with AsyncExitStack() as stack:
