@@ -25,7 +25,13 @@ HOVER: Final = 0.06
 PRESS: Final = 0.002
 """Metres below the top of the box to which the tip is sent."""
 DESCENT: Final = 0.6
-"""Seconds of the descent, at whose end the middle of the box is under the tip."""
+"""Seconds of the descent to `TOUCH` above the box."""
+TOUCH: Final = 0.004
+TOUCH_TIME: Final = 1.2
+"""Metres above the box from which the tip comes slowly, at most 10 mm/s, and the seconds of that. At its end the middle of
+the box is under the tip."""
+CREEP: Final = 0.012
+"""m/s of the belt meanwhile, so that cup and box meet gently."""
 LIFT_TIME: Final = 0.6
 ATTEMPTS: Final = 3
 READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
@@ -151,19 +157,23 @@ class Lifter:
         await self.arm.look(*self.boxes)
         hover = self.arm.above((x, y, top + HOVER), await self.arm.positions())[0]
         await self.arm.go(hover)
-        down = self.arm.chain.solve_down((x, y, top - PRESS), hover)
-        if down is None:
+        near = self.arm.chain.solve_down((x, y, top + TOUCH), hover)
+        down = None if near is None else self.arm.chain.solve_down((x, y, top - PRESS), near)
+        if near is None or down is None:
             raise NoPath(f"the arm cannot reach down to {box}")
         await self.cell.run_conveyor(BELT_SPEED)
         while True:
             seen, pose = self.cell.latest(box)
-            wait = (y - float(pose.translation[1])) / BELT_SPEED - (self.cell.now() - seen) - DESCENT
+            ahead = y - float(pose.translation[1]) - CREEP * (DESCENT + TOUCH_TIME)
+            wait = ahead / BELT_SPEED - (self.cell.now() - seen)
             if wait < POLL:
                 break
             await self.cell.sleep(min(wait, 0.2))
+        await self.cell.run_conveyor(CREEP)
+        await self.arm.move(near, DESCENT)
         await self.cell.enable(self.arm.tip, True)
-        await self.cell.command_arm(await self.arm.vector(down), DESCENT)
-        held = await self.arm.wait_attached(self.arm.tip, 2.0 * DESCENT)
+        await self.cell.command_arm(await self.arm.vector(down), TOUCH_TIME)
+        held = await self.arm.wait_attached(self.arm.tip, 2.0 * TOUCH_TIME)
         await self.arm.move(hover, LIFT_TIME)
         if held == box and (await self.cell.connector(self.arm.tip)).attached_to == box:
             return True
