@@ -11,12 +11,17 @@ from typing import Any
 import pytest
 
 from jauspy.cell.measurements import Measured
-from jauspy.cell.physics import JointFigures, Meeting, Physics
+from jauspy.cell.physics import JointFigures, LargestLoad, Meeting, Physics
 from jauspy.cell.physics_tables import MOST_ROWS, gentle, physics_tables, trials_tables
 from jauspy.cell.report import Section, page
 from jauspy.cell.trials import read_results
 from jauspy.errors import ConfigError
 
+PEAKS = {
+    ("gripper", "gripper"): LargestLoad(0.4, "gripper", "box_1", 2.0),
+    ("servo_1/output", "latch"): LargestLoad(0.3, "servo_1/output", "bracket_1", 3.0),
+    ("platform_1/top", "latch"): LargestLoad(0.5, "platform_1/top", "servo_1", 4.0),
+}
 EVIL = "<img src=x onerror=alert(1)>"
 
 
@@ -26,12 +31,13 @@ class Probe:
     landings: list[Meeting] = field(default_factory=list)
     collisions: list[Meeting] = field(default_factory=list)
     joints: dict[str, JointFigures] = field(default_factory=dict)
+    peaks: dict[tuple[str, str], LargestLoad] = field(default_factory=dict)
 
 
 def physics(*speeds: float, collisions: int = 0) -> Physics:
     meetings = [Meeting(1.0, "gripper", "box_1", speed, 10.0) for speed in speeds]
     hits = [Meeting(2.0, EVIL, "bin_1", 0.1, 30.0 + number) for number in range(collisions)]
-    return Physics.of(Probe(meetings, [], hits, {"elbow": JointFigures(3.0, 50.0, 0.002, 0.0005, 7)}))
+    return Physics.of(Probe(meetings, [], hits, {"elbow": JointFigures(3.0, 50.0, 0.002, 0.0005, 7)}, PEAKS))
 
 
 def run(seed: int, *speeds: float, **fields: Any) -> Measured:
@@ -49,7 +55,7 @@ def test_the_largest_of_each_figure_counts() -> None:
 
 def test_gentle_runs_keep_their_promises_and_others_say_what_happened() -> None:
     assert all(promise.kept for promise in gentle(run(1, 0.004, 0.02)))
-    hard, touched = gentle(run(1, 0.004, 0.111, collisions=2))
+    _, hard, touched = gentle(run(1, 0.004, 0.111, collisions=2))
     assert (hard.kept, hard.measured) == (False, "1 of 2, at most 111.0 mm/s and 10 N")
     assert not touched.kept
     assert touched.measured.endswith("on bin_1: 31 N")
@@ -59,6 +65,15 @@ def test_a_strong_attachment_is_not_gentle() -> None:
     found = run(1, 0.004)
     assert found.physics is not None
     found.physics.attaches.append(Meeting(1.0, "gripper", "box_1", 0.001, 763.0))
+    assert not gentle(found)[1].kept
+
+
+def test_a_load_beyond_the_strength_breaks_a_promise() -> None:
+    found = run(1, 0.004)
+    assert gentle(found)[0].measured == "at most 50%, servo_1 on platform_1/top"
+    assert found.physics is not None
+    assert found.physics.figures()["latch utilisation"] == 0.5
+    found.physics.loads["gripper"] = LargestLoad(1.02, "gripper", "car", 3.0)
     assert not gentle(found)[0].kept
 
 

@@ -27,6 +27,25 @@ class JointLike(Protocol):
     ends: int
 
 
+class PeakLike(Protocol):
+    """The largest load of a connector, as a simulation's probe reports it."""
+
+    @property
+    def utilisation(self) -> float:
+        """Fraction of the strength."""
+        ...
+
+    @property
+    def time(self) -> float:
+        """Seconds."""
+        ...
+
+    @property
+    def part(self) -> str:
+        """The part that it held."""
+        ...
+
+
 class Probe(Protocol):
     """What a simulation measures at each step since the probe was made."""
 
@@ -34,6 +53,7 @@ class Probe(Protocol):
     landings: Sequence[MeetingLike]
     collisions: Sequence[MeetingLike]
     joints: Mapping[str, JointLike]
+    peaks: Mapping[tuple[str, str], PeakLike]
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +87,18 @@ class JointFigures:
     """Number of motions that ended."""
 
 
+@dataclass(frozen=True, slots=True)
+class LargestLoad:
+    """The largest load of all connections of one kind, in one physics step."""
+
+    utilisation: float
+    """Fraction of the strength that there was in that step; above 1 the part came off."""
+    connector: str
+    part: str
+    time: float
+    """Seconds of the robot's time."""
+
+
 @dataclass(slots=True)
 class Physics:
     """What happened in one run."""
@@ -79,6 +111,8 @@ class Physics:
     """Contacts of the UR10 that no grasp explains."""
     joints: dict[str, JointFigures] = field(default_factory=dict)
     """The UR10's, by name."""
+    loads: dict[str, LargestLoad] = field(default_factory=dict)
+    """By kind of connection: `gripper` (its cup), `cup`, `latch`."""
 
     @classmethod
     def of(cls, probe: Probe) -> Physics:
@@ -91,6 +125,7 @@ class Physics:
                 name: JointFigures(joint.speed, joint.torque, joint.error, joint.end_error, joint.ends)
                 for name, joint in probe.joints.items()
             },
+            _largest(probe.peaks),
         )
 
     def figures(self) -> dict[str, float]:
@@ -100,11 +135,20 @@ class Physics:
             if meetings:
                 found[f"{name} speed"] = max(meeting.speed for meeting in meetings)
                 found[f"{name} force"] = max(meeting.force for meeting in meetings)
+        found |= {f"{kind} utilisation": load.utilisation for kind, load in self.loads.items()}
         if self.joints:
             found["tracking error"] = max(joint.error for joint in self.joints.values())
             found["end error"] = max(joint.end_error for joint in self.joints.values())
             found["joint speed"] = max(joint.speed for joint in self.joints.values())
         return found
+
+
+def _largest(peaks: Mapping[tuple[str, str], PeakLike]) -> dict[str, LargestLoad]:
+    found: dict[str, LargestLoad] = {}
+    for (connector, kind), peak in peaks.items():
+        if kind not in found or peak.utilisation > found[kind].utilisation:
+            found[kind] = LargestLoad(peak.utilisation, connector, peak.part, peak.time)
+    return found
 
 
 GENTLE_SPEED: Final = 0.02

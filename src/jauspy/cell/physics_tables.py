@@ -10,6 +10,7 @@ from jauspy.cell.measurements import Measured, figure_text
 from jauspy.cell.physics import GENTLE_FORCE, GENTLE_SPEED, Meeting, Physics
 from jauspy.cell.report import Promise, Table
 
+KINDS = {"gripper": "cup of the gripper", "cup": "cup of a connector", "latch": "latch"}
 MOST_ROWS = 200
 """Rows of a table; those beyond are counted in its note."""
 
@@ -27,7 +28,17 @@ def gentle(found: Measured) -> list[Promise]:
     if physics.collisions:
         worst = max(physics.collisions, key=lambda meeting: meeting.force)
         touched = f"{len(physics.collisions)}, the hardest {worst.first} on {worst.second}: {worst.force:.0f} N"
+    held = "nothing was attached"
+    if physics.loads:
+        load = max(physics.loads.values(), key=lambda load: load.utilisation)
+        held = f"at most {load.utilisation:.0%}, {load.part} on {load.connector}"
     return [
+        Promise(
+            f"{found.task}: loads of connectors below their strength, at each physics step",
+            "below 100%",
+            held,
+            all(load.utilisation <= 1.0 for load in physics.loads.values()),
+        ),
         Promise(
             f"{found.task}: attachments below {_mm(GENTLE_SPEED)} mm/s and {GENTLE_FORCE:g} N",
             "all",
@@ -43,6 +54,13 @@ def physics_tables(physics: Physics) -> list[Table]:
     largest: list[Sequence[str]] = [("figure", "value")]
     largest += [(name, figure_text(name, value)) for name, value in physics.figures().items()]
     tables = [Table("Measured by the simulation: the largest figures", largest)]
+    if physics.loads:
+        loads: list[Sequence[str]] = [("connection", "connector", "held", "at, s", "of its strength")]
+        loads += [
+            (KINDS[kind], load.connector, load.part, f"{load.time:.1f}", f"{load.utilisation:.0%}")
+            for kind, load in physics.loads.items()
+        ]
+        tables.append(Table("Measured by the simulation: the largest loads of connections", loads))
     if physics.joints:
         rows: list[Sequence[str]] = [
             (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -87,6 +87,11 @@ def servos(elements: Sequence[Element], types: Mapping[str, PartType]) -> list[S
     """The servo modules of a chain, base to tip."""
     found = (types[element.type].servo for element in elements)
     return [servo for servo in found if servo is not None]
+
+
+def placed(elements: Iterable[Element], types: Mapping[str, PartType]) -> list[tuple[Transform, PartType]]:
+    """The parts of a chain, each with its frame in that of the connector that carries it."""
+    return [(Transform(rotation_about(Z, element.turn)), types[element.type]) for element in elements]
 
 
 def total_mass(elements: Sequence[Element], types: Mapping[str, PartType]) -> float:
