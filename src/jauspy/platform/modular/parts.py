@@ -424,11 +424,15 @@ class CellSetup(Table):
     seed: Seed = 0
     arm: Literal[""] | Identifier = "arm"
     """Name of the modular arm; empty without one."""
+    second_arm: Literal[""] | Identifier = ""
+    """Name of a second modular arm, which is a chain on a connection of its own; empty without one."""
     car: Literal[""] | Identifier = ""
     """Name of the base that is a car once wheels are attached to it; empty without one."""
 
     def __post_init__(self) -> None:
         check_unique("parts", tuple(part.name for part in self.parts))
+        if self.second_arm and self.second_arm in ("", self.arm):
+            raise ValueError(f"second_arm = {self.second_arm!r}: must have another name than arm")
         for number, part in enumerate(self.parts):
             if part.type not in self.types:
                 known = ", ".join(sorted(self.types))
