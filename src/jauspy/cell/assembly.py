@@ -24,7 +24,7 @@ from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
 from jauspy.geometry.vectors import GRAVITY, Z
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState
-from jauspy.platform.modular.parts import PartKind, PartType, body_inertia, output_inertia
+from jauspy.platform.modular.parts import PartKind, PartType, mass_of
 
 GRASPS: Final = 4
 """Attempts to grasp one part before another of its type is taken."""
@@ -49,6 +49,14 @@ HEAVY_TOUCH_SPEED: Final = 0.002
 """The same towards what is bolted down, or heavy: it gives way less than a part in a bin."""
 CONTACT_FORCE: Final = 8.0
 """Newtons by which the force on the gripper must change for what it holds to be in contact."""
+STEP: Final = 1e-6
+"""Radians of a difference quotient."""
+LEANS: Final = 24
+LEAN_SPEED: Final = 0.02
+LEAN_TIME: Final = 0.1
+"""Parts in which a load is taken up, the fraction of the UR10's speed, and seconds in which the force settles."""
+TAKEN_UP: Final = 0.9
+"""Fraction of a load's weight from which on the gripper carries it."""
 MAX_TILT: Final = math.radians(2.0)
 MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
@@ -401,7 +409,7 @@ class Assembler:
         if math.isfinite(state.mass_deviation):
             row.mass, row.mass_deviation = state.mass, state.mass_deviation
         type = self.layout.type_of(plan.part)
-        if weigh and (why := _wrong_weight(state, body_inertia(type).mass + output_inertia(type).mass)):
+        if weigh and (why := _wrong_weight(state, mass_of(type))):
             await self._put_back(plan, release)
             return why
         return ""
@@ -547,6 +555,26 @@ class Assembler:
         """Lower what the gripper holds along a path, until it is in contact or at the end."""
         await self.cell.touch(path, GRIPPER, tool_speed=TOUCH_SPEED, contact=CONTACT_FORCE)
         self.at = await self.cell.posture()
+
+    async def take_up(self, mass: float, center: Array) -> None:
+        """Lean against a load until the gripper carries its weight, so that it does not drop when it is let go.
+
+        `mass` in kilograms, `center` of mass in the world. What the gripper holds is attached elsewhere, too, and stays
+        where it is; the joints are sent where the weight would bend them from.
+        """
+        k, group = self.layout.kinematics, self.layout.group
+        local = k.forward(self.at).actInv(center)
+        height = float(center[2])
+        torques = np.array(
+            [(k.forward(self.at + STEP * axis).act(local)[2] - height) / STEP for axis in np.eye(len(self.at))]
+        )
+        stiffness = np.array([group.gains[name].position.p for name in group.joints])
+        bend = GRAVITY * mass * torques / stiffness
+        for _ in range(LEANS):
+            if (await self.cell.connector(GRIPPER)).force >= TAKEN_UP * GRAVITY * mass:
+                return
+            await self.go(Path((self.at, self.at + bend / LEANS)), speed=LEAN_SPEED, contact=True, gentle=True)
+            await self.cell.sleep(LEAN_TIME)
 
     async def _wait_held(self, connector: str) -> ConnectorState:
         """Wait until a connector has attached something, and locked it if it can, or reports why it does not."""

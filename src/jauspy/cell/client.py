@@ -24,6 +24,7 @@ from jauspy.messages.cell.v1_0 import ReportServoState
 from jauspy.ocu import OCU, Arm, ComponentClient, MotionLimits, Robot
 from jauspy.ocu.cell import PartObservation
 from jauspy.platform.modular.arm import ArmController, ModularArmState, TrajectoryPoint
+from jauspy.platform.modular.cell import ConveyorState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.robot.config import RobotConfig
 
@@ -46,6 +47,10 @@ STEADY: Final = 0.5
 """Newtons between two queries, below which a force is steady."""
 SAMPLES: Final = 6
 """Observations of a part that are averaged."""
+SILENT: Final = 1.0
+"""Seconds without an observation from which on the sensor counts as silent."""
+FIRST_TIME: Final = 5.0
+"""Seconds in which the first observation must arrive."""
 WATCH_PERIOD: Final = 0.1
 """Seconds between two queries for a new observation."""
 MOVED: Final = 0.008
@@ -78,6 +83,8 @@ class CellClient:
         self._last_seen: dict[str, str] = {}
         """Types of all parts that were ever seen, by name."""
         self._in_view: frozenset[str] = frozenset()
+        self._moving: set[str] = set()
+        """Parts that were elsewhere in the observation before the last one of them."""
         self._observation_time = 0.0
         self._latest: dict[str, tuple[float, pin.SE3]] = {}
         self._offset = math.inf
@@ -108,6 +115,11 @@ class CellClient:
             yield
         finally:
             self._arm_name.reset(token)
+
+    @property
+    def subsystem(self) -> int:
+        """The robot's subsystem id."""
+        return self._config.subsystem
 
     # --- time -----------------------------------------------------------------------------------------------------
 
@@ -186,6 +198,25 @@ class CellClient:
                 await _cancel(motion)
         return await self.connector(connector)
 
+    async def full_speed(self) -> None:
+        """Permit the UR10's joints their full speed, for `aim`."""
+        names = self.layout.group.joints
+        rows = zip(names, self.layout.speeds.tolist(), self.layout.accelerations.tolist(), strict=True)
+        await (await self._ur10()).set_motion_limits(
+            {name: MotionLimits(speed, rate, rate) for name, speed, rate in rows}
+        )
+
+    async def aim(self, posture: Array) -> None:
+        """Have the UR10 move towards a posture (rad) at once, from whatever motion it is in; returns before it arrives.
+
+        Repeated with postures close to each other, it follows them.
+        """
+        await (await self._ur10()).begin(dict(zip(self.layout.group.joints, posture.tolist(), strict=True)))
+
+    async def hold(self) -> None:
+        """Stop the UR10 where it is."""
+        await (await self._ur10()).stop()
+
     async def _settled(self, connector: str) -> ConnectorState:
         """The state of a connector, when the force on what it holds no longer changes, or after `SETTLING` seconds."""
         state, until = await self.connector(connector), self.now() + SETTLING
@@ -245,15 +276,26 @@ class CellClient:
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
         """The parts that the sensor has seen, each averaged since it last moved; with `fresh` over new observations.
 
-        A part that is hidden now is where it was seen last; its `age` says how long ago.
+        A part that is hidden now is where it was seen last; its `age` says how long ago. While the sensor is silent,
+        all parts are where they were seen last. Raises `RequestError` if it has never reported any.
         """
         if fresh:
             self._seen.clear()
         while True:
-            if self._in_view and all(len(self._seen.get(name, ())) >= SAMPLES - 2 for name in self._in_view):
+            at_rest = self._in_view - self._moving
+            seen_well = all(len(self._seen.get(name, ())) >= SAMPLES - 2 for name in at_rest)
+            if self._in_view and (seen_well or self.silence() > SILENT):
                 return {name: self._known(name, type) for name, type in self._last_seen.items()}
             self._observed.clear()
-            await asyncio.wait_for(self._observed.wait(), 5.0)
+            try:
+                await asyncio.wait_for(self._observed.wait(), SILENT if self._in_view else FIRST_TIME)
+            except TimeoutError:
+                if not self._in_view:
+                    raise RequestError(f"the part sensor has reported no part for {FIRST_TIME:g} s") from None
+
+    def silence(self) -> float:
+        """Seconds since the last observation, by this client's clock; infinite before the first."""
+        return self.now() - (self._observation_time + self._offset) if self._in_view else math.inf
 
     def _known(self, name: str, type: str) -> SeenPart:
         seen = self._seen.get(name)
@@ -298,6 +340,10 @@ class CellClient:
     async def run_conveyor(self, speed: float) -> None:
         """Run the belt at a speed, in m/s."""
         await (await self._control(self._module("CM-CNV"))).conveyor.run(speed)
+
+    async def belt(self) -> ConveyorState:
+        """Speed and travel of the belt."""
+        return await (await self._component(self._module("CM-CNV"))).conveyor.state()
 
     # --- the modular arm ------------------------------------------------------------------------------------------
 
@@ -407,6 +453,9 @@ class CellClient:
                 distance, angle = offset_between(seen[-1], pose)
                 if distance > MOVED or angle > 10.0 * MOVED:
                     seen.clear()
+                    self._moving.add(name)
+                else:
+                    self._moving.discard(name)
             seen.append(pose)
         self._last_seen.update(observation.types)
         self._in_view = frozenset(observation.poses)

@@ -34,6 +34,8 @@ INSERT: Final = 0.06
 """Metres above a connector at which a part is lowered in a straight line."""
 LINE_MARGIN: Final = 0.003
 """Metres to keep from everything but what is touched, on straight lines."""
+BIN_MARGIN: Final = 0.0015
+"""The same where a part is grasped: one that lies at a bin's wall is not much higher than that."""
 MAX_PLANS: Final = 8
 """Postures for which a whole plan is tried."""
 CONDITION: Final = 0.03
@@ -72,19 +74,25 @@ class Handling:
         self.planner = planner
         self.composites: dict[str, list[Piece]] = {}
         """Shapes of parts to which others are attached, with those of the others, in the frame of the part."""
+        self.faces: dict[str, pin.SE3] = {}
+        """Where parts are grasped that cannot be grasped as their type says: the gripper in the frame of the part."""
 
     def pieces(self, part: str) -> list[Piece]:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
-    def grasps(self, part: str) -> list[pin.SE3]:
-        """The poses of the gripper in the frame of a part on its usual face, for all angles about its axis."""
-        return _turned(self.layout.grasp(part))
+    def grasps(self, part: str, first: float = 0.0, face: pin.SE3 | None = None) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part for all angles about its axis, the first one at `first` rad.
 
-    def upper_grasps(self, part: str, pose: pin.SE3) -> list[pin.SE3]:
+        `face` is one of `Layout.grasps`; by default the one that is chosen in `faces`, or the usual one.
+        """
+        return _turned(face or self.faces.get(part) or self.layout.grasp(part), first)
+
+    def upper_grasps(self, part: str, pose: pin.SE3, first: float = 0.0) -> list[pin.SE3]:
         """The same on all faces that are up while the part is at `pose`: from beside and below, bins are in the way."""
-        up = [grasp for grasp in self.layout.grasps(part) if (pose.rotation @ grasp.rotation)[2, 2] < -DOWNWARD]
-        return [found for grasp in up for found in _turned(grasp)]
+        faces = [self.faces[part]] if part in self.faces else self.layout.grasps(part)
+        up = [grasp for grasp in faces if (pose.rotation @ grasp.rotation)[2, 2] < -DOWNWARD]
+        return [found for grasp in up for found in _turned(grasp, first)]
 
     def pick(
         self,
@@ -96,14 +104,17 @@ class Handling:
         lift: float = LIFT,
         supports: Iterable[str] = (),
         skip: int = 0,
+        face: pin.SE3 | None = None,
     ) -> PickPlan:
         """A way to grasp a part that is at `pose`, such that it can be put to one of `goals` afterwards.
 
-        `supports`: what it lies on or in. `skip` leaves out that many of the solutions.
+        `supports`: what it lies on or in. `face`: where it is grasped, if not on a face that is up. `skip` leaves out
+        that many of the solutions.
         """
         k = self.layout.kinematics
         options: list[tuple[float, pin.SE3, Array]] = []
-        for grasp in (grasps := self.upper_grasps(part, pose)):
+        grasps = self.upper_grasps(part, pose) if face is None else self.grasps(part, face=face)
+        for grasp in grasps:
             over = pose * grasp * shifted(z=-APPROACH)
             options += [
                 (k.distance(posture.positions, start), grasp, posture.positions)
@@ -122,8 +133,8 @@ class Handling:
             _, grasp, posture = option
             approach = self.planner.to_posture(start, posture)
             with self.scene.without(part):
-                near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=LINE_MARGIN)
-                contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=LINE_MARGIN)
+                near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=BIN_MARGIN)
+                contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=BIN_MARGIN)
             try:
                 self.scene.hold(part, pieces, grasp.inverse())
                 with self.scene.without(*supports):
@@ -208,8 +219,8 @@ class Handling:
         return any(k.solve(goal * shifted(z=INSERT) * grasp, near, condition=CONDITION) for goal in goals)
 
 
-def _turned(grasp: pin.SE3) -> list[pin.SE3]:
-    return [grasp * turned("z", math.tau * number / TURNS) for number in range(TURNS)]
+def _turned(grasp: pin.SE3, first: float = 0.0) -> list[pin.SE3]:
+    return [grasp * turned("z", first + math.tau * number / TURNS) for number in range(TURNS)]
 
 
 def _first(options: Sequence[Option], plan: Callable[[Option], Plan]) -> Plan:

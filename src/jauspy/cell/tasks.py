@@ -11,6 +11,7 @@ from typing import Any, Final, TypeAlias
 
 import numpy as np
 
+from jauspy.cell.ariac.runner import run_seed
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.car import MOVED, CarTask
 from jauspy.cell.disassembly import Disassembler
@@ -371,6 +372,10 @@ TASKS: Final[dict[str, Task]] = {
 }
 """The tasks that can be run by name."""
 
+OWN_CELLS: Final[dict[str, Callable[..., Coroutine[Any, Any, Measured]]]] = {"ariac": run_seed}
+"""Tasks that open a cell of their own: the trials in the style of ARIAC, of which a seed chooses one."""
+NAMES: Final = (*TASKS, *OWN_CELLS)
+
 FILMED_BY: Final[dict[str, str]] = {"assemble": "platforms", "lift": "target", "step": "platforms", "car": "car"}
 """The camera of the cell that films a task; others are filmed by the one that sees all of the cell."""
 
@@ -388,6 +393,8 @@ async def run_one(
 
     `film` is a file, `view` opens a window. A film that is incomplete changes nothing else of the result.
     """
+    if task in OWN_CELLS:
+        return await OWN_CELLS[task](seed, disturbances, film=film, view=view)
     begun = time.perf_counter()
     camera = FILMED_BY.get(task, "overview")
     async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:

@@ -56,7 +56,6 @@ _ENDINGS: Final[Mapping[MotionResult, str]] = {
     MotionResult.REFUSED: "the modular arm refused to move",
     MotionResult.STOPPED: "the modular arm was stopped",
     MotionResult.REPLACED: "the modular arm was moved elsewhere",
-    MotionResult.BLOCKED: "the modular arm was blocked",
     MotionResult.FAILED: "the modular arm did not complete the motion",
 }
 
@@ -172,6 +171,8 @@ class ModularArm:
             if result is MotionResult.REACHED:
                 return await self.state()
             if result is not MotionResult.IN_PROGRESS:
+                if result is MotionResult.BLOCKED:
+                    raise RequestError(reason)  # says so
                 kind = MotionRefused if result is MotionResult.REFUSED else RequestError
                 raise kind(f"{_ENDINGS.get(result, 'the modular arm did not take the motion')}: {reason}")
             if clock() > end:

@@ -22,7 +22,7 @@ from jauspy.geometry.vectors import Rotation, Vector
 from jauspy.platform.contract import PartId
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState, VacuumConnector
 from jauspy.platform.modular.holding import HOLDS, Cup, Holding, Latch
-from jauspy.platform.modular.parts import PartKind, PartType, Shape
+from jauspy.platform.modular.parts import HALF_TURN, PartKind, PartType, Shape
 from jauspy.platform.payload import NOTHING
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, angle_between, carrier
 from jauspy_sim.cell.loads import ConnectorLoads, Load
@@ -52,9 +52,6 @@ SETTLED: Final = 1e-3
 
 WAKING_FORCE: Final = 1e-9
 """Newtons; an applied force of any size wakes a sleeping body."""
-
-TURNED: Final = Transform(((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)))
-"""Half a turn about x: two plates that face each other."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -440,6 +437,11 @@ class Attachments:
         signatures = np.concatenate([self._own_exclusions, np.array(held, np.int32), free])
         self._model.exclude_signature[:] = np.sort(signatures)
 
+    def vent(self, connector: SimulatedConnector, reason: str) -> None:
+        """Let a connector lose what it holds, as one does whose line leaks; without effect if it holds nothing."""
+        if connector.held is not None:
+            self._release(connector, enabled=False, error=ConnectorError.FAILED, last_error=reason)
+
     # --- loads ----------------------------------------------------------------------------------------------------
 
     def _measure(self) -> None:
@@ -521,9 +523,11 @@ def _faces(cell: CellModel) -> Iterable[Face]:
             yield Face(part.name, body, IDENTITY, latch=kind.latch)
         carried = int(cell.model.body(carrier(part.name, kind)).id)
         for frame in kind.connectors.values():
-            yield Face(part.name, carried, frame @ TURNED, latch=kind.latch)
+            yield Face(part.name, carried, frame @ HALF_TURN, latch=kind.latch)
         for grasp in kind.grasps:
             yield Face(part.name, body, grasp)
+        if kind.back is not None:
+            yield Face(part.name, body, kind.back)
 
 
 def _box_faces(part: str, kind: PartType, body: int) -> Iterable[Face]:

@@ -82,6 +82,11 @@ class SimulatedPartSensor(PartSensor):
         self._random = np.random.default_rng((setup.seed, cell.seed))
         self._state = Observation()
         self._due = 0.0
+        self._blind_until = 0.0
+
+    def blind(self, until: float) -> None:
+        """Observe nothing until a time of the robot's clock, in seconds; the last observation stays with its time."""
+        self._blind_until = max(self._blind_until, until)
 
     def state(self) -> Observation:
         """The last observation."""
@@ -92,6 +97,8 @@ class SimulatedPartSensor(PartSensor):
         if now < self._due - TIMESTEP / 2.0:
             return
         self._due = max(self._due, now) + 1.0 / self._setup.rate
+        if now < self._blind_until:
+            return
         data, setup = self._data, self._setup
         noise = self._random.standard_normal((len(self._parts), 9)).tolist()
         parts = []

@@ -23,6 +23,7 @@ from jauspy_sim.cell.assembly import GRIPPER, CellModel, build_cell
 from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
 from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor
+from jauspy_sim.cell.faults import Faults
 from jauspy_sim.cell.payload import HeldPayload
 from jauspy_sim.cell.power import SimulatedPower
 from jauspy_sim.cell.probe import Probe
@@ -100,6 +101,7 @@ class SimulatedCell:
                 joints.held = HeldPayload(model, joints.joints, group.sensors, 1.0 / group.rate, connectors[GRIPPER])
         self._arms = self._make_arms(setup)
         self._truth = Truth(cell, data, self._servos)
+        self._faults = Faults(self._attachments, self._sensor, self._servos, lambda: self.time)
         self._probes: list[Probe] = []
         self._revision = -1
         self._owed = 0.0
@@ -138,6 +140,11 @@ class SimulatedCell:
     def truth(self) -> Truth:
         """The true state; for tests and measurements only."""
         return self._truth
+
+    @property
+    def faults(self) -> Faults:
+        """Breaks parts of the cell, for trials."""
+        return self._faults
 
     @property
     def drive(self) -> FixedBase:

@@ -37,6 +37,9 @@ ROOM_TEMPERATURE: Final = 25.0
 DERATING_START, DERATING_END = 100.0, 130.0
 """Degrees Celsius between which the torque fades to nothing, to protect the windings."""
 
+SEIZED: Final = 10.0
+"""Friction of a gear that has seized, as a multiple of the largest torque."""
+
 THERMAL_CYCLES: Final = 50
 """Control cycles from one update of the temperature to the next."""
 
@@ -47,6 +50,7 @@ class SimulatedServo(ServoModule):
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, name: str, setup: ServoData, seed: int = 0) -> None:
         self.name = name
         self.setup = setup
+        self._model = model
         self._qpos, self._qvel, self._qacc, self._applied = map(
             view, (data.qpos, data.qvel, data.qacc, data.qfrc_applied)
         )
@@ -126,6 +130,10 @@ class SimulatedServo(ServoModule):
     def powered(self) -> bool:
         """True while it has power."""
         return self._powered
+
+    def seize(self) -> None:
+        """Block the gear, as one does whose bearing has failed: its friction exceeds what the motor can do."""
+        self._model.dof_frictionloss[self._motor_dof] = SEIZED * self.setup.max_torque
 
     @cached_property
     def id(self) -> PartId:

@@ -10,7 +10,7 @@ from typing import Final
 from jauspy.cell.design.tasks import Obstacle
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY, Vector, Z, add, cross, difference, dot, rotation_about, scaled
-from jauspy.platform.modular.parts import PartType, ServoData, body_inertia, output_inertia
+from jauspy.platform.modular.parts import PartType, ServoData, body_inertia, mass_of, output_inertia
 
 RADIUS: Final = 0.045
 """Metres around the middle line: half the diagonal of the largest housing, 68 mm x 56 mm."""
@@ -94,9 +94,9 @@ def placed(elements: Iterable[Element], types: Mapping[str, PartType]) -> list[t
     return [(Transform(rotation_about(Z, element.turn)), types[element.type]) for element in elements]
 
 
-def mass_of(elements: Sequence[Element], types: Mapping[str, PartType]) -> float:
+def total_mass(elements: Sequence[Element], types: Mapping[str, PartType]) -> float:
     """Kilograms of all parts."""
-    return sum(body_inertia(types[e.type]).mass + output_inertia(types[e.type]).mass for e in elements)
+    return sum(mass_of(types[e.type]) for e in elements)
 
 
 def posture(

@@ -16,7 +16,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from jauspy.cell.design.chains import ChainPosture, Element, mass_of, placed, posture, servos
+from jauspy.cell.design.chains import ChainPosture, Element, placed, posture, servos, total_mass
 from jauspy.cell.design.kinematics import ChainKinematics
 from jauspy.cell.design.loads import LoadedChain, TimedMotion
 from jauspy.cell.design.tasks import DesignTask
@@ -102,7 +102,7 @@ def costs_of(
         way += sum(turns)
         before = row
     seconds = sum(durations or fastest)
-    return {"cyc": seconds, "qDist": way, "mass": mass_of(elements, types), "numJ": float(len(modules))}
+    return {"cyc": seconds, "qDist": way, "mass": total_mass(elements, types), "numJ": float(len(modules))}
 
 
 class Search:
@@ -171,7 +171,7 @@ class Search:
             return "not in the bins"
         if not servos(elements, self._types):
             return "no joint"
-        known = self._weights.get("mass", 0.0) * mass_of(elements, self._types)
+        known = self._weights.get("mass", 0.0) * total_mass(elements, self._types)
         known += self._weights.get("numJ", 0.0) * len(servos(elements, self._types))
         if self._reaches_best(known):
             return "costs more than the best"
@@ -189,7 +189,7 @@ class Search:
             slack = sum(max(map(abs, limits)) for limits in goal.tolerances.values())
             if math.dist(goal.pose.position, self.mount.position) > reach + slack:
                 return "too short"
-        weight = (mass_of(elements, self._types) + self._load) * GRAVITY
+        weight = (total_mass(elements, self._types) + self._load) * GRAVITY
         held = LATCH.utilisation(self.mount.inverse().rotate((0.0, 0.0, weight)), (0.0, 0.0, 0.0))
         return "too heavy for the base's connector" if held > 1.0 / SAFETY else ""
 

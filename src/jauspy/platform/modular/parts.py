@@ -35,6 +35,17 @@ from jauspy.platform.tables import (
 )
 
 
+class ContactReaction(Enum):
+    """What a modular arm does when it meets something in its way."""
+
+    STOP = "stop"
+    """It holds where it is, and lets the torque at the contact fall."""
+    YIELD = "yield"
+    """It moves out of the way of what pushes it, and holds there."""
+    IGNORE = "ignore"
+    """It pushes on."""
+
+
 class PartKind(Enum):
     """The purpose of a part."""
 
@@ -86,6 +97,8 @@ class Inertia:
     """The rows of the matrix."""
 
 
+HALF_TURN: Final = Transform(((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)))
+"""Half a turn about x: two plates that face each other."""
 POSITION_GAINS: Final = Gains(40.0, 30.0, 2.0, 5.0)
 VELOCITY_GAINS: Final = Gains(4.0, 30.0, 0.0, 5.0)
 
@@ -221,6 +234,19 @@ class PartType(Table):
     def grasps(self) -> tuple[Transform, ...]:
         """The frames of the gripper on all faces by which it can hold the part, the usual one first."""
         return self.grasp, *self.further_grasps
+
+    @property
+    def back(self) -> Transform | None:
+        """Frame of the gripper on the flat face opposite to `grasp`, for a part that lies upside down.
+
+        None where that face has a flange (a wheel), where the gripper may be anywhere (a box), and for bases.
+        """
+        solid = self.solids[0]
+        if self.kind in (PartKind.BASE, PartKind.WHEEL, PartKind.BOX) or solid.shape is not Shape.CUBOID:
+            return None
+        normal = (solid.pose.inverse() @ self.grasp).rotate((0.0, 0.0, 1.0))
+        thickness = sum(abs(part) * size for part, size in zip(normal, solid.size, strict=True))
+        return self.grasp @ Transform(position=(0.0, 0.0, thickness)) @ HALF_TURN
 
     @property
     def is_module(self) -> bool:
@@ -426,6 +452,8 @@ class CellSetup(Table):
     """Name of the modular arm; empty without one."""
     second_arm: Literal[""] | Identifier = ""
     """Name of a second modular arm, which is a chain on a connection of its own; empty without one."""
+    contact: ContactReaction = ContactReaction.STOP
+    """What the modular arm does when it meets something in its way."""
     car: Literal[""] | Identifier = ""
     """Name of the base that is a car once wheels are attached to it; empty without one."""
 
@@ -513,3 +541,8 @@ def _of_point(mass: float, position: Vector) -> Moments:
 
 def _sum(a: Moments, b: Moments) -> Moments:
     return add(a[0], b[0]), add(a[1], b[1]), add(a[2], b[2])
+
+
+def mass_of(part: PartType) -> float:
+    """Kilograms of a whole part."""
+    return body_inertia(part).mass + output_inertia(part).mass
