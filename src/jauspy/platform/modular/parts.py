@@ -452,6 +452,8 @@ class CellSetup(Table):
     seed: Seed = 0
     arm: Literal[""] | Identifier = "arm"
     """Name of the modular arm; empty without one."""
+    second_arm: Literal[""] | Identifier = ""
+    """Name of a second modular arm, which is a chain on a connection of its own; empty without one."""
     contact: ContactReaction = ContactReaction.STOP
     """What the modular arm does when it meets something in its way."""
     car: Literal[""] | Identifier = ""
@@ -459,6 +461,8 @@ class CellSetup(Table):
 
     def __post_init__(self) -> None:
         check_unique("parts", tuple(part.name for part in self.parts))
+        if self.second_arm and self.second_arm in ("", self.arm):
+            raise ValueError(f"second_arm = {self.second_arm!r}: must have another name than arm")
         for number, part in enumerate(self.parts):
             if part.type not in self.types:
                 known = ", ".join(sorted(self.types))
