@@ -40,6 +40,7 @@ demo: setup
 	@$(BIN)/jauspy demo --port $(PORT) --world $(WORLD)
 
 cell: dev
+	$(BIN)/jauspy cell demo --seed 7 --record cell_out/demo.mp4
 	$(BIN)/jauspy cell all --output cell_out $(CELL_ARGS)
 
 # the checks two at a time, and then the tests alone: some of them measure time

@@ -151,11 +151,16 @@ def exchange(bench: Bench) -> None:
     bench.run(0.05)
 
 
+CHECKED = 0.1
+"""Seconds in which the service has looked at what became of a motion."""
+
+
 def test_a_motion_for_other_joints_is_refused(arm: Bench) -> None:
     arm.ask(m.QueryModularArmState())
     exchange(arm)
     arm.tell(motion_command([1.0, 0.2], 5.0))
     assert not arm.robot.arm.state().moving
+    arm.run(CHECKED)
     assert arm.count("joints_changed") == 1
     error = arm.ask(m.QueryModularArmState()).modular_arm_motion_rec.error
     assert error == "motion refused: the joints have changed since they were reported to this client"
@@ -167,7 +172,7 @@ def test_a_motion_for_other_joints_is_refused(arm: Bench) -> None:
 def test_a_refused_motion_is_unsuccessful(arm: Bench) -> None:
     arm.ask(m.QueryModularArmSpecification())
     exchange(arm)
-    sent = arm.tell(CreateCommandEvent(1, 0, motion_command([1.0, 0.2]).encode()))
+    sent = [*arm.tell(CreateCommandEvent(1, 2, motion_command([1.0, 0.2]).encode())), *arm.run(CHECKED)]
     assert [int(each.command_result) for each in sent if hasattr(each, "command_result")] == [1]
 
 
@@ -176,6 +181,7 @@ def test_what_others_were_told_does_not_count(arm: Bench) -> None:
     exchange(arm)
     arm.tell(m.QueryModularArmState(), client=OTHER)
     arm.tell(motion_command([1.0, 0.2], 5.0))
+    arm.run(CHECKED)
     assert arm.count("joints_changed") == 1
 
 

@@ -54,6 +54,9 @@ class Robot:
     def place(self, part: str, pose: Any) -> None:
         """The test places nothing."""
 
+    def probe(self) -> None:
+        """The test measures no physics."""
+
 
 def judge(off: pin.SE3, **fields: Any) -> Judge:
     robot: Any = Robot(Truth(off), **fields)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pinocchio as pin
@@ -22,10 +23,14 @@ from jauspy.cell.assembly import (
     Tip,
 )
 from jauspy.cell.frames import offset_between, shifted, tilt_between, transform, turned
+from jauspy.cell.handling import TURNS
 from jauspy.cell.interface import SeenPart
+from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
 from jauspy.platform.modular.connector import ConnectorState
+
+TOP = "platform_1/top"
 
 
 @pytest.fixture(scope="module")
@@ -75,13 +80,21 @@ def test_the_tip_stays_square_to_the_base_however_parts_are_turned(parts: list[t
 class TestJoined:
     @staticmethod
     def state(part: str, offset: pin.SE3 | None = None, error: str = "") -> ConnectorState:
-        return ConnectorState(True, True, part, transform(offset or pin.SE3.Identity()), 20.0, last_error=error)
+        frame = transform(offset or pin.SE3.Identity())
+        return ConnectorState(True, True, part, frame, 20.0, latched=not error, last_error=error)
 
-    @given(st.floats(0.0, 0.9), st.floats(0.0, 0.9), st.floats(-3.1, 3.1))
+    @given(share=st.floats(0.0, 0.9), lean=st.floats(0.0, 0.9), turn=st.floats(-3.1, 3.1))
     @settings(max_examples=25)
-    def test_what_sits_within_the_limits_is_joined(self, share: float, lean: float, turn: float) -> None:
+    def test_what_sits_within_the_limits_is_joined(
+        self, assembler: Assembler, share: float, lean: float, turn: float
+    ) -> None:
         offset = shifted(share * MAX_SHIFT) * turned("x", lean * MAX_TILT) * turned("z", turn)
-        assert Assembler._joined_wrongly(None, "servo_1", self.state("servo_1", offset)) == ""
+        assert assembler._joined_wrongly(TOP, "servo_1", self.state("servo_1", offset)) == ""
+
+    def test_what_is_not_locked_is_not_joined(self, assembler: Assembler) -> None:
+        state = replace(self.state("servo_1"), latched=False)
+        assert assembler._joined_wrongly(TOP, "servo_1", state) == "platform_1/top does not lock it"
+        assert assembler._joined_wrongly("gripper", "servo_1", state) == ""
 
     @pytest.mark.parametrize(
         ("offset", "text"),
@@ -91,12 +104,12 @@ class TestJoined:
         ],
     )
     def test_what_sits_badly_is_described(self, assembler: Assembler, offset: pin.SE3, text: str) -> None:
-        assert assembler._joined_wrongly("servo_1", self.state("servo_1", offset)) == text
+        assert assembler._joined_wrongly(TOP, "servo_1", self.state("servo_1", offset)) == text
 
     def test_another_part_or_none_is_named(self, assembler: Assembler) -> None:
-        assert assembler._joined_wrongly("servo_1", self.state("bracket_1")) == "the connector holds bracket_1"
-        assert assembler._joined_wrongly("servo_1", self.state("")) == "the connector holds nothing"
-        assert assembler._joined_wrongly("servo_1", self.state("", error="leaks")) == "leaks"
+        assert assembler._joined_wrongly(TOP, "servo_1", self.state("bracket_1")) == "the connector holds bracket_1"
+        assert assembler._joined_wrongly(TOP, "servo_1", self.state("")) == "the connector holds nothing"
+        assert assembler._joined_wrongly(TOP, "servo_1", self.state("", error="leaks")) == "leaks"
 
 
 class TestChoice:
@@ -168,3 +181,38 @@ def test_retries_are_the_attempts_of_all_parts() -> None:
     )
     assert result.retries == 3
     assert result.clearance.distance == 1.0
+
+
+class TestPartsThatLieTurnedOver:
+    """Parts in the air over the floor, beside the UR10."""
+
+    START = np.array([0.0, -1.9, 2.1, -1.77, -1.57, 0.0])
+
+    @staticmethod
+    def lying(layout: Layout, part: str, face: int) -> pin.SE3:
+        """The part with one of the faces up by which the gripper can hold it."""
+        up = pin.SE3(turned("x", math.pi).rotation, np.array([-0.1, 0.65, 0.6]))
+        return up * pin.SE3(layout.grasps(part)[face].inverse().rotation, np.zeros(3))
+
+    @pytest.mark.parametrize("part", ["servo_1", "servo_2", "tube_1", "bracket_1", "bracket_3"])
+    def test_they_are_held_by_the_face_that_is_up(self, layout: Layout, part: str) -> None:
+        handling = Assembler(FakeCell(layout), layout).handling
+        for face, grasp in enumerate(layout.grasps(part)):
+            pose = self.lying(layout, part, face)
+            found = handling.free_grasps(part, pose)
+            assert all(turned.translation == pytest.approx(grasp.translation) for turned in found)
+            assert all((pose * turned).rotation[2, 2] == pytest.approx(-1.0) for turned in found)
+            assert len(found) == TURNS
+
+    def test_one_on_its_side_is_picked(self, layout: Layout) -> None:
+        ur10 = Assembler(FakeCell(layout), layout)
+        pose = self.lying(layout, "servo_1", 2)
+        ur10.scene.put("servo_1", ur10.handling.pieces("servo_1"), pose)
+        plan = ur10.handling.pick("servo_1", pose, self.START)
+        assert plan.grasp.translation == pytest.approx(layout.grasps("servo_1")[2].translation)
+
+    def test_what_has_no_face_up_is_left_and_said_so(self, layout: Layout) -> None:
+        ur10 = Assembler(FakeCell(layout), layout)
+        pose = self.lying(layout, "wheel_1", 0) * turned("x", math.pi)
+        with pytest.raises(NoPath, match="wheel_1 lies turned over: no face"):
+            ur10.handling.pick("wheel_1", pose, self.START)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,9 +13,12 @@ pytest.importorskip("scipy", reason="the extra 'cell-measurements' is not instal
 
 from jauspy.cell import report
 from jauspy.cell.calibration import Parameters
-from jauspy.cell.iso9283 import Accuracy, Arrival, Report, Run
+from jauspy.cell.iso9283.bench import Plan
+from jauspy.cell.iso9283.characteristics import Accuracy, Arrival, Drift, DriftPoint, PathAccuracy
+from jauspy.cell.iso9283.page import write_report
+from jauspy.cell.iso9283.results import Report, Run
 from jauspy.cell.measurements import Measured
-from jauspy.cell.report import Promise, Section, figure, page, plot_trials
+from jauspy.cell.report import Plot, Promise, Section, Table, figure, page, plot_trials
 from jauspy.cell.swing import AT_REST, Swing, SwingComparison
 from jauspy.cell.trials import summarised
 from jauspy.errors import ConfigError
@@ -22,7 +26,8 @@ from jauspy.platform.modular.arm import ArmController
 
 
 def run(name: str, *accuracies: float) -> Run:
-    return Run(name, tuple(Accuracy(each, each / 10.0, 2.0 * each, each / 5.0) for each in accuracies))
+    poses = tuple(Accuracy(ap, ap / 10.0, (2.0 * ap, ap, 0.0), (ap / 5.0, 0.0, 0.0)) for ap in accuracies)
+    return Run(name, poses, deviations=(np.zeros((2, 3)), np.ones((2, 3))))
 
 
 def measured(calibrated: float) -> Report:
@@ -33,8 +38,13 @@ def measured(calibrated: float) -> Report:
 
 class TestIso9283:
     def test_the_worst_pose_counts_for_each_figure(self) -> None:
-        poses = (Accuracy(0.1, 0.001, 0.2, 0.003), Accuracy(0.05, 0.002, 0.1, 0.004))
-        assert Run("UR10", poses).worst == Accuracy(0.1, 0.002, 0.2, 0.004)
+        poses = (
+            Accuracy(0.1, 0.001, (0.2, 0.0, 0.0), (0.003, 0.0, 0.0)),
+            Accuracy(0.05, 0.002, (0.1, 0.0, 0.3), (0.004, 0.0, 0.0)),
+        )
+        worst = Run("UR10", poses).worst
+        assert worst == Accuracy(0.1, 0.002, (0.2, 0.0, 0.3), (0.004, 0.0, 0.0))
+        assert (worst.angle_accuracy, worst.angle_repeatability) == (0.3, 0.004)
 
     def test_a_calibration_that_improves_five_times_succeeds(self) -> None:
         found = measured(0.002).measured(3)
@@ -64,6 +74,52 @@ class TestIso9283:
         assert values["overshoot of UR10, at 50% of its speed"] == 0.002
         assert values["attitude out of reach UR10, at 50% of its speed"] == 0.3
         assert "attitude out of reach UR10" not in values
+
+
+EVIL = "<script>alert(1)</script>"
+
+
+class TestReportOfIso9283:
+    @pytest.fixture(autouse=True)
+    def _matplotlib(self) -> None:
+        pytest.importorskip("matplotlib", reason="the extra 'plot' is not installed")
+
+    def whole(self) -> Report:
+        worst = Accuracy(0.0015, 0.0002, (0.001, 0.002, 0.003), (0.004, 0.005, 0.006))
+        path = PathAccuracy(worst, np.full((46, 3), 0.0005), 0.912, 10)
+        plain = measured(0.002)
+        loaded = replace(plain.ur10[0], name=EVIL, load=10.0, path=path)
+        points = (DriftPoint(0.0, Accuracy(0.001, 0.0001)), DriftPoint(600.0, Accuracy(0.0012, 0.0001)))
+        return replace(plain, ur10=(plain.ur10[0], loaded), drifts=((EVIL, Drift(points)),))
+
+    def test_it_has_the_tables_of_the_standard(self, tmp_path: Path) -> None:
+        page = write_report(self.whole(), Plan(), 0, tmp_path).read_text()
+        assert '<th scope="col" class="number">AT, mm</th>' in page
+        row = "1.500 0.057 0.115 0.172 0.200 0.229 0.286 0.344 0.912"
+        assert "".join(f'<td class="number">{cell}</td>' for cell in row.split()) in page, "the path"
+        assert "drift of P1 in 10 minutes" in page
+        assert "dAP 0.200 mm" in page
+        assert "no thermal model" in page
+        assert page.count("<caption>") > 8
+        assert page.count('<img class="plot"') == 3
+
+    def test_names_are_text(self, tmp_path: Path) -> None:
+        path = write_report(self.whole(), Plan(), 0, tmp_path, tmp_path / "report.html")
+        assert path == tmp_path / "report.html"
+        page = path.read_text()
+        assert "<script" not in page
+        assert "&lt;script&gt;" in page
+        assert "script-src" not in page, "nothing may run"
+        assert "default-src &#x27;none&#x27;" in page
+
+    def test_figures_of_paths_and_drift_are_in_the_results(self) -> None:
+        found = self.whole().measured(0)
+        assert found.values[f"at {EVIL} with 10 kg"] == 0.0015
+        assert found.values[f"rt angle {EVIL} with 10 kg"] == 0.006
+        assert found.values[f"path speed {EVIL} with 10 kg"] == 0.912
+        assert found.values[f"dap {EVIL}"] == pytest.approx(0.0002)
+        assert found.values[f"drift time {EVIL}"] == 600.0
+        assert [row["path"] for row in found.rows if "path" in row] == ["P2 to P4"]
 
 
 def swing(controller: ArmController, speeds: np.ndarray) -> Swing:
@@ -102,18 +158,19 @@ class TestPage:
         text = page("t", "l", [Promise("a", "1", "2", kept=False), Promise("b", "1", "1", kept=True)], [])
         assert text.count('class="no">not kept') == 1
         assert text.count('class="yes">kept') == 1
-        assert text.index("not kept") < text.index('"yes"')
+        assert text.index("not kept") < text.index('class="yes"')
 
     def test_everything_from_outside_is_text(self) -> None:
         evil = "<script>alert(1)</script>"
-        sections = [Section(evil, evil, [(evil,), (evil,)])]
+        sections = [Section(evil, evil, [Table(evil, [(evil, evil), (evil, evil)], evil)])]
         text = page(evil, evil, [Promise(evil, evil, evil, kept=True)], sections)
         assert "<script" not in text
-        assert text.count("&lt;script&gt;") == 10
+        assert text.count("&lt;script&gt;") == 16
 
     def test_numbers_are_aligned(self) -> None:
-        text = page("t", "l", [], [Section("s", table=[("a", "b", "c"), ("1.5", "-2", "1.5 m")])])
-        assert '<td class="number">1.5</td><td class="number">-2</td><td>1.5 m</td>' in text
+        rows = [("a", "b", "c", "d"), ("1.5", "-2", "1.5 m", "on"), ("2", "-", "3 %", "off")]
+        text = page("t", "l", [], [Section("s", tables=[Table("t", rows)])])
+        assert '<td class="number">-2</td><td class="number">1.5 m</td><td>on</td>' in text
 
     def test_a_film_is_inside_and_one_that_is_too_large_is_named(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -127,14 +184,15 @@ class TestPage:
         assert "<p>Film: a&amp;b.mp4</p>" in text
 
     def test_files_that_are_not_there_are_left_out(self, tmp_path: Path) -> None:
-        text = page("t", "l", [], [Section("s", plots=[tmp_path / "no.svg"], film=tmp_path / "no.mp4")])
+        text = page("t", "l", [], [Section("s", plots=[Plot(tmp_path / "no.svg", "none")], film=tmp_path / "no.mp4")])
         assert "<img" not in text
         assert "<video controls" not in text
 
     def test_pictures_have_their_type(self, tmp_path: Path) -> None:
         plot = tmp_path / "plot.png"
         plot.write_bytes(b"PNG")
-        assert '<img alt="plot" src="data:image/png;base64,' in page("t", "l", [], [Section("s", plots=[plot])])
+        text = page("t", "l", [], [Section("s", plots=[Plot(plot, "A <b> plot")])])
+        assert '<img class="plot" alt="A &lt;b&gt; plot" src="data:image/png;base64,' in text
 
 
 class TestPlots:

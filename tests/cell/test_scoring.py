@@ -8,7 +8,7 @@ import pytest
 
 from jauspy.cell.kitting import MAX_ANGLE, MAX_DISTANCE, drawn_order, score
 from jauspy.cell.measurements import Measured, figure_text
-from jauspy.cell.report import Promise, Section, page
+from jauspy.cell.report import Plot, Promise, Section, Table, page
 from jauspy.cell.trials import summarised, wilson
 
 GOOD = (0.001, 0.01)
@@ -58,7 +58,7 @@ def test_what_differs_from_run_to_run_is_not_compared() -> None:
 def test_the_page_has_everything_inside_and_is_escaped(tmp_path: Path) -> None:
     plot = tmp_path / "plot.svg"
     plot.write_text("<svg/>")
-    sections = [Section("one", "text", [("a",), ("1",)], [plot])]
+    sections = [Section("one", "text", [Table("t", [("a",), ("1",)])], [Plot(plot, "one")])]
     text = page("cell", "lead", [Promise("<b>", "95 %", "96 %", kept=True)], sections)
     assert "http://" not in text
     assert "https://" not in text

@@ -10,10 +10,10 @@ import pinocchio as pin
 import pytest
 
 from jauspy.cell.frames import offset_between, shifted
-from jauspy.cell.modular_arm import Chain, HangingChain, Member
+from jauspy.cell.modular_arm import FIVE_JOINTS, Chain, HangingChain, Member
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
-from jauspy.cell.step import PARTS, PRESSES, Stepper
+from jauspy.cell.step import PRESSES, Stepper
 from jauspy.geometry.poses import IDENTITY
 from jauspy.platform.modular.connector import ConnectorState
 
@@ -29,6 +29,8 @@ class Cell:
         self.enabled: list[tuple[str, bool]] = []
         self.sticky: set[str] = set()
         self.slipping: set[str] = set()
+        self.unlocked: set[str] = set()
+        """Those whose latch does not lock."""
         self.attaches: dict[str, tuple[str, int]] = {}
         """What a connector attaches, and at which press."""
         self.presses = 0
@@ -52,7 +54,8 @@ class Cell:
         if part and self.presses > press:
             self.held[name] = part
         error = "" if name in self.held else "leaks"
-        return ConnectorState(True, True, self.held.get(name, ""), IDENTITY, 20.0, last_error=error)
+        locked = name in self.held and name not in self.unlocked
+        return ConnectorState(True, True, self.held.get(name, ""), IDENTITY, 20.0, latched=locked, last_error=error)
 
 
 class Arm:
@@ -60,7 +63,7 @@ class Arm:
 
     def __init__(self, cell: Cell, layout: Layout, base: pin.SE3) -> None:
         self._cell = cell
-        self.members = tuple(Member(name, layout.type_of(name), pin.SE3.Identity(), "output") for name in PARTS)
+        self.members = tuple(Member(name, layout.type_of(name), pin.SE3.Identity(), "output") for name in FIVE_JOINTS)
         self.tip = "servo_5/output"
         self.at = np.zeros(5)
         self.chains: list[Chain] = []
@@ -136,6 +139,13 @@ class TestRelease:
         assert cell.enabled == []
         assert cell.held[BASE] == "servo_1"
         assert made.result.steps == 0
+
+    async def test_an_end_stays_enabled_while_the_other_is_held_by_suction_alone(self, layout: Layout) -> None:
+        cell = Cell(platform_1__top="servo_1", servo_5__output="platform_2")
+        cell.unlocked.add("servo_5/output")
+        with pytest.raises(TaskFailed, match=f"{BASE} stays enabled: servo_5/output has not locked platform_2"):
+            await stepper(layout, cell)._release(BASE, holds="servo_5/output", part="platform_2")
+        assert cell.held[BASE] == "servo_1"
 
     async def test_a_connector_that_does_not_let_go_is_named(self, layout: Layout) -> None:
         cell = Cell(platform_1__top="servo_1", servo_5__output="platform_2")

@@ -19,7 +19,8 @@ from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Piece, pieces_of_part
 from jauspy.cell.session import UNDISTURBED, simulated
 from jauspy.cell.tasks import prepared, run_one
-from jauspy.cell.throw import CUP, MARGIN, SAFETY, Load, ThrowPlan, ThrowPlanner, flight, utilisation
+from jauspy.cell.throw import MARGIN, Load, ThrowPlan, ThrowPlanner, flight
+from jauspy.platform.modular.holding import SAFETY, Holding
 
 AIM = np.array([2.3, 0.22, 0.0])
 
@@ -66,7 +67,7 @@ def test_it_refuses_what_breaks_a_limit(
     with pytest.raises(NoPath, match="short"):
         planner.aimed(plan.windup, plan.follow_through, AIM + np.array([3.0, 0.0, 0.0]))
     with monkeypatch.context() as patched:
-        patched.setattr(throw, "LATCH", (200.0, 0.025, 0.5))
+        patched.setattr(throw, "LATCH", Holding(200.0, 0.025))
         with pytest.raises(NoPath, match="strengths"):
             planner.turned(plan, AIM)
     with monkeypatch.context() as patched:
@@ -91,13 +92,6 @@ def test_a_flight_is_that_of_a_point_mass(planner: ThrowPlanner, plan: ThrowPlan
         (planner.chain.forward(moved.q[at]) * planner.load.frame).translation for at in (index - 1, index + 1)
     )
     assert found.velocity == pytest.approx((after - before) / (2.0 * throw.PERIOD), abs=0.01)
-
-
-def test_utilisation_of_a_pure_pull_and_of_a_pure_moment() -> None:
-    force, radius, friction = CUP
-    assert utilisation(pin.Force(np.array([0.0, 0.0, force]), np.zeros(3)), CUP) == pytest.approx(1.0)
-    assert utilisation(pin.Force(np.zeros(3), np.array([force * radius, 0.0, 0.0])), CUP) == pytest.approx(1.0)
-    assert utilisation(pin.Force(np.array([friction * force, 0.0, 0.0]), np.zeros(3)), CUP) == pytest.approx(1.0)
 
 
 @pytest.mark.slow

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +15,8 @@ pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", e
 pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 pytest.importorskip("matplotlib", reason="needs the extra `plot`")
 
-from jauspy.cell import iso9283, swing, tasks, trials
+from jauspy.cell import swing, tasks, trials
+from jauspy.cell.iso9283 import measurement, page
 from jauspy.cell.measurements import Measured
 from jauspy.cli.main import app
 
@@ -59,8 +62,8 @@ def given(monkeypatch: pytest.MonkeyPatch) -> dict[str, bool]:
 
     monkeypatch.setattr(swing, "compare", compare)
     monkeypatch.setattr(swing, "plot_swing", lambda *_: None)
-    monkeypatch.setattr(iso9283, "measure", measure)
-    monkeypatch.setattr(iso9283, "plot_accuracy", lambda *_: None)
+    monkeypatch.setattr(measurement, "measure", measure)
+    monkeypatch.setattr(page, "write_report", lambda *_: "iso9283.html")
     monkeypatch.setattr(tasks, "run_one", run_one)
     monkeypatch.setattr(trials, "run_trials", run_trials)
     return succeeds
@@ -138,6 +141,23 @@ def test_everything_once(given: dict[str, bool], tmp_path: Path) -> None:
     found = runner.invoke(app, arguments)
     assert found.exit_code == 1
     assert "NOT KEPT" in found.stdout
+
+
+def test_stories_that_were_run_before_are_on_the_page(given: dict[str, bool], tmp_path: Path) -> None:
+    evil = "<script>alert(1)</script>"
+    stories = [Measured(seed, "demo", success=seed > 0, failure="" if seed else evil) for seed in range(20)]
+    (tmp_path / "trials-demo.json").write_text(json.dumps([asdict(story) for story in stories]))
+    arguments = ["cell", "all", "--seeds", "2", "--no-films", "--out", str(tmp_path)]
+    assert runner.invoke(app, arguments).exit_code == 0
+    page = (tmp_path / "index.html").read_text()
+    assert "20 whole stories" in page
+    assert "19 of 20" in page
+    assert "<script" not in page
+    assert "&lt;script&gt;" in page
+    (tmp_path / "trials-demo.json").write_text("{}")
+    found = runner.invoke(app, arguments)
+    assert found.exit_code == 1
+    assert "is no file of results" in " ".join(found.output.split())
 
 
 def test_films_and_windows_are_of_cells_that_are_simulated_here(given: dict[str, bool]) -> None:

@@ -36,6 +36,7 @@ PRINT_NOTHING_TO_READ = {
 }
 """Verbs without `--json`, and why."""
 WRITE_FILES = {
+    "graph",
     "cell design",
     "demo",
     "map",

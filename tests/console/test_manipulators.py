@@ -21,7 +21,7 @@ from jauspy.console.manipulators import (
 )
 from jauspy.console.panels.arm import _JointRow
 from jauspy.console.panels.gripper import connector_state, switch
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, RequestError
 from jauspy.ocu.motion_limits import MotionLimits
 
 
@@ -50,6 +50,20 @@ async def test_a_cell_has_two_arms_and_the_joints_of_one_come_and_go() -> None:
             await arm.follow([(1.0, {"servo_1": 0.2}), (0.0, {"servo_2": -0.3})], begun.append)
             assert begun == [0, 1]
             assert await arm.positions() == pytest.approx({"servo_1": 0.2, "servo_2": -0.3}, abs=0.01)
+            begun.clear()
+            begin, sent = cell.robot.arm.begin, []
+            cell.robot.arm.begin = lambda motion: (sent.append(motion), begin(motion))[1]
+            await arm.follow([(0.5, {"servo_1": 0.4}), (0.3, {"servo_1": 0.1})], begun.append)
+            assert begun == [0, 1]
+            assert [(point.time, point.positions) for point in sent[0].points] == [(0.5, (0.4,)), (0.8, (0.1,))]
+            assert len(sent) == 1, "one motion, without a stop at the first row"
+            following = asyncio.create_task(
+                arm.follow([(2.0, {"servo_1": 0.4}), (3.0, {"servo_1": 0.1})], begun.append)
+            )
+            await asyncio.sleep(0.3)
+            await robot.component("201.3.1").modular_arm.begin([0.0, 0.0], 1.0)
+            with pytest.raises(RequestError, match="another motion took its place"):
+                await following
             with pytest.raises(ConfigError, match="row 1: there is no joint 'servo_9' now"):
                 await arm.follow([(1.0, {"servo_9": 0.2})], begun.append)
 

@@ -9,7 +9,8 @@ import pytest
 
 from jauspy.codec.message import Message
 from jauspy.messages import cell as m, registry
-from jauspy.services.cell import motion_command
+from jauspy.platform.modular.arm import TrajectoryPoint
+from jauspy.services.cell import motion_command, trajectory_command
 
 STATE = m.ReportServoState(position=-1000.25, torque=1.5, claimed_by="arm")
 POWER = m.SetModulePower.ModulePowerRec
@@ -48,6 +49,31 @@ ROWS = [
         id="a motion that leaves the second joint",
     ),
     pytest.param(m.HoldModularArm(), "66da", id="a hold"),
+    pytest.param(
+        trajectory_command(
+            ["a", "bc"],
+            [
+                TrajectoryPoint(0.5, (1.0, -2.0), (0.25, math.nan), (math.nan, -4.0)),
+                TrajectoryPoint(1.5, (0.0, 3.0)),
+            ],
+            0x01020304,
+        ),
+        "69da"
+        + struct.pack("<IBB1sB2s", 0x01020304, 2, 1, b"a", 2, b"bc").hex()
+        + struct.pack("<B", 2).hex()
+        + struct.pack("<dB", 0.5, 2).hex()
+        + struct.pack("<Bdf", 0b01, 1.0, 0.25).hex()
+        + struct.pack("<Bdf", 0b10, -2.0, -4.0).hex()
+        + struct.pack("<dB", 1.5, 2).hex()
+        + struct.pack("<BdBd", 0, 0.0, 0, 3.0).hex(),
+        id="a trajectory with a velocity and an acceleration",
+    ),
+    pytest.param(m.QueryModularArmMotionResult(258), "6aea02010000", id="a query for how a motion ended"),
+    pytest.param(
+        m.ReportModularArmMotionResult(7, m.ReportModularArmMotionResult.Result.BLOCKED, "servo_1"),
+        "6afa" + struct.pack("<IBB7s", 7, 6, 7, b"servo_1").hex(),
+        id="a motion that was blocked",
+    ),
     pytest.param(m.SetModularArmOrder([]), "68da00", id="an order that is to be found"),
     pytest.param(
         m.ReportPartObservations(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
@@ -11,7 +12,7 @@ from jauspy.robot import robot_files
 from jauspy_sim.cell.robot import SimulatedCell
 from jauspy_sim.cell.start import GAP, put, put_on
 
-__all__ = ["ARM", "GAP", "build_arm", "cell_model", "open_cell", "put", "put_on", "small_cell"]
+__all__ = ["ARM", "GAP", "build_arm", "cell_model", "open_cell", "put", "put_on", "small_cell", "weightless"]
 
 ARM = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_4", "servo_5")
 """The arm of five joints of the included cell, from its base up."""
@@ -31,6 +32,15 @@ def cell_model(**changes: Any) -> RobotModel:
 
 def open_cell(**changes: Any) -> SimulatedCell:
     return SimulatedCell.open(cell_model(**changes), "cell")
+
+
+@contextmanager
+def weightless(cell: SimulatedCell) -> Iterator[None]:
+    """Without gravity, so that what is put on a connector stays there until that holds it."""
+    gravity = cell.model.opt.gravity.copy()
+    cell.model.opt.gravity[:] = 0.0
+    yield
+    cell.model.opt.gravity[:] = gravity
 
 
 def small_cell(names: Sequence[str], **changes: Any) -> SimulatedCell:

@@ -15,7 +15,7 @@ from jauspy.cell.interface import GRIPPER, SeenPart, T
 from jauspy.cell.motion import Path, profile
 from jauspy.cell.scene import Layout, connector_frame
 from jauspy.geometry.vectors import GRAVITY
-from jauspy.platform.modular.arm import ModularArmState
+from jauspy.platform.modular.arm import ModularArmState, TrajectoryPoint
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.platform.modular.parts import PartKind
 
@@ -87,7 +87,13 @@ class FakeCell:
         part, offset = self.attached.get(name, ("", pin.SE3.Identity()))
         force = GRAVITY * sum(each.mass for each in self._solids(part)) if part else 0.0
         return ConnectorState(
-            True, bool(self.enabled[name]), part, transform(offset), force, last_error=self._error(name)
+            True,
+            bool(self.enabled[name]),
+            part,
+            transform(offset),
+            force,
+            latched=bool(part),
+            last_error=self._error(name),
         )
 
     async def enable(self, name: str, enabled: bool) -> None:
@@ -96,6 +102,9 @@ class FakeCell:
         if not enabled:
             self.attached.pop(name, None)
         self._attach()
+
+    async def leave(self, part: str) -> None:
+        self.log.append(f"leave {part}")
 
     async def arm(self) -> ModularArmState:
         joints, at = [], "platform_1/top"
@@ -111,6 +120,10 @@ class FakeCell:
         assert len(positions) == len((await self.arm()).joints)
         self.log.append(f"move {[None if math.isnan(each) else each for each in positions]}")
         self.time += duration
+
+    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
+        self.log.append(f"follow {', '.join(joints)}")
+        self.time += points[-1].time
 
     # --- inside ---------------------------------------------------------------------------------------------------
 

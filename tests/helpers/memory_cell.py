@@ -12,7 +12,14 @@ from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.drives import FixedBase
 from jauspy.platform.joints import ControlMode, Gains, Target
-from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmState
+from jauspy.platform.modular.arm import (
+    CHANGED,
+    ArmController,
+    ArmMotion,
+    ModularArm,
+    ModularArmState,
+    MotionResult,
+)
 from jauspy.platform.modular.cell import (
     Car,
     CarState,
@@ -170,6 +177,7 @@ class MemoryArm(ModularArm):
         self._targets: dict[str, float] = {}
         self._left = 0.0
         self._motion = 0
+        self._result = MotionResult.UNKNOWN
         self.holds = 0
 
     def _joints(self) -> list[str]:
@@ -193,28 +201,42 @@ class MemoryArm(ModularArm):
             controller=self._controller,
             tip_pose=ORIGIN,
             motion=self._motion,
+            result=self._result,
             error=self._error,
         )
 
-    def move(self, positions: Sequence[float], duration: float) -> int:
-        self.move_as(self._motion + 1, positions, duration)
-        return self._motion
+    def begin(self, motion: ArmMotion) -> None:
+        self._motion = motion.number
+        present = self._joints()
+        joints = present if motion.joints is None else list(motion.joints)
+        points = motion.points or ()
+        if motion.known is not None and list(motion.known) != present:
+            self._refuse(CHANGED)
+        elif unknown := [name for name in joints if name not in present]:
+            self._refuse(f"no joint {unknown[0]}")
+        elif not points or any(
+            len(point.positions) != len(joints)
+            or any(map(math.isinf, point.positions))
+            or not 0.0 <= point.time < math.inf
+            for point in points
+        ):
+            self._refuse(f"{[len(point.positions) for point in points]} positions for {len(joints)} joints")
+        else:
+            self._error, self._result = "", MotionResult.IN_PROGRESS
+            rows = zip(joints, points[-1].positions, strict=True)
+            self._targets = {name: value for name, value in rows if not math.isnan(value)}
+            self._left = points[-1].time or 1.0
 
-    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
-        self._motion = number
-        joints = self._joints()
-        if len(positions) != len(joints) or any(map(math.isinf, positions)) or not 0.0 <= duration < math.inf:
-            self._error = f"motion refused: {len(positions)} positions for {len(joints)} joints in {duration} s"
-            return
-        self._error = ""
-        rows = zip(joints, positions, strict=True)
-        self._targets = {name: value for name, value in rows if not math.isnan(value)}
-        self._left = duration or 1.0
+    def _refuse(self, reason: str) -> None:
+        self._left, self._targets = 0.0, {}
+        self._error, self._result = f"motion refused: {reason}", MotionResult.REFUSED
 
     def hold(self) -> None:
         self.holds += 1
         self._left = 0.0
         self._targets = {}
+        if self._result is MotionResult.IN_PROGRESS:
+            self._result = MotionResult.STOPPED
 
     def set_controller(self, controller: ArmController) -> None:
         self._controller = controller
@@ -234,12 +256,15 @@ class MemoryArm(ModularArm):
         silent = [name for name in self._targets if not self._robot.servos[name].current.powered]
         if silent:
             self._left, self._error = 0.0, f"the motion ended early: no report of {silent[0]}"
+            self._result = MotionResult.FAILED
             return
         for name, target in self._targets.items():
             servo = self._robot.servos[name]
             speed = (target - servo.current.position) / max(self._left, dt)
             servo.current = replace(servo.current, position=servo.current.position + speed * dt, velocity=speed)
         self._left -= dt
+        if self._left <= 0.0:
+            self._result = MotionResult.REACHED
 
 
 class MemoryCell:

@@ -3,25 +3,29 @@
 import asyncio
 import contextlib
 import http.client
+import io
 import json
 import logging
 import os
 import socket
 import stat
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
 import dpkt
 import pytest
 
+from jauspy.capture import writer
+from jauspy.capture.reader import CaptureReader
 from jauspy.cli.node_manager import JsonLines, SystemdNotifier
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
-from jauspy.node import NodeConfig, NodeManager, metrics, mirror, status
+from jauspy.node import NodeConfig, NodeManager, metrics, mirror, mirror_server, status
 from jauspy.protocol import judp, junior
-from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Packet
+from jauspy.transport import node_status
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
 QUERY_BACK = judp.pack(Packet(HERE, FAR, b"\x02\x20", 1))
@@ -240,14 +244,15 @@ async def test_the_mirror_closes_a_pipe_whose_reader_ends_while_it_writes(
     os.mkfifo(pipe)
     reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
     counters = Counters(logging.getLogger(__name__))
-    with mirror.Mirror(str(pipe), 1 << 30, counters, lambda _: ("239.255.0.1", judp.PORT)) as writing:
-        (writer,) = (thread for thread in threading.enumerate() if thread.name == "mirror")
+    block = writer.packet(("10.0.0.2", judp.PORT), ("10.0.0.1", judp.PORT), bytes(30_000), 0)
+    with mirror.Mirror(str(pipe), 1 << 30, counters) as writing:
+        (thread,) = (thread for thread in threading.enumerate() if thread.name == "mirror")
         for _ in range(6):  # more than the pipe holds, and fewer than the queue
-            writing.add(UdpPort("10.0.0.2", judp.PORT), UdpPort("10.0.0.1", judp.PORT), bytes(30_000))
+            writing.add(block)
             writing.flush()
     os.close(reader)
-    await asyncio.to_thread(writer.join, 20)
-    assert not writer.is_alive()
+    await asyncio.to_thread(thread.join, 20)
+    assert not thread.is_alive()
 
 
 async def test_unwritable_mirror_is_an_error_and_nothing_stays_open(root: Path, tmp_path: Path) -> None:
@@ -329,3 +334,85 @@ def test_the_json_log_is_one_object_per_line() -> None:
         "logger": "jauspy.node",
         "message": "a\nb",
     }
+
+
+# --- the mirror's socket --------------------------------------------------------------------------------------------
+
+
+def mirrored(root: Path) -> socket.socket:
+    reader = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    reader.settimeout(20.0)
+    reader.connect(str(root / node_status.MIRROR_NAME))
+    return reader
+
+
+async def until(condition: Callable[[], bool]) -> None:
+    async with asyncio.timeout(20.0):
+        while not condition():
+            await asyncio.sleep(0.005)
+
+
+async def test_readers_of_the_mirrors_socket_get_all_that_is_routed(root: Path, introduce, udp) -> None:
+    async with NodeManager(config(root)) as node:
+        component, peer = await traffic(node, introduce, udp)
+        with mirrored(root) as first, mirrored(root) as second:
+            for reader in (first, second):
+                assert await asyncio.to_thread(reader.recv, len(writer.preamble())) == writer.preamble()
+            peer.sendto(QUERY, ("127.0.0.1", node.port))
+            await receive(component)
+            for reader in (first, second):
+                data = io.BytesIO(writer.preamble() + await asyncio.to_thread(reader.recv, 4096))
+                where = ":".join(map(str, peer.getsockname()))
+                assert packets(data) == [(where, "127.101.1.1:3794", QUERY)]
+        peer.sendto(QUERY, ("127.0.0.1", node.port))
+        assert await receive(component) == QUERY
+    assert not (root / node_status.MIRROR_NAME).exists()
+
+
+async def test_without_readers_known_routes_bypass_the_router(root: Path, introduce, udp) -> None:
+    async with NodeManager(config(root)) as node:
+        component, peer = await traffic(node, introduce, udp)
+
+        async def route() -> int:
+            for _ in range(5):
+                peer.sendto(QUERY, ("127.0.0.1", node.port))
+                await receive(component)
+            return len(node._cache)
+
+        assert await route() > 0
+        with mirrored(root):
+            await until(lambda: not len(node._cache))
+            assert await route() == 0
+        await until(lambda: not node._mirrors)
+        assert await route() > 0
+
+
+async def test_a_reader_that_does_not_read_loses_packets_and_is_told(
+    root: Path, introduce, udp, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(mirror_server, "MAX_WAITING", 100_000)
+    large = judp.pack(Packet(FAR, HERE, bytes(30_000), 2))
+    async with NodeManager(config(root)) as node:
+        component, peer = await traffic(node, introduce, udp)
+        with mirrored(root) as reader:
+            await until(lambda: bool(node._mirrors))
+            while not node.counters["mirror.lost"]:
+                peer.sendto(large, ("127.0.0.1", node.port))
+                assert await receive(component) == large
+            capture = asyncio.create_task(asyncio.to_thread(read_until, reader, QUERY))
+            while not capture.done():
+                peer.sendto(QUERY, ("127.0.0.1", node.port))
+                assert await receive(component) == QUERY
+            assert await capture == node.counters["mirror.lost"]
+
+
+def read_until(reader: socket.socket, payload: bytes) -> int:
+    """The packets that the reader has lost, as the mirror told it before this datagram."""
+    capture = CaptureReader(reader.makefile("rb"), name="mirror")
+    assert any(datagram.payload == payload and capture.lost for datagram in capture)
+    return capture.lost
+
+
+async def test_the_mirrors_socket_may_be_switched_off(root: Path) -> None:
+    async with NodeManager(config(root, mirror_socket=False)):
+        assert not (root / node_status.MIRROR_NAME).exists()

@@ -10,11 +10,12 @@ import pytest
 from tests.helpers.memory_cell import MemoryBackend, MemoryCell
 
 from jauspy.errors import ConfigError, RequestError
+from jauspy.messages.cell import HoldModularArm
 from jauspy.ocu import Robot
-from jauspy.ocu.cell import check_arrived
-from jauspy.platform.modular.arm import ArmController, ModularArmState
+from jauspy.platform.modular.arm import ArmController, MotionResult, TrajectoryPoint
 from jauspy.robot import robot_files
 from jauspy.robot.runner import RobotRunner
+from jauspy.services.cell import motion_command, trajectory_command
 from jauspy.testing import VirtualNetwork
 from jauspy.virtual.environment import VirtualTime
 
@@ -38,26 +39,6 @@ async def cell(virtual_network: VirtualNetwork) -> AsyncIterator[tuple[MemoryCel
             yield backend.robot, robot
 
 
-class TestArrived:
-    STATE = ModularArmState(joints=("servo_1", "servo_2"), positions=(0.5, 0.1), targets=(0.5, 0.1))
-
-    def test_at_the_targets(self) -> None:
-        check_arrived(self.STATE, [0.5, math.nan])
-
-    def test_near_the_goal_it_does_not_matter_that_the_target_has_changed(self) -> None:
-        check_arrived(self.STATE, [0.51, 0.1])
-
-    def test_stopped_or_moved_elsewhere(self) -> None:
-        with pytest.raises(
-            RequestError, match=r"elsewhere: servo_2 was told to be at 0\.100 rad after it was told .* 0\.3"
-        ):
-            check_arrived(self.STATE, [0.5, 0.3])
-
-    def test_an_arm_of_other_joints(self) -> None:
-        with pytest.raises(RequestError, match="has 2 joints now, the motion was for 1"):
-            check_arrived(self.STATE, [0.5])
-
-
 async def test_modular_arm_moves_and_says_what_it_refuses(cell):
     _, robot = cell
     arm = robot.component(ARM).modular_arm
@@ -67,8 +48,10 @@ async def test_modular_arm_moves_and_says_what_it_refuses(cell):
         assert state.positions == pytest.approx((0.5, -0.25), abs=1e-3)
         await arm.move([math.nan, 0.75])
         assert (await arm.state()).positions == pytest.approx((0.5, 0.75), abs=1e-3)
-        with pytest.raises(RequestError, match=r"refused to move: motion refused: 1 positions for 2 joints"):
+        with pytest.raises(RequestError, match=r"^1 positions for 2 joints \(servo_1, servo_2\)"):
             await arm.move([0.1])
+        with pytest.raises(RequestError, match=r"refused to move: motion refused: \[2\] positions"):
+            await arm.move([0.1, 0.1], -1.0)
         with pytest.raises(TypeError, match="joint 2 is a number, not the str 'up'"):
             await arm.begin([0.1, "up"])
         await arm.set_controller(ArmController.PID)
@@ -80,6 +63,79 @@ async def test_modular_arm_moves_and_says_what_it_refuses(cell):
         await arm.stop()
         await asyncio.sleep(APPLIED)
         assert not (await arm.state()).moving
+
+
+async def test_motions_end_with_their_own_result_and_reason(cell):
+    memory, robot = cell
+    arm = robot.component(ARM).modular_arm
+    assert await arm.result() == (MotionResult.UNKNOWN, "the arm has taken no motion since the component was started")
+    async with robot.control(str(ARM)):
+        first = await arm.begin([3.0, 3.0], 9.0)
+        assert await arm.result(first) == (MotionResult.IN_PROGRESS, "")
+        second = await arm.begin([0.1, 0.1], 9.0)
+        assert await arm.result(first) == (MotionResult.REPLACED, "another motion took its place")
+        await arm.stop()
+        assert await arm.result(second) == (MotionResult.STOPPED, "the arm was told to hold")
+        third = await arm.begin([0.2, 0.1], 0.3)
+        await asyncio.sleep(0.5)
+        assert await arm.result(third) == await arm.result() == (MotionResult.REACHED, "")
+        assert (await arm.result(first))[0] is MotionResult.REPLACED, "later motions do not change it"
+        moving = asyncio.create_task(arm.move([1.0, 1.0], 9.0))
+        await asyncio.sleep(0.3)
+        memory.power.switch("servo_2", on=False)
+        with pytest.raises(RequestError, match=r"did not complete the motion: .* no report of servo_2"):
+            await moving
+
+
+async def test_state_of_an_earlier_motion_is_not_taken_for_a_new_one(cell, monkeypatch):
+    """The robot's thread takes the motion late, and its state meanwhile is that of a motion that has succeeded."""
+    memory, robot = cell
+    arm = robot.component(ARM).modular_arm
+    begin, late = memory.arm.begin, []
+    async with robot.control(str(ARM)):
+        await arm.move([0.1, 0.1], 0.2)
+        monkeypatch.setattr(memory.arm, "begin", late.append)
+        moving = asyncio.create_task(arm.move([0.4, 0.4], 0.2))
+        await asyncio.sleep(1.0)
+        assert not moving.done()
+        assert not (await arm.state()).moving, "which says nothing of the motion that is to come"
+        begin(late[0])
+        assert (await moving).positions == pytest.approx((0.4, 0.4), abs=1e-3)
+
+
+async def test_trajectory_moves_named_joints(cell):
+    _, robot = cell
+    arm = robot.component(ARM).modular_arm
+    async with robot.control(str(ARM)):
+        points = [TrajectoryPoint(0.2, (0.1,), (0.5,)), TrajectoryPoint(0.4, (0.2,))]
+        state = await arm.follow(["servo_2"], points)
+        assert state.positions == pytest.approx((0.0, 0.2), abs=1e-3)
+        with pytest.raises(RequestError, match=r"refused to move: motion refused: no joint servo_9"):
+            await arm.follow(["servo_9"], points)
+        with pytest.raises(ConfigError, match="point 2 has 2 values for 1 joints"):
+            await arm.follow(["servo_2"], [points[0], TrajectoryPoint(0.4, (0.2,), (0.0, 0.0))])
+        with pytest.raises(RequestError, match=r"no points|positions"):
+            await arm.follow(["servo_2"], [])
+
+
+async def test_perform_says_why_the_arm_did_not_move(cell):
+    _, robot = cell
+    service = robot.component(ARM).service("ModularArm")
+    async with robot.control(str(ARM)):
+        with pytest.raises(RequestError, match=r"did not carry out MoveModularArm .*: motion refused: \[1\] positions"):
+            await service.perform(motion_command([0.5]), within=2.0)
+        moving = asyncio.create_task(service.perform(motion_command([0.5, 0.5], 5.0), within=9.0))
+        await asyncio.sleep(0.2)
+        await service.send(motion_command([0.1, 0.1], 5.0), ack=True)
+        with pytest.raises(RequestError, match=r"MoveModularArm .*: another motion took its place"):
+            await moving
+        moving = asyncio.create_task(
+            service.perform(trajectory_command(["servo_1"], [TrajectoryPoint(5.0, (1.0,))], 77), within=9.0)
+        )
+        await asyncio.sleep(0.2)
+        await service.send(HoldModularArm(), ack=True)
+        with pytest.raises(RequestError, match=r"SetModularArmTrajectory .*: the arm was told to hold"):
+            await moving
 
 
 async def test_motion_that_does_not_end_says_how_far_it_is(cell):

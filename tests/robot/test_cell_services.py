@@ -335,7 +335,9 @@ def test_a_connector_attaches_and_releases():
     connector.touches = "box_1"
     bench.tell(m.SetConnector(1, m.SetConnector.Enabled.ENABLED))
     offset = Transform.from_pose(Pose(0.001, -0.002, 0.003, 0.01, -0.02, 0.03))
-    connector.current = replace(connector.current, offset=offset, force=12.5, moment=0.5)
+    connector.current = replace(
+        connector.current, offset=offset, force=12.5, moment=0.5, utilisation=0.25, vacuum=9e4, latched=True
+    )
     report = bench.ask(m.QueryConnectorState(ALL_FIELDS, 1))
     assert (report.connector, report.enabled, report.attached_to, report.error, report.error_text) == (
         1,
@@ -354,6 +356,7 @@ def test_a_connector_attaches_and_releases():
     ]
     assert pose == pytest.approx([0.001, -0.002, 0.003, 0.01, -0.02, 0.03])
     assert (report.force, report.moment) == (12.5, 0.5)
+    assert (report.utilisation, report.vacuum, report.latched) == (0.25, 9e4, m.ReportConnectorState.Latched.LATCHED)
     bench.tell(m.SetConnector(1, m.SetConnector.Enabled.DISABLED))
     assert bench.ask(m.QueryConnectorState(0b10, 1)).attached_to == ""
 
@@ -377,7 +380,7 @@ def test_a_base_has_a_connector_for_each_side():
     assert names == ["top", "front_left", "rear_left", "front_right", "rear_right"]
     limits = specification.connector_limits_rec
     assert (limits.name, limits.type) == ("car", "chassis")
-    assert limits.max_force == pytest.approx(bench.robot.cell.limits.max_force)
+    assert (limits.max_force, limits.max_moment) == pytest.approx((1100.0, 27.5))  # its latches
     bench.control()
     bench.robot.connectors["car/rear_left"].touches = "wheel_1"
     bench.tell(m.SetConnector(3, m.SetConnector.Enabled.ENABLED))
@@ -516,11 +519,10 @@ def test_the_client_hears_when_a_motion_has_ended(arm):
 def test_the_state_of_an_earlier_motion_ends_no_command(arm, monkeypatch):
     """The robot's thread takes a motion only later than its service looks at the arm."""
     arm.control()
-    begin, late = arm.robot.arm.move_as, []
-    monkeypatch.setattr(arm.robot.arm, "move_as", lambda *motion: late.append(motion))
-    monkeypatch.setattr(arm.robot.arm, "move", lambda *motion: (late.append((1, *motion)), 1)[1])
+    begin, late = arm.robot.arm.begin, []
+    monkeypatch.setattr(arm.robot.arm, "begin", late.append)
     assert command_results(arm, 1, move(0.5, 0.5, duration=0.5)) == []
-    begin(*late[0])
+    begin(late[0])
     heard = arm.run(1.0)
     results = [each.command_result for each in heard if isinstance(each, CommandEvent)]
     assert results == [CommandEvent.CommandResult.SUCCESSFUL]

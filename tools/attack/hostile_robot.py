@@ -19,9 +19,10 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
     QueryVisualSensorCapabilities,
     ReportVisualSensorCapabilities,
 )
-from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmState
+from jauspy.platform.modular.arm import ArmController, ArmMotion, ModularArm, ModularArmState
 from jauspy.platform.modular.cell import Observation, ObservedPart, PartSensor
 from jauspy.platform.modular.connector import ConnectorState, VacuumConnector
+from jauspy.platform.modular.holding import Holding
 from jauspy.platform.modular.parts import CellSetup, ConnectorLimits
 from jauspy.services.cell.equipment import PartSensorService
 from jauspy.services.cell.modular_arm import ArmMotionControl, ModularArmService
@@ -75,11 +76,7 @@ class _Arm(ModularArm):
             error=PAYLOADS[0],
         )
 
-    def move(self, positions: Sequence[float], duration: float) -> int:  # noqa: ARG002 - nothing moves
-        """Nothing moves."""
-        return 0
-
-    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
+    def begin(self, motion: ArmMotion) -> None:
         """Nothing moves."""
 
     def hold(self) -> None:
@@ -135,7 +132,7 @@ def _components(connect: str) -> list[jauspy.Component]:
     functions: list[list[Service]] = [
         [
             ModularArmService(ArmMotionControl(_Arm()), cell),
-            VacuumConnectorService(IMAGE, PAYLOADS[0], [_Connector()], ConnectorLimits()),
+            VacuumConnectorService(IMAGE, PAYLOADS[0], [_Connector()], ConnectorLimits(), Holding(100.0, 0.03, 0.5)),
             PartSensorService(_Sensor()),
         ],
         [_Video(), _Lens()],

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from io import BufferedReader
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import dpkt
 
@@ -74,7 +74,7 @@ class _CheckedFile:
     Both formats are read in pairs: a header, and the rest of its record.
     """
 
-    def __init__(self, file: BufferedReader) -> None:
+    def __init__(self, file: BufferedReader[Any]) -> None:
         self._file = file
         self._between = False
 
@@ -106,13 +106,15 @@ class CaptureReader:
         ConfigError: not a capture file, or a link type without IP in it; while iterating: damaged or cut off here.
     """
 
-    def __init__(self, file: BufferedReader, *, name: str, port: int | None = JAUS_PORT) -> None:
+    def __init__(self, file: BufferedReader[Any], *, name: str, port: int | None = JAUS_PORT) -> None:
         self._name = name
         self._port = port
         self._assembler = DatagramAssembler()
         self._file = _CheckedFile(file)
         self._frames = _open(file.peek(4)[:4], self._file, name)
         self._link_type: int = self._frames.datalink()
+        self.lost = 0
+        """Packets that whoever wrote a pcapng file has lost so far, as its statistics tell."""
         if self._link_type not in NAMES:
             known = ", ".join(dict.fromkeys(NAMES.values()))
             raise ConfigError(f"{name}: link type {self._link_type} is not supported; these are: {known}")
@@ -141,12 +143,54 @@ class CaptureReader:
         number = 0
         self._file.record_follows()
         is_pcapng = isinstance(self._frames, dpkt.pcapng.Reader)
-        frames = _pcapng_frames(self._file, self._frames.idb) if is_pcapng else self._frames
+        frames = self._pcapng_frames(self._frames.idb) if is_pcapng else self._frames
         try:
             for number, (time, frame) in enumerate(frames, 1):  # noqa: B007 - for the error below
                 yield float(time), bytes(frame)
         except (dpkt.Error, struct.error, ValueError):
             raise ConfigError(f"{self._name} is damaged or cut off after frame {number}") from None
+
+    def _pcapng_frames(self, interface: dpkt.pcapng.InterfaceDescriptionBlock) -> Iterator[tuple[float, bytes]]:
+        """Time and bytes of the packet blocks that follow; dpkt takes three times as long, for it makes objects.
+
+        Raises `ValueError` or `struct.error` for a damaged block.
+        """
+        file, order = self._file, "<" if isinstance(interface, dpkt.pcapng.InterfaceDescriptionBlockLE) else ">"
+        ticks, offset = 1e6, 0
+        for option in interface.opts:
+            if option.code == _TIME_RESOLUTION:
+                exponent = option.data[0]
+                ticks = float((2 if exponent & 0x80 else 10) ** (exponent & 0x7F))
+            elif option.code == _TIME_OFFSET:
+                (offset,) = struct.unpack(order + "q", option.data)
+        head, packet = struct.Struct(order + "II"), struct.Struct(order + "4xIII")
+        while header := file.read(head.size):
+            kind, length = head.unpack(header)
+            if not 12 <= length <= MAX_BLOCK or length % 4:
+                raise ValueError(f"a block of {length} bytes")
+            body = file.read(length - head.size)
+            if body[-4:] != header[4:]:
+                raise ValueError("the length of a block differs at its end")
+            if kind in _PACKET_BLOCKS:
+                high, low, size = packet.unpack_from(body)
+                if 20 + size + 4 > len(body):
+                    raise ValueError("a packet is longer than its block")
+                yield offset + (high << 32 | low) / ticks, body[20 : 20 + size]
+            elif kind == _STATISTICS:
+                self.lost = max(self.lost, _dropped(body, order))
+
+
+def _dropped(body: bytes, order: str) -> int:
+    """The packets that an interface has dropped, in the options of a statistics block."""
+    at, option = 12, struct.Struct(order + "HH")
+    while at + option.size <= len(body) - 4:
+        code, length = option.unpack_from(body, at)
+        at += option.size
+        if code == _DROPPED and length == 8 and at + 8 <= len(body):
+            (count,) = struct.unpack_from(order + "Q", body, at)
+            return int(count)
+        at += length + -length % 4
+    return 0
 
 
 def _open(head: bytes, file: _CheckedFile, name: str) -> dpkt.pcap.Reader | dpkt.pcapng.Reader:
@@ -161,38 +205,11 @@ _PACKET_BLOCKS: Final = (2, 6)
 """Types of pcapng blocks with a packet: the obsolete one, and the enhanced one."""
 MAX_BLOCK: Final = 16 << 20
 """Bytes of a pcapng block, above which the file counts as damaged."""
+_STATISTICS: Final = 5
+_DROPPED: Final = 5
+"""Code of the option `isb_ifdrop`."""
 _TIME_RESOLUTION: Final = 9
 _TIME_OFFSET: Final = 14
-
-
-def _pcapng_frames(
-    file: _CheckedFile, interface: dpkt.pcapng.InterfaceDescriptionBlock
-) -> Iterator[tuple[float, bytes]]:
-    """Time and bytes of the packet blocks that follow; dpkt takes three times as long, for it makes objects of them.
-
-    Raises `ValueError` or `struct.error` for a damaged block.
-    """
-    order = "<" if isinstance(interface, dpkt.pcapng.InterfaceDescriptionBlockLE) else ">"
-    ticks, offset = 1e6, 0
-    for option in interface.opts:
-        if option.code == _TIME_RESOLUTION:
-            exponent = option.data[0]
-            ticks = float((2 if exponent & 0x80 else 10) ** (exponent & 0x7F))
-        elif option.code == _TIME_OFFSET:
-            (offset,) = struct.unpack(order + "q", option.data)
-    head, packet = struct.Struct(order + "II"), struct.Struct(order + "4xIII")
-    while header := file.read(head.size):
-        kind, length = head.unpack(header)
-        if not 12 <= length <= MAX_BLOCK or length % 4:
-            raise ValueError(f"a block of {length} bytes")
-        body = file.read(length - head.size)
-        if body[-4:] != header[4:]:
-            raise ValueError("the length of a block differs at its end")
-        if kind in _PACKET_BLOCKS:
-            high, low, size = packet.unpack_from(body)
-            if 20 + size + 4 > len(body):
-                raise ValueError("a packet is longer than its block")
-            yield offset + (high << 32 | low) / ticks, body[20 : 20 + size]
 
 
 class Udp(NamedTuple):

@@ -16,6 +16,8 @@ _PREAMBLE: Final = struct.pack("<IIIHHqI", 0x0A0D0D0A, 28, 0x1A2B3C4D, 1, 0, -1,
 _BLOCK: Final = struct.Struct("<IIIIIII")
 _IP: Final = struct.Struct(">BBHHHBBHII")
 _UDP: Final = struct.Struct(">HHHH")
+_STATISTICS: Final = struct.Struct("<IIIIIHHQII")
+"""With one option, `isb_ifdrop`."""
 _LENGTH: Final = struct.Struct("<I")
 _MAX_PAYLOAD: Final = 65507
 
@@ -48,6 +50,11 @@ def packet(source: Endpoint, destination: Endpoint, payload: bytes, nanoseconds:
             _LENGTH.pack(total),
         )
     )
+
+
+def statistics(lost: int, nanoseconds: int) -> bytes:
+    """The statistics block that tells how many packets were lost so far; `nanoseconds` since 1970."""
+    return _STATISTICS.pack(5, 40, 0, nanoseconds >> 32, nanoseconds & 0xFFFFFFFF, 5, 8, lost, 0, 40)
 
 
 @lru_cache(maxsize=1024)

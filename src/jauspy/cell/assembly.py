@@ -54,8 +54,10 @@ MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
 STALE: Final = 0.5
 """Seconds since a part was last seen from which on it is looked for again before it is grasped."""
-WEIGHT_TOLERANCE: Final = 0.5
-"""Fraction of a part's weight by which the gripper's force may differ while it hangs still."""
+WEIGHT_TOLERANCE: Final = 0.3
+"""Fraction of a part's mass by which what hangs on the gripper may differ, beside the uncertainty."""
+SURE: Final = 3.0
+"""Standard deviations of the mass by the UR10's motors within which it is certain."""
 CHECK_ANGLE: Final = 0.06
 """Radians that a joint turns to and fro when it is checked."""
 CHECK_TIME: Final = 0.5
@@ -67,6 +69,11 @@ PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
 """The UR10's posture away from platforms and conveyor, in radians."""
 WHEEL_TURNS: Final = 12
 """Angles about its axis at which a wheel may be joined."""
+BACK: Final = 0.02
+BACK_STEPS: Final = 4
+"""Metres, and how often, that the gripper moves back from what it has released until there is room around it."""
+RELEASE_TIME: Final = 0.2
+"""Seconds until a connector has let go."""
 POLL: Final = 0.02
 """Seconds between two queries of a connector."""
 OUT_OF_CONTACT: Final = (ConnectorError.NO_CONTACT, ConnectorError.TOO_FAR, ConnectorError.NOT_ALIGNED)
@@ -91,7 +98,7 @@ FIVE_JOINTS: Final = (
     Slot("upper arm", ("tube_long",)),
     Slot("joint 3", ("x8_9_elbow", "x5_9_elbow")),
     Slot("forearm", ("tube_short",)),
-    Slot("joint 4", ("x5_4_elbow", "x5_9_elbow")),
+    Slot("joint 4", ("x8_9_elbow", "x5_9_elbow")),
     Slot("joint 5", ("x5_4_inline", "x5_1_inline")),
 )
 """The arm with five joints, base to tip."""
@@ -109,6 +116,9 @@ class PartResult:
     """Texts of the failed attempts."""
     grasp_force: float = 0.0
     """Newtons that the gripper measured while the part hung still."""
+    mass: float = 0.0
+    """Kilograms by the UR10's motors, and their standard deviation; zero while they are not known."""
+    mass_deviation: float = 0.0
     joint_force: float = 0.0
     joint_moment: float = 0.0
     shift: float = 0.0
@@ -213,7 +223,19 @@ class Assembler:
     async def park(self) -> None:
         """Move the UR10 out of the way of what stands on the platforms and on the conveyor."""
         await self.look()
+        await self.back_off()
         await self.go(await self._path_to(PARKED))
+
+    async def back_off(self) -> None:
+        """Move straight back from what the gripper has released while that is too close to plan a path from here."""
+        for _ in range(BACK_STEPS):
+            here = self.scene.clearance(self.at).distance
+            if here >= self.planner.margin:
+                return
+            back = self.handling.retreat(self.at, BACK)
+            if self.scene.clearance(back.end).distance <= here:
+                return
+            await self.go(back, speed=LIFT_SPEED, contact=True)
 
     async def _path_to(self, posture: Array) -> Path:
         return await self.cell.compute(partial(self.planner.to_posture, self.at, posture))
@@ -277,6 +299,18 @@ class Assembler:
         tried = "; ".join(row.attempts) or "none is left"
         raise TaskFailed(f"no {' or '.join(slot.types)} could be grasped for {slot.name}: {tried}")
 
+    def know(self, frames: Mapping[str, pin.SE3]) -> None:
+        """Take parts for where connectors and joints report them, until the sensor sees them; they are not grasped."""
+        self.placed |= {name: (self.cell.now(), frame) for name, frame in frames.items()}
+        self.rejected |= set(frames)
+
+    def stands(self, frames: Mapping[str, pin.SE3]) -> None:
+        """Parts stand where connectors and joints report them, whatever the sensor sees, until they are taken off."""
+        self.used |= set(frames)
+        self.rejected -= set(frames)
+        for name, frame in frames.items():
+            self.scene.put(name, self.handling.pieces(name), frame)
+
     async def look(self, *, fresh: bool = False) -> None:
         """Measure where the parts are, and put them there in the scene."""
         self.seen = await self.cell.observe(fresh=fresh)
@@ -328,8 +362,12 @@ class Assembler:
             await self.look(fresh=True)
         return False
 
-    async def try_grasp(self, plan: PickPlan, row: PartResult, *, weigh: bool = True) -> str:
-        """One attempt; returns why it failed, or an empty text. `weigh` compares the force with the part's weight."""
+    async def try_grasp(self, plan: PickPlan, row: PartResult, *, weigh: bool = True, release: str = "") -> str:
+        """One attempt; returns why it failed, or an empty text.
+
+        `weigh` compares the force with the part's weight. `release` is a connector that holds the part, and lets go of
+        it before it is lifted.
+        """
         await self.go(plan.approach)
         await self.cell.enable(GRIPPER, True)
         await self.go(plan.near, speed=NEAR_SPEED, contact=True)
@@ -340,6 +378,10 @@ class Assembler:
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)
             return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}"
+        if release:
+            await self.cell.leave(plan.part)
+            await self.cell.enable(release, False)
+            await self.cell.sleep(RELEASE_TIME)
         self._hold(plan.part, state)
         await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True, gentle=heavy)
         await self.cell.sleep(0.15)
@@ -349,11 +391,12 @@ class Assembler:
             return f"it was dropped while it was lifted{_because(state)}"
         self._hold(plan.part, state)
         row.grasp_force = state.force
+        if math.isfinite(state.mass_deviation):
+            row.mass, row.mass_deviation = state.mass, state.mass_deviation
         type = self.layout.type_of(plan.part)
-        weight = GRAVITY * (body_inertia(type).mass + output_inertia(type).mass)
-        if weigh and abs(state.force - weight) > WEIGHT_TOLERANCE * weight:
-            await self._put_back(plan)
-            return f"the gripper measures {state.force:.1f} N where {weight:.1f} N should hang; it may be stuck"
+        if weigh and (why := _wrong_weight(state, body_inertia(type).mass + output_inertia(type).mass)):
+            await self._put_back(plan, release)
+            return why
         return ""
 
     def _hold(self, part: str, state: ConnectorState) -> None:
@@ -366,8 +409,11 @@ class Assembler:
         self.scene.release()
         self.used.discard(part)
 
-    async def _put_back(self, plan: PickPlan) -> None:
+    async def _put_back(self, plan: PickPlan, connector: str = "") -> None:
         await self.go(Path((self.at, *plan.lift.points[-2::-1])), speed=0.1, contact=True)
+        if connector:
+            await self.cell.enable(connector, True)
+            await self._wait_held(connector)
         await self.cell.enable(GRIPPER, False)
         self._drop(plan.part)
         await self.go(self.handling.retreat(self.at), contact=True)
@@ -403,7 +449,7 @@ class Assembler:
             except NoPath as error:
                 row.attempts.append(f"{part}: {error}")
                 if attempt == 0:
-                    await self._put_down(part)
+                    await self.put_down(part)
                     return False
                 continue
             await self.go(plan.transfer)
@@ -411,7 +457,7 @@ class Assembler:
             await self.press(plan.contact)
             await self.cell.enable(tip.connector, True)  # in contact: enabled before, it would leave a gap of its lip
             state = await self.touch(Path((self.at,)), tip.connector, plan.goal)
-            why = self._joined_wrongly(part, state)
+            why = self._joined_wrongly(tip.connector, part, state)
             if not why:
                 await self._let_go(part, row, tip, slot, state)
                 return True
@@ -420,16 +466,18 @@ class Assembler:
             back = plan.insert.points[0]
             await self.go(Path((self.at, plan.insert.end, back)), speed=NEAR_SPEED, contact=True)
         if self.held is not None:
-            await self._put_down(part)
+            await self.put_down(part)
         return False
 
-    def _joined_wrongly(self, part: str, state: ConnectorState) -> str:
+    def _joined_wrongly(self, connector: str, part: str, state: ConnectorState) -> str:
         if state.attached_to != part:
             return state.last_error or f"the connector holds {state.attached_to or 'nothing'}"
         offset = se3(state.offset)
         tilt, shift = tilt_between(pin.SE3.Identity(), offset), float(np.linalg.norm(offset.translation))
         if tilt > MAX_TILT or shift > MAX_SHIFT:
             return f"it sits {1000 * shift:.1f} mm and {math.degrees(tilt):.1f} degrees off"
+        if self.layout.locks(connector, part) and not state.latched:
+            return state.last_error or f"{connector} does not lock it"
         return ""
 
     async def _let_go(self, part: str, row: PartResult, tip: Tip, slot: Slot, state: ConnectorState) -> None:
@@ -451,7 +499,16 @@ class Assembler:
         if slot.connector in self.layout.type_of(part).connectors:
             tip.advance(part, slot.connector, frame, self._connector(part, slot.connector))
 
-    async def _put_down(self, part: str) -> None:
+    async def put_here(self, part: str, frame: pin.SE3) -> None:
+        """Let go of the held part, which then is at `frame` in the world until the sensor sees it."""
+        await self.cell.enable(GRIPPER, False)
+        await self.cell.sleep(0.3)
+        self._drop(part)
+        self.placed[part] = self.cell.now(), frame
+        self.scene.put(part, self.handling.pieces(part), frame)
+        await self.go(self.handling.retreat(self.at), speed=LIFT_SPEED, contact=True)
+
+    async def put_down(self, part: str) -> None:
         """Let the part lie where there is room on the floor, so that another one can be taken."""
         self.rejected.add(part)
         solve, down = self.layout.kinematics.solve, turned("x", math.pi)
@@ -471,9 +528,8 @@ class Assembler:
     async def touch(self, path: Path, connector: str, frame: pin.SE3, *, speed: float = TOUCH_SPEED) -> ConnectorState:
         """Move until a connector attaches something; press on, along -z of `frame`, while none does."""
         for press in range(PRESSES + 1):
-            state = await self.cell.touch(path, connector, tool_speed=speed)
-            if not state.attached_to:
-                state = await self._wait_attached(connector)
+            await self.cell.touch(path, connector, tool_speed=speed)
+            state = await self._wait_held(connector)
             self.at = await self.cell.posture()
             if state.attached_to or not state.enabled or press == PRESSES:
                 break
@@ -485,14 +541,15 @@ class Assembler:
         await self.cell.touch(path, GRIPPER, tool_speed=TOUCH_SPEED, contact=CONTACT_FORCE)
         self.at = await self.cell.posture()
 
-    async def _wait_attached(self, connector: str) -> ConnectorState:
-        """Wait until a connector has attached something, or reports that it is not in contact."""
+    async def _wait_held(self, connector: str) -> ConnectorState:
+        """Wait until a connector has attached something, and locked it if it can, or reports why it does not."""
         begun = self.cell.now()
         while True:
             state = await self.cell.connector(connector)
             waited = self.cell.now() - begun
-            gives_up = not state.enabled or state.error in OUT_OF_CONTACT
-            if state.attached_to or waited > (SEAL_TIME if gives_up else ATTACH_TIME):
+            gives_up = not state.enabled or state.error in OUT_OF_CONTACT or (state.attached_to and state.last_error)
+            held = state.attached_to and (state.latched or not self.layout.locks(connector, state.attached_to))
+            if held or waited > (SEAL_TIME if gives_up else ATTACH_TIME):
                 return state
             await self.cell.sleep(POLL)
 
@@ -543,6 +600,20 @@ class Tip:
         self.connector, self.part, self.frame = f"{part}/{connector}", part, frame * output
         x = self.frame.rotation.T @ before.rotation[:, 0]
         self.square = turned("z", math.atan2(x[1], x[0]))
+
+
+def _wrong_weight(state: ConnectorState, mass: float) -> str:
+    """Why what hangs on the gripper is not a part of this mass, kg: by the gripper's force and by the UR10's motors."""
+    tolerance = WEIGHT_TOLERANCE * mass
+    if abs(state.force / GRAVITY - mass) > tolerance:
+        return (
+            f"the gripper measures {state.force:.1f} N where {GRAVITY * mass:.1f} N should hang; it may be stuck, "
+            "or another part hangs on it"
+        )
+    if math.isfinite(state.mass_deviation) and abs(state.mass - mass) > tolerance + SURE * state.mass_deviation:
+        found = f"{state.mass:.2f} kg (deviation {state.mass_deviation:.2f} kg)"
+        return f"the motors carry {found} where {mass:.2f} kg should hang; it may be stuck, or another part hangs on it"
+    return ""
 
 
 def _because(state: ConnectorState) -> str:

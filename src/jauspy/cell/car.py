@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.assembly import GRASPS, HEAVY_TOUCH_SPEED, NEAR_SPEED, Assembler, PartResult, Slot, Tip
+from jauspy.cell.assembly import GRASPS, HEAVY_TOUCH_SPEED, NEAR_SPEED, PARKED, Assembler, PartResult, Slot, Tip
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
 from jauspy.cell.handling import LINE_MARGIN, PRESS, SLOW
@@ -18,6 +19,8 @@ from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath, Path
 from jauspy.cell.scene import Layout, Piece, connector_frame, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
+from jauspy.cell.standing import standing_on
+from jauspy.platform.modular.parts import PartKind
 
 CORNERS: Final = ("front_left", "rear_left", "front_right", "rear_right")
 TURNER: Final = Slot("wheel servo", ("x5_1_inline",))
@@ -29,6 +32,12 @@ ARM_SPEED: Final = 0.12
 BESIDE: Final = (0.015, 0.12)
 """Metres from the middle of the belt towards the UR10, and from the line of the arm against the belt's direction, at
 which the car is put down."""
+AWAY: Final = 0.1
+"""Metres that the gripper moves back from the arm on the car."""
+ROOM: Final = 0.42
+"""Metres along the belt from the middle of the car to that of a box beside it, which arm and gripper pass."""
+ON_BELT: Final = 0.1
+"""Metres above or below the belt within which a box lies on it."""
 BELT_SPEED: Final = 0.12
 """m/s."""
 DEEPER: Final = 0.003
@@ -78,15 +87,17 @@ class CarryPlan:
 
 
 class CarTask:
-    """Builds, loads and drives the car; the arm stands on `platform_1` already."""
+    """Builds, loads and drives the car; the arm stands on `base`, or is built there when the car is loaded."""
 
-    def __init__(self, cell: CellClient, layout: Layout, ur10: Assembler, arm: ArmOperator) -> None:
+    arm: ArmOperator
+
+    def __init__(self, cell: CellClient, layout: Layout, ur10: Assembler, base: str = "platform_1/top") -> None:
         if not layout.setup.car or layout.setup.conveyor is None:
             raise TaskFailed("the cell has no car, or no conveyor")
         self.cell = cell
         self.layout = layout
         self.ur10 = ur10
-        self.arm = arm
+        self.base = base
         self.car = layout.setup.car
         self.belt = layout.setup.conveyor
         self.result = CarResult()
@@ -94,16 +105,31 @@ class CarTask:
     async def run(self) -> CarResult:
         """Build the car, put it and the arm on the conveyor, and drive off. Raises `TaskFailed`."""
         begun = self.cell.now()
-        self._remember(self._arm_frames(await self.arm.positions()))
         for corner in CORNERS:
             await self._build_corner(corner)
         self.result.build_time = self.cell.now() - begun
         begun = self.cell.now()
+        await self._make_room()
         await self._load_car()
-        await self._load_arm()
         self.result.load_time = self.cell.now() - begun
+        await self._find_arm()
+        begun = self.cell.now()
+        await self._load_arm()
+        self.result.load_time += self.cell.now() - begun
         await self._drive()
         return self.result
+
+    async def _find_arm(self) -> None:
+        """The arm that stands on the base, or a new one that is built there. Raises `TaskFailed`."""
+        if not await standing_on(self.cell, self.layout, self.base):
+            base, _, connector = self.base.partition("/")
+            built = await self.ur10.build(base, connector)
+            if built.failure:
+                raise TaskFailed(f"the arm was not built: {built.failure}")
+            self.result.parts += built.parts
+        self.arm = await ArmOperator.found(self.cell, self.layout, self.base)
+        self.ur10.know(self._arm_frames(await self.arm.positions()))
+        self.ur10.used -= set(self.arm.parts)
 
     # --- building -------------------------------------------------------------------------------------------------
 
@@ -135,6 +161,43 @@ class CarTask:
         self.ur10.carried |= set(members)
         scene.put(root, pieces, at)
 
+    def _place(self) -> tuple[float, float]:
+        """Where the car is put down: x and y in the world, metres."""
+        base = self._base_frame().translation
+        return self.belt.pose.x - BESIDE[0], float(base[1]) - BESIDE[1]
+
+    def _base_frame(self) -> pin.SE3:
+        owner, _, name = self.base.partition("/")
+        pose = next(part.pose for part in self.layout.setup.parts if part.name == owner)
+        return se3_of_pose(pose) * connector_frame(self.layout.type_of(owner), name)
+
+    async def _make_room(self) -> None:
+        """Have the belt take back what lies where the car is to be put. Raises `TaskFailed` if it would fall off."""
+        belt, needed = se3_of_pose(self.belt.pose), 0.0
+        seen = await self.cell.observe(fresh=True)
+        along = {
+            name: belt.actInv(part.pose).translation
+            for name, part in seen.items()
+            if self.layout.type_of(name).kind is PartKind.BOX
+        }
+        on_belt = [
+            float(at[0])
+            for at in along.values()
+            if abs(at[0]) < self.belt.length / 2.0 and abs(at[1]) < self.belt.width / 2.0 and abs(at[2]) < ON_BELT
+        ]
+        x, y = self._place()
+        middle = float(belt.actInv(pin.SE3(np.eye(3), np.array([x, y, self.belt.pose.z]))).translation[0])
+        for at in on_belt:
+            if abs(at - middle) < ROOM:
+                needed = max(needed, at - (middle - ROOM))
+        if not needed:
+            return
+        if min(on_belt) - needed < -self.belt.length / 2.0:
+            raise TaskFailed("there is no room for the car on the belt: boxes would fall off its beginning")
+        await self.cell.run_conveyor(-BELT_SPEED)
+        await self.cell.sleep(needed / BELT_SPEED)
+        await self.cell.run_conveyor(0.0)
+
     async def _load_car(self) -> None:
         """Lift the car by its top, and put it on the belt beside the arm."""
         ur10 = self.ur10
@@ -142,7 +205,7 @@ class CarTask:
         self._composite(self.car, [row.part for row in self.result.parts])
         radius = max(solid.size[0] for solid in self.layout.type_of(self.result.parts[1].part).solids)
         axle = float(connector_frame(self.layout.type_of(self.car), CORNERS[0]).translation[2])
-        x, y = self.belt.pose.x - BESIDE[0], float(self.arm.chain.root[1]) - BESIDE[1]
+        x, y = self._place()
         goals = [shifted(x, y, self.belt.pose.z + radius - axle) * turned("z", math.pi / 2.0)]
         row = PartResult("car", self.car)
         for _ in range(GRASPS):
@@ -225,6 +288,8 @@ class CarTask:
                         near = planner.line(approach.end, contact * shifted(z=-SLOW), margin=-0.002)
                         touch = planner.line(near.end, contact * shifted(z=PRESS), margin=-0.002)
                     up, over = self._plan_across(touch.end, contact, frames, root, top)
+                    moved = shifted(*(top.translation - frames[root].translation).tolist())
+                    self._check_way_out(over.end, moved * k.forward(touch.end), grasped, frames, moved)
                 except NoPath as error:
                     reasons.append(str(error))
                     continue
@@ -259,6 +324,28 @@ class CarTask:
             for name, frame in frames.items():
                 scene.put(name, pieces_of_part(self.layout.type_of(name)), frame)
 
+    def _check_way_out(
+        self, above: Array, tool: pin.SE3, grasped: str, frames: Mapping[str, pin.SE3], moved: pin.SE3
+    ) -> None:
+        """Check that the gripper gets away from the arm on the car, to where `moved` takes it, and the UR10 parks.
+
+        `tool` is the gripper's frame then. Raises `NoPath`.
+        """
+        ur10 = self.ur10
+        scene, planner = ur10.scene, ur10.planner
+        try:
+            for name, frame in frames.items():
+                scene.put(name, pieces_of_part(self.layout.type_of(name)), moved * frame)
+            with scene.without(grasped):
+                put = planner.line(above, tool)
+            back = ur10.handling.retreat(put.end, AWAY)
+            if back.clearance.distance < 0.0:
+                raise NoPath(f"the gripper could not get away: {' and '.join(back.clearance.between)} would touch")
+            planner.to_posture(back.end, PARKED)
+        finally:
+            for name, frame in frames.items():
+                scene.put(name, pieces_of_part(self.layout.type_of(name)), frame)
+
     async def _carry(self, plan: CarryPlan, grasped: str, root: str, top: pin.SE3) -> None:
         ur10, arm = self.ur10, self.arm
         base = arm.base_name
@@ -275,6 +362,8 @@ class CarTask:
             await ur10.go(Path((ur10.at, *plan.near.points[::-1])), speed=0.1, contact=True)
         else:
             raise TaskFailed(f"the gripper does not hold {grasped}: {'; '.join(self.result.failed_grasps)}")
+        for part in arm.parts:
+            await self.cell.leave(part)
         await self.cell.enable(base, False)
         await self.cell.sleep(0.2)
         tool = self.layout.kinematics.forward(ur10.at)
@@ -297,18 +386,14 @@ class CarTask:
         await ur10.press(ur10.planner.line(ur10.at, down))
         await self.cell.enable(connector, True)
         state = await ur10.touch(Path((ur10.at,)), connector, top)
-        if state.attached_to != root:
+        if state.attached_to != root or not state.latched:
             raise TaskFailed(f"{connector} does not hold the arm: {state.last_error or 'nothing attaches'}")
         frames = self._arm_frames(self.arm.last_goal)
         stands = top * se3(state.offset) * frames[root].inverse()
-        self._remember({name: stands * frame for name, frame in frames.items()})
+        ur10.know({name: stands * frame for name, frame in frames.items()})
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.2)
-        await ur10.go(ur10.handling.retreat(ur10.at, 0.1), speed=0.2, contact=True)
-
-    def _remember(self, frames: dict[str, pin.SE3]) -> None:
-        """Take the arm's parts for where its connectors and joints report them, until the sensor sees them there."""
-        self.ur10.placed |= {name: (self.cell.now(), frame) for name, frame in frames.items()}
+        await ur10.go(ur10.handling.retreat(ur10.at, AWAY), speed=0.2, contact=True)
 
     def _root_from(self, grasped: str, root: str) -> pin.SE3:
         """The frame of the arm's first part in that of the one that is held, where the joints went last."""

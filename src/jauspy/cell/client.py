@@ -22,7 +22,7 @@ from jauspy.ids import JausID
 from jauspy.messages.cell.v1_0 import ReportServoState
 from jauspy.ocu import OCU, Arm, ComponentClient, MotionLimits, Robot
 from jauspy.ocu.cell import PartObservation
-from jauspy.platform.modular.arm import ArmController, ModularArmState
+from jauspy.platform.modular.arm import ArmController, ModularArmState, TrajectoryPoint
 from jauspy.platform.modular.cell import ConveyorState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.robot.config import RobotConfig
@@ -34,6 +34,8 @@ POLL: Final = 0.02
 """Seconds between two queries of the joints at the end of a motion."""
 ARRIVED: Final = 0.0015
 """Radians from the goal within which a joint has arrived, and radians between two queries within which it stands."""
+REPEATED: Final = 0.1
+"""Seconds from one command of a velocity to its repetition."""
 LATE: Final = 0.8
 """Seconds after which a motion that is not quite there counts as ended."""
 BLOCKED: Final = 0.03
@@ -71,7 +73,9 @@ class CellClient:
         self._robot: Robot | None = None
         self._arm: Arm | None = None
         self._components: dict[JausID, ComponentClient] = {}
-        self._controlled: set[JausID] = set()
+        self._controlled: dict[JausID, AsyncExitStack] = {}
+        self._left: set[JausID] = set()
+        """Components of parts that have lost their power since they were discovered."""
         self._locks: defaultdict[JausID, asyncio.Lock] = defaultdict(asyncio.Lock)
         self._seen: dict[str, deque[pin.SE3]] = {}
         self._observed = asyncio.Event()
@@ -142,6 +146,21 @@ class CellClient:
         """
         for start, goal in pairwise(path.points):
             await self._move(start, goal, speed, tool_speed, GENTLE if gentle else 1.0)
+
+    async def slide(self, velocity: Array, duration: float) -> None:
+        """Move the UR10's tool straight at a velocity (m/s, in the world) for `duration` seconds, and let it stop."""
+        arm = await self._ur10()
+        rows = zip(
+            self.layout.group.joints, self.layout.speeds.tolist(), self.layout.accelerations.tolist(), strict=True
+        )
+        await arm.set_motion_limits({name: MotionLimits(speed, rate, rate) for name, speed, rate in rows})
+        until = self.now() + duration
+        try:
+            while (left := until - self.now()) > 0.0:
+                await arm.move_tool_at(velocity.tolist())
+                await asyncio.sleep(min(left, REPEATED))
+        finally:
+            await arm.move_tool_at()
 
     async def touch(
         self, path: Path, connector: str, *, tool_speed: float, contact: float = math.inf
@@ -293,6 +312,13 @@ class CellClient:
         """Switch modules on or off."""
         await (await self._control(self._module("CM-PRT"))).part_station.switch(names, on=on)
 
+    async def leave(self, part: str) -> None:
+        """Release control of a part, which is about to lose its power; it is discovered anew when it is used again."""
+        for id in [self._config.id_of(module) for module in self._config.modules if module.part == part]:
+            await self._release(id)
+            self._components.pop(id, None)
+            self._left.add(id)
+
     async def servo(self, name: str) -> ReportServoState:
         """Measurements of a servo module."""
         return await (await self._component(self._module("CM-SRV", name))).servo.state()
@@ -320,6 +346,10 @@ class CellClient:
     async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
         await (await self._control(self._module("CM-ARM"))).modular_arm.move(positions, duration)
+
+    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
+        """Move joints of the modular arm through points, and wait; raises `RequestError` as `move_arm` does."""
+        await (await self._control(self._module("CM-ARM"))).modular_arm.follow(joints, points)
 
     async def choose_controller(self, controller: ArmController) -> None:
         """Choose how the joints of the modular arm follow."""
@@ -357,11 +387,12 @@ class CellClient:
         until = self.now() + APPEAR_TIME
         while id not in self._components:
             assert self._robot is not None
-            if any(component.id == id for component in self._robot.components):
+            if id not in self._left and any(component.id == id for component in self._robot.components):
                 self._components[id] = self._robot.component(str(id))
             elif self.now() > until:
                 raise RequestError(f"component {id} has not appeared within {APPEAR_TIME:g} s; has it power?")
             else:
+                self._left.discard(id)
                 self._robot = await self._ocu.discover(self._config.subsystem)
         return self._components[id]
 
@@ -371,9 +402,17 @@ class CellClient:
         async with self._locks[id]:
             if id not in self._controlled:
                 assert self._robot is not None
-                await self._stack.enter_async_context(self._robot.control(str(id), authority=AUTHORITY))
-                self._controlled.add(id)
+                control = AsyncExitStack()
+                await control.enter_async_context(self._robot.control(str(id), authority=AUTHORITY))
+                self._controlled[id] = control
+                self._stack.push_async_callback(self._release, id)
         return component
+
+    async def _release(self, id: JausID) -> None:
+        """Release control of a component; without effect if this client has none."""
+        async with self._locks[id]:
+            if (control := self._controlled.pop(id, None)) is not None:
+                await control.aclose()
 
     # --- watching -------------------------------------------------------------------------------------------------
 

@@ -18,6 +18,8 @@ Plan = TypeVar("Plan")
 
 TURNS: Final = 12
 """Angles of the gripper about its axis that are tried; the suction plate is round."""
+DOWNWARD: Final = 0.5
+"""Least cosine of the angle from straight down at which the gripper reaches for a part."""
 APPROACH: Final = 0.07
 """Metres from the part at which the straight approach begins."""
 LIFT: Final = 0.10
@@ -70,17 +72,21 @@ class Handling:
         self.planner = planner
         self.composites: dict[str, list[Piece]] = {}
         """Shapes of parts to which others are attached, with those of the others, in the frame of the part."""
-        self.faces: dict[str, pin.SE3] = {}
-        """Where parts are grasped that cannot be grasped as their type says: the gripper in the frame of the part."""
 
     def pieces(self, part: str) -> list[Piece]:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
-    def grasps(self, part: str, first: float = 0.0) -> list[pin.SE3]:
-        """The poses of the gripper in the frame of a part, for all angles about its axis."""
-        grasp = self.faces.get(part) or self.layout.grasp(part)
-        return [grasp * turned("z", first + math.tau * number / TURNS) for number in range(TURNS)]
+    def grasps(self, part: str) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part on its usual face, for all angles about its axis."""
+        return _turned(self.layout.grasp(part))
+
+    def free_grasps(self, part: str, pose: pin.SE3) -> list[pin.SE3]:
+        """The same on all faces that are up while the part is at `pose`, or on those beside if it stands on an end."""
+        slopes = [(float((pose.rotation @ grasp.rotation)[2, 2]), grasp) for grasp in self.layout.grasps(part)]
+        up = [grasp for slope, grasp in slopes if slope < -DOWNWARD]
+        beside = [grasp for slope, grasp in slopes if abs(slope) <= DOWNWARD]
+        return [found for grasp in up or beside for found in _turned(grasp)]
 
     def pick(
         self,
@@ -92,20 +98,24 @@ class Handling:
         lift: float = LIFT,
         supports: Iterable[str] = (),
         skip: int = 0,
+        usual: bool = False,
     ) -> PickPlan:
         """A way to grasp a part that is at `pose`, such that it can be put to one of `goals` afterwards.
 
-        `supports`: what it lies on or in. `skip` leaves out that many of the solutions.
+        `supports`: what it lies on or in. `skip` leaves out that many of the solutions. `usual` permits no other face
+        than the usual one.
         """
         k = self.layout.kinematics
         options: list[tuple[float, pin.SE3, Array]] = []
-        for grasp in self.grasps(part):
+        for grasp in (grasps := self.grasps(part) if usual else self.free_grasps(part, pose)):
             over = pose * grasp * shifted(z=-APPROACH)
             options += [
                 (k.distance(posture.positions, start), grasp, posture.positions)
                 for posture in k.solve(over, start, condition=CONDITION)
                 if self.scene.is_free(posture.positions, self.planner.margin)
             ]
+        if not grasps:
+            raise NoPath(f"{part} lies turned over: no face by which the gripper can hold it is free")
         options.sort(key=lambda option: option[0])
         options = [option for option in options if not goals or self._reaches(option[1], option[2], goals)]
         if not options:
@@ -200,6 +210,10 @@ class Handling:
     def _reaches(self, grasp: pin.SE3, near: Array, goals: Sequence[pin.SE3]) -> bool:
         k = self.layout.kinematics
         return any(k.solve(goal * shifted(z=INSERT) * grasp, near, condition=CONDITION) for goal in goals)
+
+
+def _turned(grasp: pin.SE3) -> list[pin.SE3]:
+    return [grasp * turned("z", math.tau * number / TURNS) for number in range(TURNS)]
 
 
 def _first(options: Sequence[Option], plan: Callable[[Option], Plan]) -> Plan:

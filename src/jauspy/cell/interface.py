@@ -11,7 +11,7 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array
 from jauspy.cell.motion import Path
-from jauspy.platform.modular.arm import ModularArmState
+from jauspy.platform.modular.arm import ModularArmState, TrajectoryPoint
 from jauspy.platform.modular.connector import ConnectorState
 
 T = TypeVar("T")
@@ -87,10 +87,18 @@ class Cell(Protocol):
         """Start or stop the pump of a connector or of the gripper."""
         ...
 
+    async def leave(self, part: str) -> None:
+        """Release control of a part, which is about to lose its power."""
+        ...
+
     async def arm(self) -> ModularArmState:
         """The modular arm's joints and motion."""
         ...
 
     async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
+        ...
+
+    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
+        """Move joints of the modular arm through points, and wait; raises `RequestError` as `move_arm` does."""
         ...

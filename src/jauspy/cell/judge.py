@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
 import pinocchio as pin
 
 from jauspy.cell.frames import offset_between, se3, se3_of_pose, tilt_between
+from jauspy.cell.physics import Probe
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import Vector
@@ -36,6 +37,11 @@ class Watched(Protocol):
 
 class Truth(Protocol):
     """The true state of a simulation."""
+
+    @property
+    def written(self) -> Sequence[str]:
+        """What was put in place by writing positions since the start, in order."""
+        ...
 
     def pose(self, part: str) -> Pose:
         """The pose of a part's frame in the world."""
@@ -99,6 +105,10 @@ class KnowsTruth(Protocol):
         """Put a free part somewhere, at rest, by writing its position."""
         ...
 
+    def probe(self) -> Probe:
+        """Measure contacts, attachments and the robot's joints at each step from now on."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class Placement:
@@ -125,13 +135,20 @@ class Judge:
         """Breaks parts, for trials."""
         self.prepare = robot.prepare
         """Assembles an arm before a task starts, for tasks that do not include the assembly."""
+        self.probe = robot.probe
+        """Measures contacts, attachments and the UR10's joints at each step from then on."""
         self.place = robot.place
-        """Puts a part somewhere by writing its position; results say so."""
+        """Puts a part somewhere by writing its position; `written` names it."""
 
     @property
     def time(self) -> float:
         """Seconds of the robot's own time."""
         return self._robot.time
+
+    @property
+    def written(self) -> tuple[str, ...]:
+        """What was put in place by writing positions since the start, in order: the simulation compares all steps."""
+        return tuple(self._truth.written)
 
     def pose(self, part: str) -> pin.SE3:
         """The true frame of a part in the world."""
@@ -173,10 +190,11 @@ class Judge:
 
 
 class WatchedBackend:
-    """Opens robots with another backend, and remembers the last one for the judge."""
+    """Opens robots with another backend, changed by `change`, and remembers the last one for the judge."""
 
-    def __init__(self, backend: Backend) -> None:
+    def __init__(self, backend: Backend, change: Callable[[RobotModel], RobotModel] = lambda model: model) -> None:
         self._backend = backend
+        self._change = change
         self.robot: Robot | None = None
 
     @property
@@ -186,5 +204,5 @@ class WatchedBackend:
 
     def open(self, robot: RobotModel, world: str) -> Robot:
         """Open a robot."""
-        self.robot = self._backend.open(robot, world)
+        self.robot = self._backend.open(self._change(robot), world)
         return self.robot

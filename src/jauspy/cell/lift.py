@@ -33,9 +33,9 @@ READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
 SETTLE: Final = 2.0
 """Seconds after the landing, in which a box comes to rest and the sensor sees it several times."""
 LARGEST_LESSON: Final = 0.05
-"""Metres: of a larger miss only that much counts, since a box that has tumbled says little about the aim."""
-LEAST_GAIN: Final = 0.3
-"""Fraction of a miss by which later aims are corrected at least; the first is corrected by all of it."""
+"""Metres: of a larger error only that much counts, since a box that has tumbled says little about the aim."""
+SCATTER: Final = 0.01
+"""Metres by which boxes that land alike come to rest apart; an error farther from the others weighs less."""
 POLL: Final = 0.01
 
 
@@ -58,17 +58,35 @@ class LiftResult:
 
 @dataclass(slots=True)
 class Aim:
-    """What earlier throws taught: where to aim so that boxes come to rest in the middle of the area."""
+    """What earlier throws taught: where boxes come to rest, compared with where their throws were planned to land.
 
-    offset: Array = field(default_factory=lambda: np.zeros(2))
-    """Metres along x and y from the middle of the area."""
-    throws: int = 0
+    The errors that throws have in common (the arm lags behind its setpoints, the cup vents late, a box slides) are
+    corrected; those that differ by chance average out. The estimate is Huber's: a box that has tumbled moves it little.
+    """
 
-    def learn(self, miss: Array) -> None:
-        """Correct by a miss, metres along x and y: later ones by less, so that what differs by chance averages out."""
-        self.throws += 1
-        miss = miss * min(1.0, LARGEST_LESSON / max(1e-9, float(np.linalg.norm(miss))))
-        self.offset = self.offset - max(LEAST_GAIN, 1.0 / self.throws) * miss
+    errors: list[Array] = field(default_factory=list)
+    """Metres along x and y from each planned landing to where the box rests."""
+
+    def learn(self, planned: Array, rest: Array) -> None:
+        """Take in where a throw was planned to land and where its box came to rest, metres along x and y."""
+        error = rest - planned
+        self.errors.append(error * min(1.0, LARGEST_LESSON / max(1e-9, float(np.linalg.norm(error)))))
+
+    @property
+    def bias(self) -> Array:
+        """The error that the next throw is expected to have, metres along x and y."""
+        if not self.errors:
+            return np.zeros(2)
+        errors = np.array(self.errors)
+        found = np.median(errors, axis=0)
+        for _ in range(20):
+            off = np.linalg.norm(errors - found, axis=1)
+            found = np.average(errors, axis=0, weights=1.0 / np.maximum(1.0, off / SCATTER))
+        return np.asarray(found)
+
+    def at(self, goal: Array) -> Array:
+        """The point at which to aim so that the box comes to rest at `goal`, metres along x and y."""
+        return goal - self.bias
 
 
 class Lifter:
@@ -169,8 +187,8 @@ class Lifter:
         middle = shifted(z=self.height(box) / 2.0)
         shapes = [Piece(piece.shape, middle.inverse() * piece.frame) for piece in pieces_of_part(kind)]
         planner = ThrowPlanner(arm.chain, arm.scene, Load(result.payload, size, in_tip * middle), shapes)
-        x, y = self.target.pose.x + self.aim.offset[0], self.target.pose.y + self.aim.offset[1]
-        plan = await self.cell.compute(lambda: self._plan(planner, np.array([x, y, 0.0])))
+        goal = self.aim.at(np.array([self.target.pose.x, self.target.pose.y]))
+        plan = await self.cell.compute(lambda: self._plan(planner, np.append(goal, 0.0)))
         self.planned = result.plan = plan
         await arm.go(plan.windup, margin=MARGIN)
         vector = await arm.vector(plan.follow_through)
@@ -204,4 +222,5 @@ class Lifter:
         result.miss = float(np.linalg.norm(miss))
         size = self.layout.type_of(result.box).solids[0].size
         if at[2] < max(size) / 2.0 + 0.01:  # one that rests on another box teaches nothing
-            self.aim.learn(miss)
+            assert result.plan is not None
+            self.aim.learn(result.plan.flight.end[:2], at[:2])

@@ -6,9 +6,35 @@ import math
 from dataclasses import asdict, dataclass, field
 from typing import Any, Final
 
+from jauspy.cell.physics import Physics
+
 UNITS: Final[dict[str, tuple[str, ...]]] = {
-    "rad": ("ap angle", "rp angle", "largest_tilt", "arm_error", "attitude out of reach"),
-    "m": ("ap", "rp", "clearance", "largest_error", "off_x", "off_y", "placement", "driven", "overshoot of"),
+    "rad": (
+        "ap angle",
+        "rp angle",
+        "at angle",
+        "rt angle",
+        "largest_tilt",
+        "arm_error",
+        "attitude out of reach",
+        "tracking error",
+        "end error",
+    ),
+    "m": (
+        "ap ",
+        "rp ",
+        "at ",
+        "rt ",
+        "dap ",
+        "drp ",
+        "clearance",
+        "largest_error",
+        "off_x",
+        "off_y",
+        "placement",
+        "driven",
+        "overshoot of",
+    ),
     "s": (
         "lift_time",
         "there",
@@ -19,12 +45,13 @@ UNITS: Final[dict[str, tuple[str, ...]]] = {
         "saved_by_schedule",
         "settled",
         "stabilisation",
+        "drift time",
     ),
     "": ("settled_sooner", "overshoot_ratio"),
-    "m/s": ("release_speed",),
-    "rad/s": ("overshoot",),
+    "m/s": ("release_speed", "path speed", "attach speed", "landing speed", "collision speed"),
+    "rad/s": ("overshoot", "joint speed"),
     "kg": ("payload",),
-    "N": ("car_force", "arm_force"),
+    "N": ("car_force", "arm_force", "attach force", "landing force", "collision force"),
     "N m": ("arm_moment",),
 }
 """The unit of figures whose names begin like this; the longest beginning counts. Others are numbers."""
@@ -49,6 +76,10 @@ class Measured:
     """Figures by name, SI units."""
     rows: list[dict[str, Any]] = field(default_factory=list)
     """Lines of a table."""
+    physics: Physics | None = None
+    """What the simulation measured at each step; None for a cell elsewhere."""
+    written: tuple[str, ...] = ()
+    """What was put in place by writing positions, as the simulation saw it; empty when all was done by the task."""
     film_problem: str = ""
     """Why the film of the run is incomplete, as a sentence; empty if it is complete, or was not wanted."""
 

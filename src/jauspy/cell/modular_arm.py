@@ -6,7 +6,7 @@ import itertools
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, zip_longest
 from typing import Final
 
 import numpy as np
@@ -14,32 +14,41 @@ import pinocchio as pin
 
 from jauspy.cell.assembly import PARKED
 from jauspy.cell.client import CellClient
-from jauspy.cell.frames import Array, se3, se3_of_pose
-from jauspy.cell.motion import MotionPlanner, NoPath
+from jauspy.cell.frames import Array, se3
+from jauspy.cell.motion import STEP, MotionPlanner, NoPath, Path
 from jauspy.cell.scene import (
     Clearance,
     Layout,
     LinkPiece,
     Piece,
     PlanningScene,
-    connector_frame,
     pieces_of,
     pieces_of_part,
 )
 from jauspy.cell.schedule import TaskFailed
+from jauspy.cell.smoothing import smoothed
+from jauspy.cell.standing import base_frame, chain_of, standing_on
 from jauspy.errors import ConfigError
-from jauspy.platform.modular.arm import ModularArmState
+from jauspy.ocu.cell import MotionRefused
+from jauspy.platform.modular.arm import ModularArmState, TrajectoryPoint
 from jauspy.platform.modular.dynamics import solid_inertia
 from jauspy.platform.modular.parts import PartSolid, PartType
 
-FIVE_JOINTS: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_4", "servo_5")
-"""The parts of the arm with five joints, base to tip, when no part of another type had to be taken."""
+FIVE_JOINTS: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_11", "servo_5")
+"""The parts of the arm with five joints, base to tip, when no part of another type had to be taken.
+
+Its fourth joint is as strong as the third: it carries all others when the arm stands on its other end."""
 SHARE: Final = 0.6
 """Fraction of the joints' speed at which the arm moves between tasks."""
 PEAK: Final = 1.9
 """Largest speed of a motion that begins and ends smoothly, as a multiple of its mean."""
 MIN_TIME: Final = 0.6
 """Seconds of the shortest motion."""
+ACCELERATION: Final = 5.0
+"""rad/s^2 of the joints on smooth paths."""
+SLOWER: Final = 1.3
+"""Factor of the times of a smooth motion for which the arm is too weak."""
+SLOWER_ROUNDS: Final = 4
 POLL: Final = 0.02
 
 
@@ -64,6 +73,11 @@ class ArmOperator:
         self.tip = f"{self.members[-1].name}/{self.members[-1].connector}"
         """The connector at the end."""
 
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Names of its parts, base to tip."""
+        return tuple(member.name for member in self.members)
+
     def stand(self, chain: Chain) -> None:
         """Plan for the arm as this chain describes it, from now on."""
         self.chain = chain
@@ -71,23 +85,17 @@ class ArmOperator:
         self.planner = MotionPlanner(self.scene, chain, margin=0.01)
 
     @classmethod
-    async def found(
-        cls, cell: CellClient, layout: Layout, parts: Sequence[str] = FIVE_JOINTS, base: str = "platform_1/top"
-    ) -> ArmOperator:
-        """The operator of the arm that stands on a base, by what its connectors report."""
-        owner, _, connector = base.partition("/")
-        pose = next(se3_of_pose(part.pose) for part in layout.setup.parts if part.name == owner)
-        if not any(part.fixed and part.name == owner for part in layout.setup.parts):
-            pose = (await cell.observe())[owner].pose
-        members, at = [], base
-        for part in parts:
-            state = await cell.connector(at)
-            if state.attached_to != part:
-                raise TaskFailed(f"{at} holds {state.attached_to or 'nothing'}, not {part}")
-            output = next(iter(layout.type_of(part).connectors))
-            members.append(Member(part, layout.type_of(part), se3(state.offset), output))
-            at = f"{part}/{output}"
-        arm = cls(cell, layout, pose * connector_frame(layout.type_of(owner), connector), members)
+    async def found(cls, cell: CellClient, layout: Layout, base: str = "platform_1/top") -> ArmOperator:
+        """The operator of the arm that stands on a base, by what connectors report; raises `TaskFailed` without one."""
+        chain = chain_of(layout, await standing_on(cell, layout, base))
+        if not chain:
+            raise TaskFailed(f"no arm stands on {base}")
+        members = []
+        for item, after in zip_longest(chain, chain[1:]):
+            type = layout.type_of(item.part)
+            output = after.connector.partition("/")[2] if after is not None else next(iter(type.connectors), "")
+            members.append(Member(item.part, type, item.offset, output))
+        arm = cls(cell, layout, await base_frame(cell, layout, base), members)
         arm.base_name = base
         return arm
 
@@ -143,13 +151,41 @@ class ArmOperator:
                 self.scene.put(name, pieces_of_part(self.layout.type_of(name)), seen.pose)
 
     async def go(self, goal: Array, *, share: float = SHARE, margin: float | None = None) -> None:
-        """Move to a posture on a free path, a motion for each straight piece; raises `NoPath` or `RequestError`."""
+        """Move to a posture on a free path, smoothly if that is free, too; raises `NoPath` or `RequestError`."""
         start = await self.positions()
         path = self.planner.to_posture(start, goal, margin=margin)
-        if path.clearance.distance < self.clearance.distance:
-            self.clearance = path.clearance
+        if len(path.points) > 2 and await self._flow(path, share):
+            return
+        self._passed(path.clearance)
         for a, b in pairwise(path.points):
             await self.move(b, self.time(a, b, share))
+
+    def _passed(self, clearance: Clearance) -> None:
+        if clearance.distance < self.clearance.distance:
+            self.clearance = clearance
+
+    async def _flow(self, path: Path, share: float) -> bool:
+        """Move along a spline near a path, without stops; False if none is as free, or the arm is too weak for it."""
+        least = min(path.clearance.distance, self.planner.margin)
+        clearances: list[Clearance] = []
+
+        def is_free(postures: Sequence[Array]) -> bool:
+            clearances.append(self.scene.along(postures, STEP))
+            return clearances[-1].distance >= least
+
+        speeds, accelerations = self.chain.speeds * share, np.full(len(self.chain.speeds), ACCELERATION)
+        points = smoothed(path.points, speeds, accelerations, is_free)
+        for _ in range(SLOWER_ROUNDS if points else 0):
+            assert points is not None
+            try:
+                self.last_goal = path.end
+                await self.cell.follow_arm(self.chain.joints, points)
+            except MotionRefused:
+                points = [TrajectoryPoint(point.time * SLOWER, point.positions) for point in points]
+            else:
+                self._passed(clearances[-1])
+                return True
+        return False
 
     def time(self, start: Array, goal: Array, share: float) -> float:
         """Seconds for a motion at this fraction of the joints' speed, with smooth ends."""
@@ -177,12 +213,14 @@ class ArmOperator:
         return free
 
     async def wait_attached(self, connector: str, within: float) -> str:
-        """The part that a connector has attached; empty when it has not after `within` seconds."""
+        """The part that a connector has attached, and locked if it can; empty if it has not within so many seconds."""
         until = self.cell.now() + within
         while True:
             state = await self.cell.connector(connector)
-            if state.attached_to or self.cell.now() > until:
+            if state.attached_to and (state.latched or not self.layout.locks(connector, state.attached_to)):
                 return state.attached_to
+            if self.cell.now() > until:
+                return ""
             await self.cell.sleep(POLL)
 
 
@@ -332,7 +370,9 @@ class Chain:
             rows = np.vstack([jacobian[:3], LEAN_WEIGHT * across @ jacobian[3:]])
             step = rows.T @ np.linalg.solve(rows @ rows.T + DAMPING * np.eye(6), off)
             far = float(np.max(np.abs(step)))
-            if far < TOLERANCE and np.max(np.abs(off[:3])) < 20.0 * TOLERANCE:
+            # a joint about the tip's axis may turn on and on without moving it
+            settled = np.max(np.abs(rows @ step)) < 0.1 * TOLERANCE
+            if settled and np.max(np.abs(off[:3])) < 20.0 * TOLERANCE:
                 return q if facing > math.cos(LEANING) else None
             q = q + step * min(1.0, MAX_STEP / max(far, 1e-12))
         return None

@@ -1,6 +1,7 @@
-"""The report of results: plots as SVG files, and one HTML page with plots and films inside.
+"""The report of results: plots as SVG files, and HTML pages with tables, plots and films inside.
 
-Plots need matplotlib, of the extra `plot`; the page opens without a network.
+Plots need matplotlib, of the extra `plot`; pages open without a network and run no scripts. Results and names of files
+are text on them, never markup.
 """
 
 from __future__ import annotations
@@ -64,15 +65,33 @@ def plot_trials(results: Sequence[Measured], summary: Summary, path: Path) -> No
 
 MAX_FILM: Final = 40_000_000
 """Bytes of a film that is put into the page; a larger one is only named."""
+CONTENT_SECURITY_POLICY: Final = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; media-src data:"
+"""The page loads nothing, and runs nothing."""
 
 STYLE: Final = """
-body { font: 16px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 62rem; padding: 2rem 1rem; color: #1c2733; }
-h1 { font-size: 1.9rem; margin-bottom: 0; } h2 { margin-top: 2.5rem; border-bottom: 1px solid #d5dce3; }
-table { border-collapse: collapse; width: 100%; font-size: 0.9rem; margin: 1rem 0; }
-th, td { text-align: left; padding: 0.3rem 0.7rem; border-bottom: 1px solid #e4e9ee; vertical-align: top; }
-td.number { text-align: right; font-variant-numeric: tabular-nums; }
-.yes { color: #1f7a45; font-weight: 600; } .no { color: #b3322a; font-weight: 600; }
-video, img { width: 100%; border-radius: 6px; background: #eef1f4; } p.lead { color: #52606d; margin-top: 0.2rem; }
+:root { color-scheme: light dark; --text: #1c2733; --soft: #52606d; --line: #d5dce3; --ground: #ffffff;
+  --panel: #f4f6f8; --good: #1f7a45; --bad: #b3322a; --link: #245a94; }
+@media (prefers-color-scheme: dark) { :root { --text: #e3e8ed; --soft: #a6b1bc; --line: #38434e; --ground: #14191e;
+  --panel: #1d242b; --good: #63c58d; --bad: #f28b82; --link: #8ab8e8; }
+  img.plot { filter: invert(0.92) hue-rotate(180deg); } }
+body { font: 16px/1.5 system-ui, sans-serif; margin: 0 auto; max-width: 66rem; padding: 2rem 1.25rem;
+  color: var(--text); background: var(--ground); }
+h1 { font-size: 1.9rem; line-height: 1.2; margin-bottom: 0; } p.lead { color: var(--soft); margin-top: 0.3rem; }
+h2 { font-size: 1.35rem; line-height: 1.3; margin-top: 3rem; padding-bottom: 0.3rem;
+  border-bottom: 1px solid var(--line); }
+a { color: var(--link); } nav ol { columns: 2 20rem; padding-left: 1.4rem; margin: 1rem 0 0; }
+.wide { overflow-x: auto; margin: 1.2rem 0; } .wide:focus-visible, a:focus-visible { outline: 3px solid var(--link); }
+table { border-collapse: collapse; width: 100%; font-size: 0.9rem; }
+caption { text-align: left; font-weight: 600; padding: 0.3rem 0; } p.note { color: var(--soft); font-size: 0.9rem; }
+th, td { text-align: left; padding: 0.3rem 0.7rem; border-bottom: 1px solid var(--line); vertical-align: top; }
+thead th { background: var(--panel); } tbody th { font-weight: 400; }
+.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.yes { color: var(--good); font-weight: 600; white-space: nowrap; }
+.no { color: var(--bad); font-weight: 600; white-space: nowrap; }
+figure { margin: 1.2rem 0; } figcaption { color: var(--soft); font-size: 0.9rem; }
+video, img { display: block; width: 100%; height: auto; border-radius: 6px; background: #ffffff; }
+summary { cursor: pointer; margin: 1.2rem 0; color: var(--link); }
+@media print { details > * { display: block; } video { display: none; } }
 """
 
 
@@ -86,70 +105,120 @@ class Promise:
     kept: bool
 
 
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table with a caption. The first of `rows` is the heading, the first cell of a row names it."""
+
+    caption: str
+    rows: Sequence[Sequence[str]]
+    note: str = ""
+    """A sentence below it."""
+    folded: bool = False
+    """True for a long one, which readers unfold."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plot:
+    """A picture in a file, SVG or PNG, with a sentence that says what it shows."""
+
+    path: Path
+    caption: str
+
+
 @dataclass(slots=True)
 class Section:
     """One part of the page."""
 
     title: str
     text: str = ""
-    table: list[Sequence[str]] = field(default_factory=list)
-    """Rows of cells; the first one is the heading."""
-    plots: list[Path] = field(default_factory=list)
-    """SVG or PNG files."""
+    tables: list[Table] = field(default_factory=list)
+    plots: list[Plot] = field(default_factory=list)
     film: Path | None = None
 
 
 def page(title: str, lead: str, promises: Sequence[Promise], sections: Sequence[Section]) -> str:
     """The HTML of the whole page."""
-    rows: list[Sequence[str]] = [("what", "promised", "measured", "")]
-    body = [f"<h1>{escape(title)}</h1>", f'<p class="lead">{escape(lead)}</p>']
-    marks = [
-        '<span class="yes">kept</span>' if promise.kept else '<span class="no">not kept</span>' for promise in promises
-    ]
-    body.append(_table(rows + [(promise.what, promise.wanted, promise.measured, "") for promise in promises], marks))
-    for section in sections:
-        body.append(f"<h2>{escape(section.title)}</h2>")
+    body = [f'<h1>{escape(title)}</h1><p class="lead">{escape(lead)}</p>']
+    if promises:
+        body.append(_promises(promises))
+    body.append(
+        '<nav aria-label="Contents"><ol>'
+        + "".join(
+            f'<li><a href="#s{number}">{escape(section.title)}</a></li>' for number, section in enumerate(sections, 1)
+        )
+        + "</ol></nav>"
+    )
+    for number, section in enumerate(sections, 1):
+        body.append(f'<section aria-labelledby="s{number}"><h2 id="s{number}">{escape(section.title)}</h2>')
         if section.text:
             body.append(f"<p>{escape(section.text)}</p>")
         if section.film is not None and section.film.exists():
-            body.append(_film(section.film))
-        body += [_plot(path) for path in section.plots if path.exists()]
-        if section.table:
-            body.append(_table(section.table))
+            body.append(_film(section.film, section.title))
+        body += [_plot(plot) for plot in section.plots if plot.path.exists()]
+        body += [_table(table) for table in section.tables]
+        body.append("</section>")
     return (
-        f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{escape(title)}</title>'
-        f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style>'
-        f"<body>{''.join(body)}</body></html>\n"
+        f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>'
+        f'<meta http-equiv="Content-Security-Policy" content="{escape(CONTENT_SECURITY_POLICY)}">'
+        f'<meta name="viewport" content="width=device-width, initial-scale=1"><style>{STYLE}</style></head>'
+        f"<body><main>{''.join(body)}</main></body></html>\n"
     )
 
 
-def _table(rows: Sequence[Sequence[str]], marks: Sequence[str] = ()) -> str:
-    head, *rest = rows
-    lines = ["<tr>" + "".join(f"<th>{escape(cell)}</th>" for cell in head) + "</tr>"]
-    for number, row in enumerate(rest):
-        cells = [f"<td{_class(cell)}>{escape(cell)}</td>" for cell in row]
-        if marks:
-            cells[-1] = f"<td>{marks[number]}</td>"
-        lines.append(f"<tr>{''.join(cells)}</tr>")
-    return f"<table>{''.join(lines)}</table>"
+def _promises(promises: Sequence[Promise]) -> str:
+    marks = {True: '<td class="yes">kept</td>', False: '<td class="no">not kept</td>'}
+    lines = [
+        f'<tr><th scope="row">{escape(promise.what)}</th><td>{escape(promise.wanted)}</td>'
+        f"<td>{escape(promise.measured)}</td>{marks[promise.kept]}</tr>"
+        for promise in promises
+    ]
+    head = "".join(f'<th scope="col">{name}</th>' for name in ("what", "promised", "measured", "result"))
+    return _wide("What is promised, and what was measured", f"<thead><tr>{head}</tr></thead>", lines)
 
 
-def _class(cell: str) -> str:
+def _table(table: Table) -> str:
+    head, *rest = table.rows
+    numbers = [all(map(_is_number, column)) for column in zip(*rest, strict=True)] or [False] * len(head)
+    marks = ["", *(' class="number"' if numeric else "" for numeric in numbers[1:])]
+    names = "".join(f'<th scope="col"{mark}>{escape(cell)}</th>' for mark, cell in zip(marks, head, strict=True))
+    lines = []
+    for first, *others in rest:
+        cells = "".join(f"<td{mark}>{escape(cell)}</td>" for mark, cell in zip(marks[1:], others, strict=True))
+        lines.append(f'<tr><th scope="row">{escape(first)}</th>{cells}</tr>')
+    whole = _wide(table.caption, f"<thead><tr>{names}</tr></thead>", lines)
+    if table.note:
+        whole += f'<p class="note">{escape(table.note)}</p>'
+    return f"<details><summary>{escape(table.caption)}</summary>{whole}</details>" if table.folded else whole
+
+
+def _wide(caption: str, head: str, lines: Sequence[str]) -> str:
+    """A table that scrolls sideways on a narrow screen, by keys too."""
+    return (
+        f'<div class="wide" role="region" tabindex="0" aria-label="{escape(caption)}"><table>'
+        f"<caption>{escape(caption)}</caption>{head}<tbody>{''.join(lines)}</tbody></table></div>"
+    )
+
+
+def _is_number(cell: str) -> bool:
+    """True for a number with or without a unit, and for an empty cell."""
+    first = cell.partition(" ")[0]
     try:
-        float(cell)
+        float(first.removesuffix("%") or "0")
     except ValueError:
-        return ""
-    return ' class="number"'
+        return cell in ("-", "")
+    return True
 
 
-def _film(path: Path) -> str:
+def _film(path: Path, title: str) -> str:
     if path.stat().st_size > MAX_FILM:
         return f"<p>Film: {escape(path.name)}</p>"
     data = base64.b64encode(path.read_bytes()).decode()
-    return f'<video controls preload="metadata" src="data:video/mp4;base64,{data}"></video>'
+    label = escape(f"Film: {title}")
+    return f'<video controls preload="metadata" aria-label="{label}" src="data:video/mp4;base64,{data}"></video>'
 
 
-def _plot(path: Path) -> str:
-    kind = "image/svg+xml" if path.suffix == ".svg" else "image/png"
-    data = base64.b64encode(path.read_bytes()).decode()
-    return f'<img alt="{escape(path.stem)}" src="data:{kind};base64,{data}">'
+def _plot(plot: Plot) -> str:
+    kind = "image/svg+xml" if plot.path.suffix == ".svg" else "image/png"
+    data = base64.b64encode(plot.path.read_bytes()).decode()
+    image = f'<img class="plot" alt="{escape(plot.caption)}" src="data:{kind};base64,{data}">'
+    return f"<figure>{image}<figcaption>{escape(plot.caption)}</figcaption></figure>"

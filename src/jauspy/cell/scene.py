@@ -375,6 +375,11 @@ class Layout:
         """The type of a part. Raises `ConfigError` for an unknown name."""
         return self.setup.type_of(part)
 
+    def locks(self, connector: str, part: str) -> bool:
+        """True if a connector, named as in `servo_1/output`, locks the flanges of a part mechanically."""
+        owner, _, own = connector.partition("/")
+        return bool(own and part) and self.type_of(owner).latch and self.type_of(part).latch
+
     def of_types(self, types: tuple[str, ...]) -> list[str]:
         """The names of the parts of these types: those of the first type first."""
         return [name for type in types for name, kind in self._types.items() if kind == type]
@@ -401,6 +406,10 @@ class Layout:
             return solid.size[2]
         normal = np.abs(self.grasp(part).rotation[:, 2])
         return float(normal @ np.array(solid.size))
+
+    def grasps(self, part: str) -> list[pin.SE3]:
+        """The gripper's poses in the part's frame on all faces by which it can hold the part, the usual one first."""
+        return [se3(grasp) for grasp in self.type_of(part).grasps]
 
     def grasp(self, part: str) -> pin.SE3:
         """The gripper's pose in the part's frame when it holds the part."""

@@ -22,6 +22,7 @@ from jauspy.logs import get_logger
 from jauspy.ocu import OCU
 from jauspy.platform.camera import CameraSession, CameraSource
 from jauspy.platform.contract import Robot
+from jauspy.platform.description import RobotModel
 from jauspy.robot import robot_files
 from jauspy.robot.config import RobotConfig
 from jauspy.robot.runner import RobotRunner
@@ -32,6 +33,8 @@ _LOG: Final = get_logger(__name__)
 
 ROBOT: Final = "cell"
 OCU_ID: Final = "42.1.1"
+TURNED_OVER: Final = 0.25
+"""Fraction of scattered parts that lie on another side."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +96,7 @@ def configured(seed: int, disturbances: Disturbances, robot: str = ROBOT) -> Rob
         pose_error=(disturbances.position, disturbances.angle),
         attach_failure=disturbances.attach_failure,
         scatter=disturbances.scatter,
+        turned_over=TURNED_OVER,
     )
     return config.model_copy(update={"cell": cell})
 
@@ -105,17 +109,18 @@ async def simulated(
     film: Path | None = None,
     camera: str = "overview",
     view: bool = False,
-    changed: Callable[[RobotConfig], RobotConfig] = lambda config: config,
+    configure: Callable[[RobotConfig], RobotConfig] = lambda config: config,
+    change: Callable[[RobotModel], RobotModel] = lambda model: model,
 ) -> AsyncIterator[Session]:
     """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
 
     `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
-    `changed` makes another cell of the one in the file.
+    `configure` makes another cell of the one in the file; `change` does so after its files were read, as with a load
+    that is bolted to it.
     """
-    config = changed(configured(seed, disturbances or Disturbances()))
-    model = robot_files.robot_model(config)
-    layout = Layout(model)
-    backend = WatchedBackend(backends.find(config.backend))
+    config = configure(configured(seed, disturbances or Disturbances()))
+    layout = Layout(change(robot_files.robot_model(config)))
+    backend = WatchedBackend(backends.find(config.backend), change)
     async with AsyncExitStack() as stack:
         network = await stack.enter_async_context(VirtualNetwork(seed=seed))
         realtime = WatchedTime if view else VirtualTime

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 from typing import Final
 
@@ -27,8 +28,6 @@ RAISED: Final = 0.12
 SHARE: Final = 0.35
 """Fraction of the joints' speed."""
 UPRIGHT_MARGIN: Final = 0.0
-PARTS: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_10", "servo_5")
-"""The arm that steps: its fourth joint carries all others when the arm stands on its other end."""
 
 
 @dataclass(slots=True)
@@ -96,6 +95,7 @@ class Stepper:
         start = await arm.positions()
         up = np.array([0.0, 0.0, 1.0])
         hover = arm.above((there * shifted(z=HOVER)).translation.tolist(), start, up.tolist())[0]
+        hover = self._facing(hover, there)
         await arm.go(hover, share=SHARE)
         await self._lower(there, up, hover, self.base, first)
         await self._release(arm.tip, holds=self.base, part=first)
@@ -104,6 +104,14 @@ class Stepper:
         arm.stand(Chain(there, arm.members))
         with arm.scene.without(other.partition("/")[0]):
             await self._stand_up()
+
+    def _facing(self, posture: Array, frame: pin.SE3) -> Array:
+        """The posture with the last joint turned so that the free end faces as `frame` does, about its z axis."""
+        chain = self.arm.chain
+        off = chain.forward(posture).actInv(frame).rotation
+        rate = pin.computeFrameJacobian(chain.model, chain.data, posture, chain.tool, pin.LOCAL)[5, -1]
+        turn = math.remainder(posture[-1] + math.atan2(off[1, 0], off[0, 0]) / rate, math.tau)
+        return np.array([*posture[:-1], turn])
 
     async def _lower(self, there: pin.SE3, direction: Array, hover: Array, connector: str, part: str) -> None:
         """Lower the free end onto a connector until `connector` holds `part`."""
@@ -132,6 +140,8 @@ class Stepper:
         state = await self.cell.connector(holds)
         if state.attached_to != part:
             raise TaskFailed(f"{connector} stays enabled: {holds} holds {state.attached_to or 'nothing'}, not {part}")
+        if self.layout.locks(holds, part) and not state.latched:
+            raise TaskFailed(f"{connector} stays enabled: {holds} has not locked {part}: {state.last_error}")
         self.result.log.append(f"{holds} holds {part} with {state.force:.1f} N; {connector} is released")
         await self.cell.enable(connector, False)
         await self.cell.sleep(0.2)

@@ -14,41 +14,73 @@ import numpy as np
 from jauspy.cell.ariac.runner import run_seed
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.car import MOVED, CarTask
-from jauspy.cell.frames import offset_between
+from jauspy.cell.disassembly import Disassembler
+from jauspy.cell.frames import offset_between, se3_of_pose
+from jauspy.cell.interface import GRIPPER
 from jauspy.cell.judge import Placement, Watched
 from jauspy.cell.kitting import Kitter, drawn_order, score
 from jauspy.cell.lift import Lifter
 from jauspy.cell.measurements import Measured
 from jauspy.cell.modular_arm import FIVE_JOINTS, ArmOperator
+from jauspy.cell.physics import Physics
+from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.session import Disturbances, Session, simulated
-from jauspy.cell.step import PARTS, Stepper
+from jauspy.cell.standing import all_frames, standing_on
+from jauspy.cell.step import Stepper
+from jauspy.cell.story import Stage, Told, tell, untold
 from jauspy.errors import JausError
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Z, rotation_about
 
 BASE: Final = "platform_1/top"
 MAX_ARM_ERROR: Final = 0.03
 """Radians by which the arm's joints may be off on the driving car."""
 LARGEST_MISS: Final = 0.02
 """Metres by which a box may be off after some throws have taught the aim."""
+IN_PLACE: Final = 0.1
+"""Metres from a part's place within which it counts as put back."""
 SETTLE: Final = 0.1
 """Seconds until a prepared arm is known to all."""
 
 
-async def prepared(session: Session, parts: Sequence[str]) -> ArmOperator:
-    """The operator of an arm that is there already, in a simulation of this process; the UR10 parks."""
-    if session.judge is not None:
-        session.judge.prepare(BASE, parts)
-    await session.cell.sleep(SETTLE)
-    ur10 = Assembler(session.cell, session.layout)
-    ur10.at = await session.cell.posture()
-    await ur10.park()
-    arm = await ArmOperator.found(session.cell, session.layout, parts, BASE)
+async def ur10_of(session: Session, seed: int = 0) -> Assembler:
+    """The UR10 where it is, which knows what stands on the bases; raises `TaskFailed` if its gripper holds a part."""
+    cell, layout = session.cell, session.layout
+    if held := (await cell.connector(GRIPPER)).attached_to:
+        raise TaskFailed(f"the gripper holds {held}; `jauspy up cell` again, or have it put down")
+    ur10 = Assembler(cell, layout, seed=seed)
+    ur10.at = await cell.posture()
+    ur10.know(await all_frames(cell, layout))
+    return ur10
+
+
+async def prepared(session: Session, parts: Sequence[str] = FIVE_JOINTS, *, heading: float = 0.0) -> ArmOperator:
+    """The operator of the arm that stands on the platform; the UR10 parks.
+
+    Without one, in a simulation of this process, `parts` are assembled by writing their positions, which the result
+    says; the first is turned by `heading`, in radians. Raises `TaskFailed` when there is no arm, or none with as many
+    joints.
+    """
+    cell, layout = session.cell, session.layout
+    if session.judge is not None and not await standing_on(cell, layout, BASE):
+        session.judge.prepare(BASE, parts, {parts[0]: Transform(rotation_about(Z, heading))})
+        await cell.sleep(SETTLE)
+    await (await ur10_of(session)).park()
+    arm = await ArmOperator.found(cell, layout, BASE)
+    wanted = sum(layout.type_of(part).servo is not None for part in parts)
+    if len(arm.chain.joints) != wanted:
+        raise TaskFailed(f"the arm on {BASE} has {len(arm.chain.joints)} joints, and {wanted} are needed")
+    if held := (await cell.connector(arm.tip)).attached_to:
+        raise TaskFailed(f"{arm.tip} holds {held} already")
     await arm.ready()
     return arm
 
 
 async def assemble(session: Session, seed: int) -> Measured:
     """Build the arm with five joints, and measure how the parts sit."""
-    result = await Assembler(session.cell, session.layout, seed=seed).build()
+    if standing := await standing_on(session.cell, session.layout, BASE):
+        raise TaskFailed(f"{BASE} holds {standing[0].part} already; `jauspy cell take-apart` takes it off")
+    result = await (await ur10_of(session, seed)).build()
     found = Measured(seed, "assemble", not result.failure, result.failure, result.duration)
     placements = _placements(session)
     for row in result.parts:
@@ -81,11 +113,11 @@ def _placements(session: Session) -> dict[str, Placement]:
 async def lift(session: Session, seed: int) -> Measured:
     """Take a box off the moving conveyor and throw it; a hit rests in the marked area."""
     begun = session.cell.now()
-    arm = await prepared(session, FIVE_JOINTS)
+    arm = await prepared(session)
     lifter = Lifter(session.cell, session.layout, arm)
     watched: list[Watched] = []
     if (judge := session.judge) is not None:
-        lifter.on_throw = lambda box: watched.append(judge.watch((*FIVE_JOINTS, box)))
+        lifter.on_throw = lambda box: watched.append(judge.watch((*arm.parts, box)))
     result = await lifter.run()
     found = Measured(seed, "lift", duration=session.cell.now() - begun)
     found.values = {
@@ -132,10 +164,10 @@ async def throws(session: Session, seed: int) -> Measured:
     """
     begun = session.cell.now()
     judge = session.true
-    arm = await prepared(session, FIVE_JOINTS)
+    arm = await prepared(session)
     lifter = Lifter(session.cell, session.layout, arm)
     area, watched = lifter.target, list[Watched]()
-    lifter.on_throw = lambda box: watched.append(judge.watch((*FIVE_JOINTS, box)))
+    lifter.on_throw = lambda box: watched.append(judge.watch((*arm.parts, box)))
     found = Measured(seed, "throws")
     errors = []
     for number in range(1, THROWS + 1):
@@ -174,7 +206,7 @@ async def throws(session: Session, seed: int) -> Measured:
 async def step(session: Session, seed: int) -> Measured:
     """Step from platform to platform, and back."""
     begun = session.cell.now()
-    arm = await prepared(session, PARTS)
+    arm = await prepared(session)
     stepper = Stepper(session.cell, session.layout, arm, BASE)
     result = await stepper.run()
     found = Measured(seed, "step", success=result.steps == 2, duration=session.cell.now() - begun)
@@ -188,20 +220,57 @@ async def step(session: Session, seed: int) -> Measured:
     found.rows = [{"event": line} for line in result.log]
     if session.judge is not None:
         held = session.judge.attached()
-        found.success = found.success and held.get(BASE) == PARTS[0] and arm.tip not in held
-        found.values["placement"] = session.judge.placement(BASE, PARTS[0]).distance
+        found.success = found.success and held.get(BASE) == arm.members[0].name and arm.tip not in held
+        found.values["placement"] = session.judge.placement(BASE, arm.members[0].name).distance
+    return found
+
+
+async def take_apart(session: Session, seed: int) -> Measured:
+    """Take the arm apart, from its tip down, and put its parts back into their bins."""
+    begun = session.cell.now()
+    arm = await prepared(session, heading=math.pi)  # as the UR10 builds it: grasped from its side
+    await arm.look()
+    await arm.go(np.zeros(arm.chain.model.nq), margin=0.0)
+    ur10 = await ur10_of(session, seed)
+    result = await Disassembler(session.cell, session.layout, ur10).run(BASE)
+    found = Measured(seed, "take-apart", success=True, duration=session.cell.now() - begun)
+    found.rows = [asdict(row) for row in result.parts]
+    found.values = {
+        "parts": float(len(result.parts)),
+        "retries": float(result.retries),
+        "put_down": float(len(result.put_down)),
+        "clearance": ur10.clearance.distance,
+    }
+    if (judge := session.judge) is not None:
+        taken = {row.part for row in result.parts}
+        still = sorted(taken & set(judge.attached().values()))
+        homes = {part.name: se3_of_pose(part.pose) for part in session.layout.setup.parts if part.name in taken}
+        off = {part: offset_between(judge.pose(part), home)[0] for part, home in homes.items()}
+        found.values["largest_error"] = max(off.values(), default=0.0)
+        astray = [part for part, distance in off.items() if distance > IN_PLACE]
+        if still or astray:
+            found.success = False
+            found.failure = f"attached: {', '.join(still) or 'none'}; not in their bins: {', '.join(astray) or 'none'}"
     return found
 
 
 async def car(session: Session, seed: int) -> Measured:
     """Build the car, put it on the conveyor with the arm on top, and drive it off."""
     begun = session.cell.now()
-    arm = await prepared(session, FIVE_JOINTS)
-    ur10 = Assembler(session.cell, session.layout, seed=seed)
-    ur10.at = await session.cell.posture()
-    task = CarTask(session.cell, session.layout, ur10, arm)
-    result = await task.run()
-    found = Measured(seed, "car", duration=session.cell.now() - begun)
+    await prepared(session)
+    return await _drive_off(session, seed, "car", begun)
+
+
+async def whole_car(session: Session, seed: int) -> Measured:
+    """Same as `car`, and build the arm, too, after the car stands on the conveyor."""
+    return await _drive_off(session, seed, "car", session.cell.now())
+
+
+async def _drive_off(session: Session, seed: int, task: str, begun: float) -> Measured:
+    ur10 = await ur10_of(session, seed)
+    car_task = CarTask(session.cell, session.layout, ur10, BASE)
+    result = await car_task.run()
+    found = Measured(seed, task, duration=session.cell.now() - begun)
     found.rows = [asdict(row) for row in result.parts]
     found.values = {
         "retries": float(sum(len(row.attempts) for row in result.parts) + len(result.failed_grasps)),
@@ -218,26 +287,28 @@ async def car(session: Session, seed: int) -> Measured:
     found.success = result.driven >= MOVED and result.arm_error < MAX_ARM_ERROR
     if not found.success:
         found.failure = f"the car drove {result.driven:.2f} m, and the arm was {result.arm_error:.3f} rad off"
+    if found.success and session.judge is not None:
+        found.success = session.judge.attached().get(f"{car_task.car}/top") == car_task.arm.members[0].name
+        found.failure = "" if found.success else "the arm does not stand on the car"
     return found
 
 
 async def kitting(session: Session, seed: int) -> Measured:
     """Fill one order with the UR10 alone."""
-    ur10 = Assembler(session.cell, session.layout, seed=seed)
-    ur10.at = await session.cell.posture()
+    ur10 = await ur10_of(session, seed)
     await ur10.park()
     return await _kitted(session, seed, "kitting", Kitter(session.cell, session.layout, ur10), 0.0)
 
 
 async def kitting_with_arm(session: Session, seed: int) -> Measured:
     """Have the UR10 build an arm, and fill one order with both; the time of building is measured apart."""
-    ur10 = Assembler(session.cell, session.layout, seed=seed)
+    ur10 = await ur10_of(session, seed)
     built = await ur10.build()
     if built.failure:
         return Measured(seed, "kitting-arm", failure=f"the arm was not built: {built.failure}")
     await ur10.park()
     parts = [row.part for row in built.parts]
-    arm = await ArmOperator.found(session.cell, session.layout, parts, BASE)
+    arm = await ArmOperator.found(session.cell, session.layout, BASE)
     await arm.ready()
     ur10.used -= set(parts)  # the arm moves from now on: the sensor reports where its parts are
     ur10.rejected |= set(parts)
@@ -271,6 +342,21 @@ async def _kitted(session: Session, seed: int, task: str, kitter: Kitter, buildi
     return found
 
 
+STAGES: Final = (
+    Stage("assemble", "The UR10 builds an arm with five joints", assemble),
+    Stage("lift", "The arm takes a box off the moving conveyor and throws it", lift),
+    Stage("step", "The arm steps to the other platform and back", step),
+    Stage("take apart", "The UR10 takes the arm apart and puts its parts back into their bins", take_apart),
+    Stage("car", "The UR10 builds the car and the arm anew and puts both together, and they drive off", whole_car),
+)
+"""The story: each stage begins with what the one before has left."""
+
+
+async def demo(session: Session, seed: int, told: Told = untold) -> Measured:
+    """All tasks in one run, one after the other; nothing is put in place by writing positions."""
+    return await tell(session, seed, STAGES, told)
+
+
 Task: TypeAlias = Callable[[Session, int], Coroutine[Any, Any, Measured]]
 
 TASKS: Final[dict[str, Task]] = {
@@ -278,7 +364,9 @@ TASKS: Final[dict[str, Task]] = {
     "lift": lift,
     "throws": throws,
     "step": step,
+    "take-apart": take_apart,
     "car": car,
+    "demo": demo,
     "kitting": kitting,
     "kitting-arm": kitting_with_arm,
 }
@@ -299,10 +387,11 @@ async def run_one(
     *,
     film: Path | None = None,
     view: bool = False,
+    run: Task | None = None,
 ) -> Measured:
-    """One run; `film` is a file, `view` opens a window. A task that raises is a failure with that reason.
+    """One run of a task by name, or of `run`; a task that raises is a failure with that reason.
 
-    A film that is incomplete changes nothing else of the result, which says so.
+    `film` is a file, `view` opens a window. A film that is incomplete changes nothing else of the result.
     """
     if task in OWN_CELLS:
         return await OWN_CELLS[task](seed, disturbances, film=film, view=view)
@@ -310,10 +399,13 @@ async def run_one(
     camera = FILMED_BY.get(task, "overview")
     async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:
         start = session.cell.now()
+        probe = session.judge.probe() if session.judge is not None else None
         try:
-            found = await TASKS[task](session, seed)
+            found = await (run or TASKS[task])(session, seed)
         except JausError as error:
             found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
+        if session.judge is not None and probe is not None:
+            found.physics, found.written = Physics.of(probe), session.judge.written
     found.wall = time.perf_counter() - begun
     if session.film is not None:
         found.film_problem = session.film.problem

@@ -10,12 +10,17 @@ from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from importlib import import_module
+from pathlib import Path
 from statistics import fmean, median
+from typing import Final
+
+from pydantic import TypeAdapter, ValidationError
 
 from jauspy.cell.measurements import Measured
 from jauspy.cell.session import Disturbances
 from jauspy.cell.tasks import run_one
 from jauspy.errors import ConfigError
+from jauspy.user_files import read_file
 
 
 def run_seed(task: str, seed: int, disturbances: Disturbances | None) -> Measured:
@@ -119,3 +124,21 @@ def mean_of(results: Iterable[Measured], name: str) -> float:
     """The mean of a figure over the runs that have it."""
     found = [run.values[name] for run in results if name in run.values]
     return fmean(found) if found else math.nan
+
+
+MAX_RESULTS: Final = 256 << 20
+"""Bytes of a file of results."""
+_RESULTS: Final = TypeAdapter(list[Measured])
+
+
+def read_results(path: Path) -> list[Measured]:
+    """The results in a file that `jauspy cell trials` wrote, by seed. Raises `ConfigError`, which names the file."""
+    try:
+        rows = _RESULTS.validate_json(read_file(path, MAX_RESULTS))
+    except ValidationError as error:
+        first = error.errors(include_url=False)[0]
+        place = ".".join(map(str, first["loc"])) or "the whole"
+        raise ConfigError(f"{path}: is no file of results of `jauspy cell trials`: {place}: {first['msg']}") from None
+    if not rows:
+        raise ConfigError(f"{path}: has no results; run `jauspy cell trials` again")
+    return sorted(rows, key=lambda run: run.seed)

@@ -28,11 +28,13 @@ from jauspy.capture.reader import CaptureReader, Datagram, from_hex, from_lines,
 from jauspy.cli import console
 from jauspy.cli.can_log import CanFrame, can_frames, changes, is_can_log
 from jauspy.cli.definitions import Definitions, SchemasOption, ServiceName, ServiceVersion, definitions
+from jauspy.cli.options import FilterOption
 from jauspy.cli.render import Styled, styled_fields
 from jauspy.codec.message import Message
 from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
 from jauspy.codec.rounding import rounded
 from jauspy.errors import ConfigError
+from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.printable import printable
 from jauspy.protocol import judp
@@ -40,6 +42,7 @@ from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 from jauspy.schema import model
 
 if TYPE_CHECKING:
+    from jauspy.capture.filters import Filter
     from jauspy.codec import reference
 
 
@@ -88,17 +91,22 @@ def decode(
         str | None,
         typer.Option("--message", metavar="NAME", help="Which message, if a service has several with one id."),
     ] = None,
+    only: FilterOption = None,
 ) -> None:
     """Print the JAUS messages in a capture file or in hex text.
 
     Values are in SI units and radians. Yellow lines describe deviations from the definition. The exit status is 1 if
     something could not be decoded. Frames of logs of candump are named by the drives of --robot.
 
+    --filter compares src, dst, msg, code, service, size and others (docs/filters.md), and fields of messages by their
+    names, with ==, !=, <, <=, >, >=, contains and in, joined by and, or, not.
+
     A message id is decoded by the newest version of its service; a line names the other definitions of the id.
     --service, --version and --message select one; they do not affect ids that the selected definitions lack.
 
     Examples:
       jauspy decode run.pcap --json
+      jauspy decode run.pcap --filter 'src == 42.* and msg == SetWrenchEffort'
       jauspy decode --explain 02001000010a017e0014017e0002200200
       tcpdump -w - udp | jauspy decode -
       jauspy decode arm.pcap --schemas vendor/ --version 1.0
@@ -109,10 +117,12 @@ def decode(
     options = DecodeOptions(known.registry, wanted, _port(port), None if what is None else what.value)
     explained = known if explain else None
     printer = JsonPrinter(explained) if as_json else HumanPrinter(explained)
+    fits = None if only is None else message_filter(only, known.registry)
 
     def listed(source: str) -> Iterator[Item | CanFrame]:
         if not is_can_log(source):
-            return items(source, options)
+            found = items(source, options)
+            return found if fits is None else filtered(found, fits)
         frames = can_frames(source, robot)
         return changes(frames) if only_changes else frames
 
@@ -140,6 +150,28 @@ def _time(item: Item | CanFrame) -> float:
     if item.captured is None:
         raise ConfigError("hex text has no times; list only captures (pcap, pcapng) and logs of CAN frames together")
     return item.captured.time
+
+
+def message_filter(text: str, registry: Registry) -> Filter:
+    """The filter of a command line; its parser is loaded only for one."""
+    from jauspy.capture.filters import Filter
+
+    return Filter(text, registry)
+
+
+def filtered(items: Iterable[Item], fits: Filter) -> Iterator[Item]:
+    """The items with a message that fits, without their other messages."""
+    for item in items:
+        if item.dissection is not None:
+            parts = tuple(part for part in item.dissection.parts if fits(part))
+            if parts:
+                yield item._replace(dissection=item.dissection._replace(parts=parts))
+        elif item.bare is not None and fits(Part(_NO_PACKET, item.bare)):
+            yield item
+
+
+_NO_PACKET: Final = Packet(JausID(0, 0, 0), JausID(0, 0, 0), b"")
+"""Header of a bare message: no filter of ids fits it but `0.0.0`."""
 
 
 def _port(text: str) -> int | None:
@@ -290,7 +322,7 @@ def as_json(item: Item) -> dict[str, Any]:
         messages = [_content_json(bare)] if bare else []
         errors = [bare.problem] if bare and bare.broken else []
     else:
-        messages = [_part_json(part) for part in dissection.parts]
+        messages = [part_json(part) for part in dissection.parts]
         errors = list(dissection.errors)
     shown = {
         "n": item.number,
@@ -307,7 +339,8 @@ def as_json(item: Item) -> dict[str, Any]:
     return shown
 
 
-def _part_json(part: Part) -> dict[str, Any]:
+def part_json(part: Part) -> dict[str, Any]:
+    """A message as a JSON object; all objects have the same keys."""
     packet = part.packet
     return {
         "source": _id_text(packet.source),

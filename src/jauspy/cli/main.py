@@ -49,6 +49,19 @@ VERBS: Final = {
     ),
     "still": ("jauspy.cli.still:still", "Take a picture with a camera and save it."),
     "decode": ("jauspy.cli.decode:decode", "Print the JAUS messages in a capture file or in hex text."),
+    "echo": (
+        "jauspy.cli.echo:echo",
+        "Print messages as the node manager of this machine routes them, until Ctrl-C.",
+    ),
+    "hz": (
+        "jauspy.cli.rates:hz",
+        "Measure how often messages come: rate, shortest and longest interval, and their standard deviation.",
+    ),
+    "bw": (
+        "jauspy.cli.rates:bw",
+        "Measure how many bytes a second messages take: packets with their headers, without those of UDP and IP.",
+    ),
+    "graph": ("jauspy.cli.rates:graph", "Show who talks to whom: the messages between components, with their rates."),
     "audit": (
         "jauspy.cli.operators:audit",
         "Verify an audit log: name the first line that was changed or removed, or cut off at the end.",
@@ -97,6 +110,10 @@ SCHEMA_VERBS: Final = {
     ),
 }
 CELL_VERBS: Final = {
+    "demo": (
+        "jauspy.cli.cell.tasks:demo",
+        "Do everything in one run: build the arm, throw, step, take it apart, build the car, drive off with the arm.",
+    ),
     "assemble": (
         "jauspy.cli.cell.tasks:assemble",
         "Build an arm with five joints: the UR10 takes modules out of the bins and joins them.",
@@ -110,6 +127,10 @@ CELL_VERBS: Final = {
         "Throw a box ten times, each aim corrected by where the boxes before came to rest.",
     ),
     "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
+    "take-apart": (
+        "jauspy.cli.cell.tasks:take_apart",
+        "Take the modular arm apart: the UR10 puts its parts back into their bins.",
+    ),
     "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
     "kpi": (
         "jauspy.cli.cell.measurements:kpi",

@@ -72,6 +72,14 @@ OperatorKey = Annotated[
 ]
 Timeout = Annotated[float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to wait for answers.")]
 Json = Annotated[bool, typer.Option("--json", help="One JSON object per line.")]
+FilterOption = Annotated[
+    str | None,
+    typer.Option(
+        "--filter",
+        metavar="EXPRESSION",
+        help="Only messages that fit, as in 'src == 42.* and msg == Report* and x > 5' (docs/filters.md).",
+    ),
+]
 Bus = Annotated[
     str | None,
     typer.Option(

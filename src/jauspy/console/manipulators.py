@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import asyncio
+import itertools
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, JausError, RequestError
 from jauspy.messages.cell import (
     HoldModularArm,
@@ -20,8 +23,9 @@ from jauspy.ocu.arm import POSE_DRIVER, POSE_SENSOR, POSITION_DRIVER, PROFILE, S
 from jauspy.ocu.motion_limits import MotionLimits
 from jauspy.ocu.robot import MOVING, Robot
 from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.platform.modular.arm import TrajectoryPoint
 from jauspy.printable import printable
-from jauspy.services.cell import motion_command
+from jauspy.services.cell import motion_command, trajectory_command
 
 MODULAR_ARM: Final = "cell:ModularArm"
 CONNECTOR: Final = "cell:VacuumConnector"
@@ -203,18 +207,40 @@ class ModularArm(Manipulator):
         await self._move(positions, EASING * max(ways) / share if share < 1.0 else 0.0)
 
     async def follow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
-        """Move through rows, one motion after another."""
+        """Move through rows: without stops if all move the same joints in given times, else one after another."""
         known = {joint.name for joint in await self.joints()}
         for number, (_, positions) in enumerate(rows, 1):
             if missing := positions.keys() - known:
                 raise ConfigError(f"row {number}: there is no joint {sorted(missing)[0]!r} now")
         try:
+            if len(rows) > 1 and all(seconds > 0.0 and row.keys() == rows[0][1].keys() for seconds, row in rows):
+                await self._flow(rows, progress)
+                return
             for number, (seconds, positions) in enumerate(rows):
                 progress(number)
                 await self._move(positions, seconds)
         except BaseException:
             await self.stop()
             raise
+
+    async def _flow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
+        """Move through rows with a velocity at each, and rest at the last one."""
+        joints, times = tuple(rows[0][1]), tuple(itertools.accumulate(seconds for seconds, _ in rows))
+        points = [
+            TrajectoryPoint(time, tuple(row[name] for name in joints))
+            for time, (_, row) in zip(times, rows, strict=True)
+        ]
+        command = trajectory_command(joints, points)
+        performing = asyncio.ensure_future(self._perform(command, times[-1]))
+        try:
+            for number, (seconds, _) in enumerate(rows):
+                if not performing.done():
+                    progress(number)
+                    await asyncio.wait({performing}, timeout=seconds)
+            await performing
+        finally:
+            performing.cancel()
+            await asyncio.wait({performing})
 
     async def stop(self) -> None:
         """Hold."""
@@ -230,11 +256,13 @@ class ModularArm(Manipulator):
         if missing := positions.keys() - set(names):
             raise ConfigError(f"there is no joint {sorted(missing)[0]!r} now")
         command = motion_command([positions.get(name, math.nan) for name in names], duration)
+        await self._perform(command, duration)
+
+    async def _perform(self, command: Message, duration: float) -> None:
         try:
             await self._service.perform(command, within=duration + GRACE_TIME)
         except JausError as error:
-            said = (await self._state()).modular_arm_motion_rec.error
-            raise RequestError(printable(said) or str(error)) from error
+            raise RequestError(printable(str(error))) from error
 
 
 def manipulators(robot: Robot) -> dict[str, Manipulator]:

@@ -16,8 +16,10 @@ TABLE: Final = (
         "jauspy.messages.cell.v1_0.modular_arm", "urn:jauspy:cell:ModularArm", "1.0",
         (0xDA65, "MoveModularArm", "98ff05a1"), (0xDA66, "HoldModularArm", "2e38e77b"),
         (0xDA67, "SetModularArmController", "31c86326"), (0xDA68, "SetModularArmOrder", "d29c6248"),
-        (0xEA68, "QueryModularArmState", "2e38e77b"), (0xEA69, "QueryModularArmSpecification", "2e38e77b"),
+        (0xDA69, "SetModularArmTrajectory", "251cdd55"), (0xEA68, "QueryModularArmState", "2e38e77b"),
+        (0xEA69, "QueryModularArmSpecification", "2e38e77b"), (0xEA6A, "QueryModularArmMotionResult", "b98f4f36"),
         (0xFA68, "ReportModularArmState", "3c3f36e4"), (0xFA69, "ReportModularArmSpecification", "2716c183"),
+        (0xFA6A, "ReportModularArmMotionResult", "02ddf312"),
     ),
     *entries(
         "jauspy.messages.cell.v1_0.module_power", "urn:jauspy:cell:ModulePower", "1.0",
@@ -38,7 +40,7 @@ TABLE: Final = (
     *entries(
         "jauspy.messages.cell.v1_0.vacuum_connector", "urn:jauspy:cell:VacuumConnector", "1.0",
         (0xDA62, "SetConnector", "1e8516a6"), (0xEA63, "QueryConnectorState", "79de0a2b"),
-        (0xEA64, "QueryConnectorSpecification", "2e38e77b"), (0xFA63, "ReportConnectorState", "38378592"),
+        (0xEA64, "QueryConnectorSpecification", "2e38e77b"), (0xFA63, "ReportConnectorState", "93e13c96"),
         (0xFA64, "ReportConnectorSpecification", "4652430d"),
     ),
     *entries(

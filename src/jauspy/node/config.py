@@ -300,6 +300,8 @@ class NodeConfig(NetworkConfig):
     """Copy all routed packets to a pcapng file, or as pcapng datagrams to udp:ADDRESS:PORT."""
     mirror_limit: int = Field(default=1 << 30, ge=4096)
     """Maximum size of the mirror's file in bytes."""
+    mirror_socket: bool = True
+    """Copy all routed packets to the readers of the local socket JuniorRTE.mirror, such as `jauspy echo`."""
     log: Literal["text", "json"] = "text"
     """Format of the log on stderr."""
     log_level: Literal["debug", "info", "warning", "error"] = "warning"

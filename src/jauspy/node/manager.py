@@ -15,13 +15,15 @@ from typing import TYPE_CHECKING, Final, Self, TypeAlias
 
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
-from jauspy.node import liveness, status
+from jauspy.node import liveness
 from jauspy.node.component_senders import ComponentSenders
 from jauspy.node.config import NodeConfig, load_key, make_gateway, parse_pattern, source_limits
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
 from jauspy.node.liveness import ComponentSockets, LivenessCheck
 from jauspy.node.local_users import LocalUsers, users_of
+from jauspy.node.mirror_server import MirrorServer
+from jauspy.node.mirrored_packets import MirroredPackets
 from jauspy.node.network import Network
 from jauspy.node.status import NodeState, StatusServer
 from jauspy.protocol import header, junior
@@ -30,7 +32,7 @@ from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, T
 from jauspy.protocol.egress import ROUTED_COUNTERS
 from jauspy.protocol.routing import RECEIVED_COUNTERS, Router
 from jauspy.protocol.sources import SourceChecks
-from jauspy.transport import base, local, multicast
+from jauspy.transport import base, local, multicast, node_status
 from jauspy.transport.age import DatagramReader
 from jauspy.transport.send_queue import QueueMemory
 
@@ -100,7 +102,10 @@ class NodeManager:
         memory = QueueMemory(self.config.queue_memory, self._router.counters)
         self._component_senders = ComponentSenders(self._component_sockets, self._router, self._max_age, memory)
         self._local_ports: dict[str | bytes | None, LocalPort] = {}
-        self._mirror: Mirror | None = None
+        self._mirrors: tuple[Mirror | MirrorServer, ...] = ()
+        self._file_mirror: Mirror | None = None
+        self._mirror_server: MirrorServer | None = None
+        self._mirrored = MirroredPackets(self._group_address)
         self._mirror_source: Port = LocalPort("")
         self._links = Links(
             self._router.counters,
@@ -187,7 +192,7 @@ class NodeManager:
                     setup, self._router.counters, config.receive_buffer, authenticator, self._router.remove_dead
                 )
             await self._links.open(config, self.port, (port for ports in self._known.values() for port in ports))
-            self._mirror = await self._open_services()
+            await self._open_services()
             self._take_up_components(may_use)
         except BaseException:
             await self.close()
@@ -216,11 +221,11 @@ class NodeManager:
         if ids:
             _LOG.info("found %d components that run: %s", len(ids), ", ".join(map(str, sorted(ids))))
 
-    async def _open_services(self) -> Mirror | None:
-        """Open status, metrics and mirror as configured; modules that are not needed are not imported."""
-        config = self.config
+    async def _open_services(self) -> None:
+        """Open status, metrics and mirrors as configured; modules that are not needed are not imported."""
+        config, counters = self.config, self._router.counters
         if config.status:
-            path = config.local_root / status.SOCKET_NAME
+            path = config.local_root / node_status.SOCKET_NAME
             server = StatusServer(path, config.local_mode, config.local_group, lambda: self.state)
             await self._services.enter_async_context(server)
         if config.metrics is not None:
@@ -228,12 +233,23 @@ class NodeManager:
 
             host, _, port = config.metrics.rpartition(":")
             await self._services.enter_async_context(MetricsServer(host, int(port), lambda: self.state))
-        if config.mirror is None:
-            return None
-        from jauspy.node.mirror import Mirror  # noqa: PLC0415 - needed only here
+        if config.mirror is not None:
+            from jauspy.node.mirror import Mirror  # noqa: PLC0415 - needed only here
 
-        mirror = Mirror(config.mirror, config.mirror_limit, self._router.counters, self._group_address)
-        return self._services.enter_context(mirror)
+            self._file_mirror = self._services.enter_context(Mirror(config.mirror, config.mirror_limit, counters))
+        if config.mirror_socket:
+            path = config.local_root / node_status.MIRROR_NAME
+            mirror = MirrorServer(path, config.local_mode, config.local_group, counters, self._update_mirrors)
+            await self._services.enter_async_context(mirror)
+            self._mirror_server = mirror
+        self._update_mirrors()
+
+    def _update_mirrors(self) -> None:
+        """Pass on packets to the mirrors that somebody reads; only without any, known routes bypass the router."""
+        server = self._mirror_server
+        mirrors = self._file_mirror, server if server is not None and server.has_readers else None
+        self._mirrors = tuple(mirror for mirror in mirrors if mirror is not None)
+        self._cache.clear()
 
     def _group_address(self, name: str) -> tuple[str, int]:
         network = self._networks[name]
@@ -258,7 +274,8 @@ class NodeManager:
         for network in self._networks.values():
             network.close()
         self._networks.clear()
-        self._mirror = None
+        self._mirrors = ()
+        self._file_mirror = self._mirror_server = None
         await self._services.aclose()
         local.clean_up(self.path)
         self._closed.set()
@@ -338,13 +355,15 @@ class NodeManager:
                 self._links.send(port, datagram)
             else:
                 network.send(datagram, port.host, port.port)
-            if self._mirror is not None:
-                self._mirror.add(self._mirror_source, port, datagram)
+            if self._mirrors:
+                block = self._mirrored.block(self._mirror_source, port, datagram)
+                for mirror in self._mirrors:
+                    mirror.add(block)
         self._arm()
 
     def _sender_for(self, port: LocalPort | UdpPort) -> Send | None:
         """The sender of a cached route; None with a mirror, which must record each datagram."""
-        if self._mirror is not None:
+        if self._mirrors:
             return None
         if isinstance(port, LocalPort):
             return self._component_senders.sender_for(port.path).send

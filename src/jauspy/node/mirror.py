@@ -1,7 +1,4 @@
-"""Copies all routed packets as pcapng, for Wireshark. The copy may lose packets; routing never waits for it.
-
-Components of this machine appear as 127.S.N.C: the low byte of their subsystem, their node and their component.
-"""
+"""Copies all routed packets as pcapng, for Wireshark. The copy may lose packets; routing never waits for it."""
 
 from __future__ import annotations
 
@@ -11,7 +8,6 @@ import os
 import queue
 import socket
 import threading
-import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
@@ -20,8 +16,6 @@ from typing import Final, Self
 from jauspy.capture import writer
 from jauspy.errors import TransportError
 from jauspy.logs import get_logger
-from jauspy.protocol import judp
-from jauspy.protocol.addressing import GroupPort, LocalPort, Port
 from jauspy.protocol.counters import Counters
 
 _LOG = get_logger(__name__)
@@ -36,12 +30,10 @@ STOP_TIMEOUT: Final = 1.0
 
 
 class Mirror:
-    """Writes in its own thread. `group(network)` returns the multicast address and port of a network."""
+    """Writes in its own thread."""
 
-    def __init__(self, target: str, limit: int, counters: Counters, group: Callable[[str], writer.Endpoint]) -> None:
+    def __init__(self, target: str, limit: int, counters: Counters) -> None:
         self._counters = counters
-        self._group = group
-        self._endpoints: dict[Port, writer.Endpoint] = {}
         self._blocks: list[bytes] = []
         self._size = 0
         self._loop = asyncio.get_running_loop()
@@ -72,9 +64,8 @@ class Mirror:
         if self._thread.is_alive():
             _LOG.warning("the mirror's reader was too slow: its last packets are lost")
 
-    def add(self, source: Port, destination: Port, datagram: bytes) -> None:
-        """Add a routed packet."""
-        block = writer.packet(self._endpoint(source), self._endpoint(destination), datagram, time.time_ns())
+    def add(self, block: bytes) -> None:
+        """Add the block of a routed packet."""
         if self._size + len(block) > self._max_chunk:
             self.flush()
         if self._timer is None:
@@ -117,27 +108,6 @@ class Mirror:
             except OSError as error:
                 _LOG.warning("the mirror ends: %s", error)
                 self._write = _discard
-
-    def _endpoint(self, port: Port) -> writer.Endpoint:
-        name = self._endpoints.get(port)
-        if name is None:
-            if len(self._endpoints) > 4096:
-                self._endpoints.clear()
-            name = self._endpoints[port] = self._make_endpoint(port)
-        return name
-
-    def _make_endpoint(self, port: Port) -> writer.Endpoint:
-        if isinstance(port, LocalPort):
-            number = port.path.rpartition("/")[2]
-            id = int(number) if number.isdecimal() else 1
-            return f"127.{id >> 16 & 255}.{id >> 8 & 255}.{id & 255}", judp.PORT
-        if isinstance(port, GroupPort):
-            return self._group(port.network)
-        try:
-            socket.inet_aton(port.host)
-        except OSError:
-            return "0.0.0.0", port.port  # noqa: S104 # nosec B104 # a serial line has no address
-        return port.host, port.port
 
 
 class _NotSentError(Exception):

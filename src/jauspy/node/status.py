@@ -5,14 +5,11 @@ from __future__ import annotations
 import asyncio
 import json
 import os
-import socket
 from collections.abc import Callable, Mapping
-from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.node.config import NodeConfig
@@ -115,18 +112,7 @@ class StatusServer:
         self._server: StreamServer | None = None
 
     async def __aenter__(self) -> None:
-        with ExitStack() as stack:
-            try:
-                sock = stack.enter_context(socket.socket(socket.AF_UNIX, socket.SOCK_STREAM))
-                self._path.unlink(missing_ok=True)
-                sock.bind(str(self._path))
-                self._path.chmod(self._mode)
-                sock.listen()
-            except OSError as error:
-                problem = f"cannot open the socket {self._path}: {error.strerror}"
-                raise TransportError(f"{problem}; {local.OTHER_DIRECTORY}, or set `status` to false") from error
-            local.give_to_group(self._path, self._group)
-            stack.pop_all()
+        sock = local.listen(self._path, self._mode, self._group, setting="status")
         self._server = StreamServer(sock, self._serve, self._state().router.counters)
 
     async def __aexit__(self, *error: object) -> None:

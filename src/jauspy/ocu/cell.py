@@ -6,22 +6,24 @@ from __future__ import annotations
 
 import asyncio
 import math
+import secrets
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
 from jauspy.arguments import check_number
-from jauspy.errors import RequestError
+from jauspy.errors import ConfigError, RequestError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import rotation_from_quaternion
 from jauspy.messages.cell.v1_0 import (
     HoldModularArm,
-    MoveModularArm,
     QueryConnectorState,
     QueryConveyorState,
+    QueryModularArmMotionResult,
     QueryModularArmState,
     QueryPartObservations,
     QueryServoState,
+    ReportModularArmMotionResult,
     ReportServoState,
     SetConnector,
     SetConveyorSpeed,
@@ -29,17 +31,35 @@ from jauspy.messages.cell.v1_0 import (
     SetModulePower,
 )
 from jauspy.ocu.service import ServiceClient
-from jauspy.platform.modular.arm import ArmController, ModularArmState
+from jauspy.platform.modular.arm import ArmController, ModularArmState, MotionResult, TrajectoryPoint
 from jauspy.platform.modular.cell import ConveyorState
-from jauspy.platform.modular.connector import ConnectorState
+from jauspy.platform.modular.connector import ConnectorError, ConnectorState
+from jauspy.services.cell.modular_arm import trajectory_command
 
 ALL_FIELDS: Final = 0xFFFFFFFF
 POLL_INTERVAL: Final = 0.05
-"""Seconds between two queries for the state of an arm that moves."""
-ELSEWHERE: Final = 0.02
-"""Radians off its goal at which a joint with another target has not arrived."""
+"""Seconds between two queries for the result of a motion that is about to end."""
+MOTION_INTERVAL: Final = 0.25
+"""Seconds between two of them before, and so the longest after which a motion that has ended early is known."""
+MAX_NUMBER: Final = 0xFFFF_FFFF
+"""The largest number of a motion that fits the message."""
 SLACK: Final = (3.0, 5.0)
 """Factor of the duration and seconds on top of it in which a motion must end, unless another time-out is given."""
+
+_ERRORS: Final = dict(enumerate(ConnectorError))
+"""Reasons by their number in the message, whose order is the same."""
+
+_ENDINGS: Final[Mapping[MotionResult, str]] = {
+    MotionResult.REFUSED: "the modular arm refused to move",
+    MotionResult.STOPPED: "the modular arm was stopped",
+    MotionResult.REPLACED: "the modular arm was moved elsewhere",
+    MotionResult.BLOCKED: "the modular arm was blocked",
+    MotionResult.FAILED: "the modular arm did not complete the motion",
+}
+
+
+class MotionRefused(RequestError):
+    """A motion that an arm has not begun; the message has the reason."""
 
 
 class ModularArm:
@@ -75,44 +95,87 @@ class ModularArm:
             error=motion.error,
         )
 
-    async def begin(self, positions: Sequence[float], duration: float = 0.0) -> None:
+    async def begin(self, positions: Sequence[float], duration: float = 0.0) -> int:
         """Begin a motion to these positions that takes `duration` seconds; NaN leaves a joint where it is told to be.
 
-        With 0 seconds it is as fast as the joints' limits allow. `state().error` says why the robot refused it.
+        With 0 seconds it is as fast as the joints' limits allow. Returns the number of the motion, by which `result()`
+        tells how it ended; raises `RequestError` if the arm has another number of joints.
         """
         check_number(duration, "duration")
         for number, position in enumerate(positions, 1):
             check_number(position, f"joint {number}")
-        rows = [
-            MoveModularArm.JointPositionRec(None if math.isnan(position) else float(position)) for position in positions
-        ]
-        await self._service.send(MoveModularArm(MoveModularArm.MotionDurationRec(float(duration)), rows), ack=True)
+        joints = (await self.state()).joints
+        if len(joints) != len(positions):
+            raise RequestError(f"{len(positions)} positions for {len(joints)} joints ({', '.join(joints)})")
+        named = {name: float(at) for name, at in zip(joints, positions, strict=True) if not math.isnan(at)}
+        return await self._send(tuple(named), [TrajectoryPoint(float(duration), tuple(named.values()))])
 
     async def move(
         self, positions: Sequence[float], duration: float = 0.0, *, timeout: float | None = None
     ) -> ModularArmState:
         """Begin a motion as `begin` does, and wait until the joints have arrived; returns the state.
 
-        Raises `RequestError` when the robot refuses the motion, when the arm was stopped or told to move elsewhere, or
-        when it has not ended the motion after `timeout` seconds: by default
-        three times the duration, and at least 8 s.
+        Raises `RequestError` with the arm's reason when it refuses the motion or ends it early, or when it has not
+        ended it after `timeout` seconds: by default three times the duration, and at least 8 s.
         """
         check_number(timeout, "timeout", optional=True)
+        return await self._arrive(await self.begin(positions, duration), duration, timeout)
+
+    async def follow(
+        self, joints: Sequence[str], points: Sequence[TrajectoryPoint], *, timeout: float | None = None
+    ) -> ModularArmState:
+        """Move joints, by names, through points at given times, to rest at the last one; the others stay.
+
+        Waits, and raises `RequestError`, as `move` does: a motion that exceeds a limit is refused with joint, time and
+        figure before it begins. Velocities that are left out are those with which the acceleration is continuous.
+        """
+        check_number(timeout, "timeout", optional=True)
+        for number, point in enumerate(points, 1):
+            check_number(point.time, f"time of point {number}")
+            for values in (
+                point.positions,
+                point.velocities or point.positions,
+                point.accelerations or point.positions,
+            ):
+                if len(values) != len(joints):
+                    raise ConfigError(f"point {number} has {len(values)} values for {len(joints)} joints")
+        duration = points[-1].time if points else 0.0
+        return await self._arrive(await self._send(joints, points), duration, timeout)
+
+    async def result(self, number: int = 0) -> tuple[MotionResult, str]:
+        """How a motion ended, and the reason if it was refused or ended early; 0 is the last motion of any client."""
+        check_number(number, "number", whole=True)
+        report = await self._service.query(QueryModularArmMotionResult(number))
+        try:
+            return MotionResult[ReportModularArmMotionResult.Result(report.result).name], report.reason
+        except ValueError:
+            return MotionResult.UNKNOWN, f"the arm reports the result {report.result}, which this version does not know"
+
+    async def _send(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> int:
+        """Send a trajectory with a number of its own, which differs from those of other programs by chance."""
+        number = secrets.randbelow(MAX_NUMBER) + 1
+        await self._service.send(trajectory_command(joints, points, number), ack=True)
+        return number
+
+    async def _arrive(self, number: int, duration: float, timeout: float | None) -> ModularArmState:
+        """Wait until a motion has ended; returns the state."""
         clock = asyncio.get_running_loop().time
-        await self.begin(positions, duration)
-        end = clock() + (max(duration, 1.0) * SLACK[0] + SLACK[1] if timeout is None else timeout)
-        await asyncio.sleep(max(2.0 * POLL_INTERVAL, duration))
+        begun = clock()
+        end = begun + (max(duration, 1.0) * SLACK[0] + SLACK[1] if timeout is None else timeout)
+        wait = 2.0 * POLL_INTERVAL
         while True:
-            state = await self.state()
-            if state.error:
-                raise RequestError(f"the modular arm refused to move: {state.error}")
-            if not state.moving:
-                check_arrived(state, positions)
-                return state
+            await asyncio.sleep(wait)
+            result, reason = await self.result(number)
+            if result is MotionResult.REACHED:
+                return await self.state()
+            if result is not MotionResult.IN_PROGRESS:
+                kind = MotionRefused if result is MotionResult.REFUSED else RequestError
+                raise kind(f"{_ENDINGS.get(result, 'the modular arm did not take the motion')}: {reason}")
             if clock() > end:
-                off = max(abs(a - b) for a, b in zip(state.targets, state.positions, strict=True))
-                raise RequestError(f"the modular arm still moves, {off:.3f} rad off its target; is it blocked?")
-            await asyncio.sleep(POLL_INTERVAL)
+                state = await self.state()
+                off = max((abs(a - b) for a, b in zip(state.targets, state.positions, strict=True)), default=0.0)
+                raise RequestError(f"the modular arm still moves, {off:.3f} rad off its target")
+            wait = min(MOTION_INTERVAL, max(POLL_INTERVAL, begun + duration - clock()))
 
     async def stop(self) -> None:
         """Brake along the present path, and hold."""
@@ -123,18 +186,6 @@ class ModularArm:
         kinds = SetModularArmController.Controller
         kind = kinds.INVERSE_DYNAMICS if controller is ArmController.MODEL else kinds.INDEPENDENT_PID
         await self._service.send(SetModularArmController(kind), ack=True)
-
-
-def check_arrived(state: ModularArmState, positions: Sequence[float]) -> None:
-    """Raise `RequestError` if an arm at rest has other targets than these positions, and is not at them either."""
-    if len(state.targets) != len(positions):
-        raise RequestError(f"the modular arm has {len(state.targets)} joints now, the motion was for {len(positions)}")
-    for name, goal, target, at in zip(state.joints, positions, state.targets, state.positions, strict=True):
-        if not math.isnan(goal) and target != goal and abs(at - goal) > ELSEWHERE:
-            raise RequestError(
-                f"the modular arm was stopped or moved elsewhere: {name} was told to be at {target:.3f} rad after "
-                f"it was told to move to {goal:.3f} rad"
-            )
 
 
 class Connector:
@@ -166,7 +217,13 @@ class Connector:
             offset=Transform.from_pose(Pose(*(value or 0.0 for value in offset))),
             force=report.force or 0.0,
             moment=report.moment or 0.0,
+            mass=report.load_mass or 0.0,
+            mass_deviation=math.inf if report.load_mass_deviation is None else report.load_mass_deviation,
+            utilisation=report.utilisation or 0.0,
+            vacuum=report.vacuum or 0.0,
+            latched=bool(report.latched),
             broken_off=report.broken_off or 0,
+            error=_ERRORS.get(report.error or 0, ConnectorError.OTHER),
             last_error=report.error_text or "",
         )
 

@@ -31,6 +31,7 @@ from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.messages.core import CommandEvent, ConfirmEventRequest, CreateCommandEvent
 from jauspy.ocu.connection import Connection
+from jauspy.ocu.explain import why_it_failed
 from jauspy.ocu.replies import ReplyWaiter, check_message
 from jauspy.ocu.subscription import cancel_event, request_event
 from jauspy.protocol.header import Ack
@@ -55,9 +56,9 @@ async def perform(connection: Connection, id: JausID, command: Message, within: 
     result = await _PendingCommand(connection, id, command, within).result()
     if result.command_result != CommandEvent.CommandResult.SUCCESSFUL:
         connection.controls.check(id, command)
+        when = _time_text(begin, within)
         raise RequestError(
-            f"{id} did not carry out {command.NAME} {_time_text(begin, within)}: it gave up, another command took its "
-            "place, or it does not take it now (see `control()` and `status()`)"
+            f"{id} did not carry out {command.NAME} {when}: {await why_it_failed(connection, id, command)}"
         )
 
 

@@ -9,6 +9,12 @@ from typing import Any, Final
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
 from jauspy.ids import JausID
+from jauspy.messages.cell import (
+    MoveModularArm,
+    QueryModularArmMotionResult,
+    ReportModularArmMotionResult,
+    SetModularArmTrajectory,
+)
 from jauspy.messages.core import (
     QueryControl,
     QueryEventTimeout,
@@ -95,6 +101,32 @@ async def explain(
     if command is not None:
         return await _wrong_values(connection, id, command, retry)
     return ""
+
+
+async def why_it_failed(connection: Connection, id: JausID, command: Message) -> str:
+    """Why `id` reported that it has not carried out a command, as far as it can be asked; completes "...: "."""
+    if reason := await explain(connection, id, command):
+        return reason
+    try:
+        if isinstance(command, MoveModularArm | SetModularArmTrajectory):
+            # a motion without a number is the last one, unless another one took its place
+            number = 0 if isinstance(command, MoveModularArm) else command.modular_arm_trajectory_rec.motion_number
+            report = await motion_result(connection, id, number)
+            if report.reason:
+                return report.reason
+            if report.result == report.Result.IN_PROGRESS:
+                return "another motion took its place"
+    except ResponseTimeout:  # a component without this query
+        pass
+    return f"{id} takes such commands now, and tells no reason: messages of JAUS have no field for one"
+
+
+async def motion_result(connection: Connection, id: JausID, number: int) -> ReportModularArmMotionResult:
+    """How a motion of a modular arm ended, by its number; 0 is the last one."""
+    query, retry = QueryModularArmMotionResult(number), STATUS_RETRY
+    report = await connection.query(id, query, expects=ReportModularArmMotionResult, retry=retry)
+    assert isinstance(report, ReportModularArmMotionResult)
+    return report
 
 
 async def check_ready(connection: Connection, id: JausID) -> None:

@@ -15,7 +15,7 @@ from annotated_types import Interval, Len
 from jauspy.geometry.urdf import RobotDescription
 from jauspy.platform.camera import CameraSetup, Quality
 from jauspy.platform.force_torque import ForceTorqueSetup
-from jauspy.platform.joints import JointGains
+from jauspy.platform.joints import JointGains, JointSensors
 from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import EXACT, LocalizationSetup
 from jauspy.platform.modular.parts import CellSetup
@@ -49,6 +49,8 @@ class GroupSetup:
     """Initial positions of the joints."""
     feed_forward: bool = False
     """True if their controllers know the robot's dynamics, and apply what a motion needs before an error appears."""
+    sensors: JointSensors | None = None
+    """Errors of what the joints measure; None measures exactly."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -76,17 +76,6 @@ class JointController:
         """True while a stop brakes."""
         return self._braking > 0.0
 
-    def preview(self, dt: float) -> tuple[float, float]:
-        """Velocity of the setpoint, and its acceleration in the next `dt` seconds; the setpoint stays as it is."""
-        setpoint = self._setpoint
-        if self._braking > 0.0:
-            return 0.0, 0.0
-        position, velocity = setpoint.position, setpoint.velocity
-        setpoint.advance(dt)
-        acceleration = (setpoint.velocity - velocity) / dt
-        setpoint.start(position, velocity)
-        return velocity, acceleration
-
     def hold_at(self, position: float, effort: float) -> None:
         """Hold a position at which the joint rests, beginning with an effort in addition to what gravity needs."""
         self._reset()
@@ -201,15 +190,29 @@ class JointController:
 class FedForwardController(JointController):
     """A controller whose feed-forward contains what the setpoint's acceleration needs in the interval that begins.
 
-    Errors are therefore those at its beginning; `JointController` compares with the setpoint at its end.
+    Errors are therefore those at its beginning; `JointController` compares with the setpoint at its end. `begin` comes
+    before each `effort`: the feed-forward is computed from its result.
     """
 
-    def _follow_position(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
+    _begun = 0.0, 0.0
+    """Position and velocity of the setpoint at the beginning of the interval."""
+
+    def begin(self, dt: float) -> tuple[float, float]:
+        """Velocity of the setpoint, and its acceleration in the `dt` seconds that begin."""
         setpoint = self._setpoint
-        error, desired = setpoint.position - position, setpoint.velocity
-        setpoint.approach(dt)
+        self._begun = position, velocity = setpoint.position, setpoint.velocity
+        if self._braking > 0.0:
+            return 0.0, 0.0
+        setpoint.advance(dt)
+        acceleration = (setpoint.velocity - velocity) / dt
+        if self.mode is not ControlMode.POSITION:  # the laws of the other modes advance it
+            setpoint.start(position, velocity)
+        return velocity, acceleration
+
+    def _follow_position(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
+        begun, desired = self._begun
         feed_forward += self._joint.damping * desired
-        return self._position_pid.update(error, desired - velocity, dt, feed_forward)
+        return self._position_pid.update(begun - position, desired - velocity, dt, feed_forward)
 
 
 class Pid:

@@ -59,13 +59,33 @@ class JointGains:
 
 @dataclass(frozen=True, slots=True)
 class JointState:
-    """The joints of a group at one moment, base to tip. Efforts are those of the motors and their brakes."""
+    """The joints of a group at one moment, as measured, base to tip. Efforts are those of the motors and brakes."""
 
     positions: tuple[float, ...]
     velocities: tuple[float, ...]
     efforts: tuple[float, ...]
     overloads: Mapping[str, float] = field(default_factory=dict)
     """Loads of joints whose brakes hold because their motors cannot, by name; N m or N."""
+
+
+@dataclass(frozen=True, slots=True)
+class EncoderSetup(Table):
+    """Errors of an encoder, as standard deviations of each measurement where not said otherwise."""
+
+    encoder_step: NotNegative = math.tau / 2**17
+    """Radians of one count; 0 reads without steps."""
+    encoder_noise: NotNegative = 0.5 * math.tau / 2**17
+    """Radians, before the rounding to counts."""
+    velocity_time: NotNegative = 0.004
+    """Seconds over which differences of counts are averaged (first-order) to a velocity."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointSensors(EncoderSetup):
+    """Errors of the encoders of a group's joints, and of the efforts that their motor currents tell."""
+
+    effort_noise: NotNegative = 0.0
+    """Standard deviation of a measured effort, as a fraction of the joint's greatest effort."""
 
 
 class JointGroup(Protocol):

@@ -27,7 +27,7 @@ from jauspy.platform.camera import CameraSetup, Quality
 from jauspy.platform.description import GroupSetup, TiltSetup, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.imaging_settings import ImagingSetup
-from jauspy.platform.joints import Gains, JointGains
+from jauspy.platform.joints import Gains, JointGains, JointSensors
 from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import GnssSetup, LocalizationSetup
 from jauspy.platform.modular.parts import CellSetup
@@ -88,6 +88,8 @@ class GroupConfig(StrictConfig):
     """Rate of the controllers, in hertz."""
     feed_forward: bool = False
     """True to have their controllers apply the efforts that a motion needs by the robot's own model."""
+    sensors: JointSensors | None = None
+    """Errors of encoders and motor currents; exact without this table."""
     joints: Annotated[tuple[JointConfig, ...], Field(min_length=1, max_length=32)]
     """Base to tip."""
 
@@ -108,6 +110,7 @@ class GroupConfig(StrictConfig):
             rate=self.rate,
             start=start,
             feed_forward=self.feed_forward,
+            sensors=self.sensors,
         )
 
 

@@ -25,7 +25,7 @@ from jauspy.ocu.state import ForceTorque, Joints, RobotPose
 from jauspy.ocu.stills import Photo
 from jauspy.ocu.subscription import EventRequest, R
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
-from jauspy.platform.modular.arm import ArmController, ModularArmState
+from jauspy.platform.modular.arm import ArmController, ModularArmState, MotionResult, TrajectoryPoint
 from jauspy.platform.modular.cell import ConveyorState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.protocol.delivery import Delivery
@@ -802,12 +802,13 @@ class ModularArm(Facade[_ModularArm]):
         """Joints and motion; without `base`, `tip` and `parts`, which are in its specification."""
         return self._portal.run(self._async.state())
 
-    def begin(self, positions: Sequence[float], duration: float = 0.0) -> None:
+    def begin(self, positions: Sequence[float], duration: float = 0.0) -> int:
         """Begin a motion to these positions that takes `duration` seconds; NaN leaves a joint where it is told to be.
 
-        With 0 seconds it is as fast as the joints' limits allow. `state().error` says why the robot refused it.
+        With 0 seconds it is as fast as the joints' limits allow. Returns the number of the motion, by which `result()`
+        tells how it ended; raises `RequestError` if the arm has another number of joints.
         """
-        self._portal.run(self._async.begin(positions, duration))
+        return self._portal.run(self._async.begin(positions, duration))
 
     def move(
         self,
@@ -818,11 +819,28 @@ class ModularArm(Facade[_ModularArm]):
     ) -> ModularArmState:
         """Begin a motion as `begin` does, and wait until the joints have arrived; returns the state.
 
-        Raises `RequestError` when the robot refuses the motion, when the arm was stopped or told to move elsewhere, or
-        when it has not ended the motion after `timeout` seconds: by default
-        three times the duration, and at least 8 s.
+        Raises `RequestError` with the arm's reason when it refuses the motion or ends it early, or when it has not
+        ended it after `timeout` seconds: by default three times the duration, and at least 8 s.
         """
         return self._portal.run(self._async.move(positions, duration, timeout=timeout))
+
+    def follow(
+        self,
+        joints: Sequence[str],
+        points: Sequence[TrajectoryPoint],
+        *,
+        timeout: float | None = None,
+    ) -> ModularArmState:
+        """Move joints, by names, through points at given times, to rest at the last one; the others stay.
+
+        Waits, and raises `RequestError`, as `move` does: a motion that exceeds a limit is refused with joint, time and
+        figure before it begins. Velocities that are left out are those with which the acceleration is continuous.
+        """
+        return self._portal.run(self._async.follow(joints, points, timeout=timeout))
+
+    def result(self, number: int = 0) -> tuple[MotionResult, str]:
+        """How a motion ended, and the reason if it was refused or ended early; 0 is the last motion of any client."""
+        return self._portal.run(self._async.result(number))
 
     def stop(self) -> None:
         """Brake along the present path, and hold."""

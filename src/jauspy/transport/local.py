@@ -432,6 +432,23 @@ def give_to_group(path: Path, group: str | None) -> None:
         raise TransportError(f"local_group: cannot give {path} to {group!r}: {error.strerror}") from error
 
 
+def listen(path: Path, mode: int, group: str | None, *, setting: str) -> socket.socket:
+    """A listening stream socket at a path, for its group; the error names the setting that does without it."""
+    with contextlib.ExitStack() as stack:
+        try:
+            sock = stack.enter_context(socket.socket(socket.AF_UNIX, socket.SOCK_STREAM))
+            path.unlink(missing_ok=True)
+            sock.bind(str(path))
+            path.chmod(mode)
+            sock.listen()
+        except OSError as error:
+            problem = f"cannot open the socket {path}: {error.strerror}"
+            raise TransportError(f"{problem}; {OTHER_DIRECTORY}, or set `{setting}` to false") from error
+        give_to_group(path, group)
+        stack.pop_all()
+    return sock
+
+
 def clean_up(path: Path) -> None:
     """Same as `SocketProbe.clean_up`; does nothing without a descriptor for the probe."""
     with contextlib.suppress(OSError), SocketProbe() as probe:

@@ -16,6 +16,8 @@ from jauspy.transport import multicast
 
 SOCKET_NAME: Final = "JuniorRTE.status"
 """Name of the status socket, in the directory of the node manager's own one."""
+MIRROR_NAME: Final = "JuniorRTE.mirror"
+"""Name of the socket with the copy of the routed packets."""
 READ_TIMEOUT: Final = 2.0
 """Seconds for one reader."""
 SHORT_READ_TIMEOUT: Final = 0.25

@@ -67,9 +67,15 @@ WELD_IMPEDANCE: Final = (0.9999, 0.9999, 0.001, 0.5, 2.0)
 
 CONTACT_TIME: Final = 2.5 * TIMESTEP
 
+RUBBER_CONTACT_TIME: Final = 0.01
+"""Time constant of the contacts of wheels with the floor: a rubber tyre gives way by 0.3 mm under its share of the car.
+As hard as other shapes it would chatter when the car turns on the spot, and shake its latches loose; assumption."""
+
 BOX_CONTACT_TIME: Final = 0.0006
 """Time constant of a box's contacts while steps are short: a thrown box of cardboard stops within a millimetre or two.
 In whole steps MuJoCo takes the shortest that is stable instead."""
+
+SOFT: Final = {PartKind.BOX: BOX_CONTACT_TIME, PartKind.WHEEL: RUBBER_CONTACT_TIME}
 
 UNUSED: Final = "unused"
 """Prefix of bodies without shapes that reserve exclusions of contacts, one for each connector."""
@@ -203,9 +209,9 @@ def _part(spec: mujoco.MjSpec, part: PlacedPart, kind: PartType) -> None:
         set_inertia(body, body_inertia(kind))
     for number, solid in enumerate(kind.solids):
         geom = add_solid(body, solid, f"{part.name}.{number}", friction)
-        if kind.kind is PartKind.BOX:
-            geom.solref[0] = BOX_CONTACT_TIME
-            geom.solmix = 1e3  # the box gives way, not what it falls on
+        if kind.kind in SOFT:
+            geom.solref[0] = SOFT[kind.kind]
+            geom.solmix = 1e3  # it gives way, not what it falls on
     if kind.servo is not None:
         _servo(spec, body, part.name, kind, kind.servo)
 

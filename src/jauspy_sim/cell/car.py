@@ -20,6 +20,9 @@ from jauspy_sim.cell.servos import SimulatedServo
 MIN_WHEELS: Final = 4
 """Least number of wheels of an assembled car."""
 
+EFFORT_RATE: Final = 1.0
+"""Fractions of the full torque by which that of a wheel changes in a second: sudden changes shake its latches."""
+
 
 class SimulatedCar(Car):
     """Drives by the torques of its wheels' servo modules, within their speeds; x of the chassis is forward.
@@ -48,6 +51,8 @@ class SimulatedCar(Car):
         ]
         self._wheels: tuple[tuple[SimulatedServo, float], ...] = ()
         self._driving = False
+        self._wanted, self._effort = (0.0, 0.0), (0.0, 0.0)
+        """Fractions of the torques on the left and on the right: commanded, and applied."""
 
     @property
     def wheels(self) -> tuple[tuple[SimulatedServo, float], ...]:
@@ -78,14 +83,25 @@ class SimulatedCar(Car):
         self._driving = True
         left, right = linear_x - rotational_z, linear_x + rotational_z
         largest = max(1.0, abs(left), abs(right))
+        self._wanted = left / largest, right / largest
+
+    def control(self, dt: float) -> None:
+        """Bring the torques closer to the commanded ones, `dt` seconds after the last time."""
+        if not self._driving or self._effort == self._wanted:
+            return
+        step = EFFORT_RATE * dt
+        rows = zip(self._effort, self._wanted, strict=True)
+        left, right = (now + min(step, max(-step, wanted - now)) for now, wanted in rows)
+        self._effort = left, right
         for servo, side in self._wheels:
-            fraction = (left if side > 0.0 else -right) / largest
+            fraction = left if side > 0.0 else -right
             servo.command(Target(ControlMode.EFFORT, fraction * servo.setup.max_torque))
 
     def stop(self) -> None:
         """Brake to a standstill and hold it."""
         if self._driving:
             self._driving = False
+            self._wanted = self._effort = 0.0, 0.0
             for servo, _ in self._wheels:
                 servo.hold()
 

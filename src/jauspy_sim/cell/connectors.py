@@ -1,4 +1,9 @@
-"""Vacuum connectors: welds that hold a part in contact until they are disabled or overloaded."""
+"""Vacuum connectors: what touches a plate is evacuated, held by a weld, locked, and breaks off when it is overloaded.
+
+In contact a weld holds the part, as strongly as the vacuum that there is. The pump evacuates the cup as far as the leak
+lets it, between plates that lie askew or apart. From `HOLDS` of the full vacuum on the part counts as attached, and two
+flanges that have latches lock. It lasts until the connector is disabled, or one physics step overloads it.
+"""
 
 from __future__ import annotations
 
@@ -16,8 +21,11 @@ from jauspy.geometry.poses import IDENTITY, Transform
 from jauspy.geometry.vectors import Rotation, Vector
 from jauspy.platform.contract import PartId
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState, VacuumConnector
+from jauspy.platform.modular.holding import HOLDS, Cup, Holding, Latch
 from jauspy.platform.modular.parts import HALF_TURN, PartKind, PartType, Shape
+from jauspy.platform.payload import NOTHING
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, angle_between, carrier
+from jauspy_sim.cell.loads import ConnectorLoads, Load
 
 Array = NDArray[np.float64]
 
@@ -33,14 +41,14 @@ NEAR: Final = 0.03
 MEASURE_EVERY: Final = 2
 """Control cycles from one measurement of forces to the next: 8 ms."""
 
-OVERLOAD_MEASUREMENTS: Final = 2
-"""Measurements over which force and moment are averaged before they count as an overload: 16 ms."""
+AVERAGED: Final = 2
+"""Measurements over which reported force and moment are averaged: 16 ms. Overloads are those of single steps."""
 
-HALF_ANGLE: Final = np.array((1.0, 0.5))
-"""Factors from the rows of a weld to force and moment: those of the rotation act on half the angle."""
+LEAST_TIME: Final = 1e-6
+"""Seconds below which a time has passed, but for rounding."""
 
-PLATE_RADIUS: Final = 0.02
-"""Metres: a plate must lie on the face of a box with this radius."""
+SETTLED: Final = 1e-3
+"""Fraction of the full vacuum by which it may be off where it settles before it counts as constant."""
 
 WAKING_FORCE: Final = 1e-9
 """Newtons; an applied force of any size wakes a sleeping body."""
@@ -55,26 +63,40 @@ class Face:
     frame: Transform
     half_size: tuple[float, float] | None = None
     """Half the size along x and y of a face on which a plate may be anywhere. None: in the middle only."""
+    latch: bool = False
+    """True for a flange that locks with a connector that has a latch."""
 
 
 class SimulatedConnector(VacuumConnector):
     """One connector; `Attachments` does its physics."""
 
-    def __init__(self, name: str, part: str, body: int, frame: Transform, weld: int) -> None:
+    def __init__(
+        self, name: str, part: str, body: int, frame: Transform, weld: int, *, cup: Cup, latch: Latch | None
+    ) -> None:
         self.name = name
         self.part = part
         """The part with this connector; empty for the gripper of the robot."""
         self.body = body
+        self.cup, self.latch = cup, latch
+        self._suction = cup.holding
         self.frame = frame
         """Frame of the connector in its body."""
         self.weld = weld
         self.held: Face | None = None
         self.failing = False
         """True while a simulated failure lasts: until the connector is disabled."""
-        self.load = (0.0, 0.0)
-        """Newtons, newton metres."""
+        self.load = (0.0, 0.0, 0.0)
+        """Newtons, newton metres, and the fraction of its strength that is used."""
+        self.leak = 0.0
+        """Square metres between lip and face."""
+        self.vacuum = 0.0
+        """Fraction of the full vacuum."""
+        self.until_locked = math.inf
+        """Seconds until the latch has locked; infinite when it does not, 0 when it has."""
         self.enabled = False
         """True while its pump runs."""
+        self.payload = NOTHING
+        """All that hangs on the robot's gripper, as the robot has found it out."""
         self._state = ConnectorState()
 
     @cached_property
@@ -82,10 +104,19 @@ class SimulatedConnector(VacuumConnector):
         """Kind and name."""
         return PartId(VacuumConnector, self.name)
 
+    @property
+    def attached_to(self) -> str:
+        """Name of the part that it holds; empty without one."""
+        return self._state.attached_to
+
     def state(self) -> ConnectorState:
         """The measured state."""
-        state = self._state
-        if self.held is None or (state.force, state.moment) == self.load:
+        state, payload = self._state, self.payload
+        force, moment, utilisation = self.load
+        vacuum = self.vacuum * self.cup.pressure
+        if (state.vacuum, state.force, state.utilisation) == (vacuum, force, utilisation) and (
+            self.held is None or state.mass_deviation == payload.mass_deviation
+        ):
             return state
         # written out: `replace` takes five times as long
         self._state = ConnectorState(
@@ -93,13 +124,31 @@ class SimulatedConnector(VacuumConnector):
             enabled=state.enabled,
             attached_to=state.attached_to,
             offset=state.offset,
-            force=self.load[0],
-            moment=self.load[1],
+            force=force,
+            moment=moment,
+            mass=payload.mass,
+            mass_deviation=payload.mass_deviation,
+            utilisation=utilisation,
+            vacuum=vacuum,
+            latched=state.latched,
             broken_off=state.broken_off,
             error=state.error,
             last_error=state.last_error,
         )
         return self._state
+
+    @property
+    def secured(self) -> bool:
+        """True when it holds something, and has locked that if both have a latch."""
+        if self.held is None or not self._state.attached_to:
+            return False
+        return self._state.latched or self.latch is None or not self.held.latch
+
+    def strength(self) -> tuple[Holding, float]:
+        """Strength of its latch once that has locked, until then of the full vacuum with the fraction that there is."""
+        if self.latch is not None and not self.until_locked:
+            return self.latch, 1.0
+        return self._suction, self.vacuum
 
     def set(self, enabled: bool) -> None:
         """Start the pump, or vent; without effect when there is no power."""
@@ -130,7 +179,8 @@ class Attachments:
         self._random = random
         self.revision = 0
         self.connectors = _make(cell)
-        self._by_weld = {connector.weld: connector for connector in self.connectors.values()}
+        self.loads = ConnectorLoads(cell.model, data)
+        self._mean = np.zeros((0, 6))
         self._faces = list(_faces(cell))
         self._face_bodies = np.array([face.body for face in self._faces], np.int64)
         self._face_positions = np.array([face.frame.position for face in self._faces])
@@ -138,31 +188,43 @@ class Attachments:
         self._any_place = np.array([face.half_size is not None for face in self._faces])
         self._unused_exclusions = cell.model.exclude_signature[-len(self.connectors) :].copy()
         self._own_exclusions = cell.model.exclude_signature[: -len(self.connectors)].copy()
-        self._cycles = 0
+        self._cycles, self._dt = 0, 0.0
         self._woken: list[int] = []
-        self._loads = np.zeros((cell.model.neq, 2))
 
     def attached(self) -> Iterable[tuple[SimulatedConnector, Face]]:
         """The connectors that hold something, with the face that each holds."""
         return ((connector, connector.held) for connector in self.connectors.values() if connector.held is not None)
 
-    def control(self) -> None:
-        """Attach parts in contact, release those of disabled connectors, and break off overloaded ones."""
+    def check(self) -> None:
+        """Break off what the last physics step overloaded; to be called after each."""
+        for connection, load in self.loads.overloaded():
+            assert isinstance(connection, SimulatedConnector)
+            if connection.state().attached_to:
+                self._break_off(connection, load)
+            else:
+                self._slip(connection)
+
+    def control(self, dt: float) -> None:
+        """Attach parts in contact, and release those of disabled connectors; `dt` seconds after the last time."""
         for dof in self._woken:
             self._data.qfrc_applied[dof] = 0.0
         self._woken.clear()
+        self._dt = dt
         seeking: list[SimulatedConnector] = []
-        holding = False
+        holding = changed = False
         for connector in self.connectors.values():
-            if connector.held is not None:
+            if (face := connector.held) is not None:
                 if connector.enabled:
                     holding = True
+                    changed |= self._tighten(connector, face)
                 else:
                     self._release(connector)
             elif connector.enabled:
                 seeking.append(connector)
-            elif connector.failing:
-                connector.failing = False
+            else:
+                connector.failing, connector.vacuum = False, 0.0
+        if changed:
+            self.loads.weigh()
         self._cycles += 1
         if holding and not self._cycles % MEASURE_EVERY:
             self._measure()
@@ -217,13 +279,14 @@ class Attachments:
             if angle > math.pi / 2.0 or distance > NEAR:
                 continue
             if -DEPTH <= gap <= LIP and distance <= limits.max_distance and angle <= limits.max_angle:
-                if self._fails(connector, face):
-                    return
-                self._attach(connector, face)
+                leak = connector.cup.leak(gap, angle)
+                if not self._fails(connector, face) and self._seals(connector, face, leak):
+                    self._touch(connector, face, leak)
                 return
             if distance < best:
                 best = distance
                 error, reason = self._misaligned(face.part, distance, angle)
+        connector.vacuum = 0.0
         if not connector.failing and reason != connector.state().last_error:
             connector.change(error=error, last_error=reason)
 
@@ -244,7 +307,7 @@ class Attachments:
         assert face.half_size is not None
         in_face = (self.frame_of(face.body) @ face.frame).inverse() @ self.frame_of(connector.body) @ connector.frame
         x, y, z = in_face.position
-        within = all(abs(at) + PLATE_RADIUS <= half for at, half in zip((x, y), face.half_size, strict=True))
+        within = all(abs(at) + connector.cup.radius <= half for at, half in zip((x, y), face.half_size, strict=True))
         return -z if within else None
 
     def _fails(self, connector: SimulatedConnector, face: Face) -> bool:
@@ -259,11 +322,64 @@ class Attachments:
             connector.change(error=ConnectorError.FAILED, last_error=leak)
         return connector.failing
 
-    def _attach(self, connector: SimulatedConnector, face: Face) -> None:
-        connector.held = face
+    def _seals(self, connector: SimulatedConnector, face: Face, leak: float) -> bool:
+        cup = connector.cup
+        if (settled := cup.settled(leak)) >= HOLDS:
+            return True
+        level, least = (f"{1e-3 * fraction * cup.pressure:.0f} kPa" for fraction in (settled, HOLDS))
+        reason = f"the cup leaks on {face.part}: {level} of vacuum, {least} hold"
+        if reason != connector.state().last_error:
+            connector.change(error=ConnectorError.FAILED, last_error=reason)
+        return False
+
+    def _touch(self, connector: SimulatedConnector, face: Face, leak: float) -> None:
+        """Hold a face in contact with the vacuum there is."""
+        connector.held, connector.leak = face, leak
+        connector.vacuum = connector.cup.evacuated(connector.vacuum, leak, self._dt)
         self._hold(connector, face, self.relative(connector.body, face.body))
+        connector.change(error=ConnectorError.NONE, last_error=f"evacuating the cup on {face.part}")
+
+    def _attach(self, connector: SimulatedConnector, face: Face) -> None:
+        """Report what is held as attached, and have the latch lock it."""
+        reason = self._begin_to_lock(connector, face, self.relative(connector.body, face.body))
         offset = connector.frame.inverse() @ self.relative(connector.body, self._model.body(face.part).id)
-        connector.change(attached_to=face.part, offset=offset, error=ConnectorError.NONE, last_error="")
+        connector.change(attached_to=face.part, offset=offset, error=ConnectorError.NONE, last_error=reason)
+        self.revision += 1
+
+    def _tighten(self, connector: SimulatedConnector, face: Face) -> bool:
+        """Go on evacuating and locking what is held; true if that changes its strength."""
+        if not connector.until_locked:
+            return False
+        if connector.until_locked < math.inf:
+            connector.until_locked -= self._dt
+            if connector.until_locked < LEAST_TIME:
+                connector.until_locked = 0.0
+                connector.change(latched=True)
+                return True
+        cup, attached = connector.cup, connector.state().attached_to
+        if attached and abs(cup.settled(connector.leak) - connector.vacuum) < SETTLED:
+            return False
+        connector.vacuum = cup.evacuated(connector.vacuum, connector.leak, self._dt)
+        if connector.vacuum >= HOLDS and not attached:
+            self._attach(connector, face)
+        return True
+
+    def _begin_to_lock(self, connector: SimulatedConnector, face: Face, pose: Transform) -> str:
+        """Have the latch lock, if both have one; returns why it does not."""
+        latch = connector.latch
+        connector.until_locked = math.inf
+        if latch is None or not face.latch:
+            return ""
+        plate = connector.frame.inverse() @ pose @ face.frame
+        beside, angle = math.hypot(*plate.position[:2]), angle_between(plate.rotation[2][2])
+        if beside > latch.max_distance or angle > latch.max_angle:
+            off, most = (
+                f"{1e3 * distance:.1f} mm and {math.degrees(turn):.1f} degrees"
+                for distance, turn in ((beside, angle), (latch.max_distance, latch.max_angle))
+            )
+            return f"not locked on {face.part}: {off} off, at most {most} lock"
+        connector.until_locked = latch.time
+        return ""
 
     def _hold(self, connector: SimulatedConnector, face: Face, pose: Transform) -> None:
         model, weld = self._model, connector.weld
@@ -273,7 +389,6 @@ class Attachments:
         model.eq_obj2id[weld] = face.body
         model.eq_data[weld][:10] = [*anchor, *connector.frame.position, *quaternion]
         self._data.eq_active[weld] = 1
-        self._loads[weld] = 0.0
         self.wake(face.body)
         self._changed()
 
@@ -284,8 +399,19 @@ class Attachments:
         self._data.eq_active[weld] = 0
         self._model.eq_obj2id[weld] = 0
         connector.held = None
-        connector.load = 0.0, 0.0
-        connector.change(attached_to="", offset=IDENTITY, force=0.0, moment=0.0, **fields)
+        connector.load, connector.vacuum, connector.until_locked = (0.0, 0.0, 0.0), 0.0, math.inf
+        connector.change(
+            attached_to="",
+            offset=IDENTITY,
+            force=0.0,
+            moment=0.0,
+            mass=0.0,
+            mass_deviation=math.inf,
+            utilisation=0.0,
+            vacuum=0.0,
+            latched=False,
+            **fields,
+        )
         self.wake(connector.body)
         self.wake(held.body)
         self._changed()
@@ -300,6 +426,8 @@ class Attachments:
 
     def _changed(self) -> None:
         self.revision += 1
+        self.loads.follow((connector, face.body) for connector, face in self.attached())
+        self._mean = np.zeros((len(self.loads.connections), 6))
         held = [
             (min(connector.body, face.body) << 16) + max(connector.body, face.body)
             for connector, face in self.attached()
@@ -317,40 +445,32 @@ class Attachments:
     # --- loads ----------------------------------------------------------------------------------------------------
 
     def _measure(self) -> None:
-        """Read forces and moments of all welds from the constraints of the last step, and break off overloads."""
-        data = self._data
-        max_force, max_moment = self._setup.limits.max_force, self._setup.limits.max_moment
-        rows = data.ne // 6
-        if not rows:
-            return
-        welds = data.efc_id[: 6 * rows : 6]
-        forces = data.efc_force[: 6 * rows].reshape(rows, 2, 3)
-        loads = np.sqrt(np.einsum("nij,nij->ni", forces, forces)) * HALF_ANGLE
-        mean = self._loads[welds]
-        mean += (loads - mean) / OVERLOAD_MEASUREMENTS
-        self._loads[welds] = mean
-        for weld, (force, moment) in zip(welds.tolist(), mean.tolist(), strict=True):
-            connector = self._by_weld[weld]
-            if connector.held is None:
-                continue
-            if force > max_force or moment > max_moment:
-                self._break_off(connector, force, moment)
-                continue
-            connector.load = force, moment
+        """Take the loads that connectors report from the constraints of the last step."""
+        loads, mean = self.loads, self._mean
+        mean += (loads.wrenches() - mean) / AVERAGED
+        forces, moments = np.linalg.norm(mean.reshape(-1, 2, 3), axis=2).T.tolist()
+        rows = zip(loads.connections, forces, moments, loads.utilisations(mean).tolist(), strict=True)
+        for connector, force, moment, utilisation in rows:
+            connector.load = force, moment, utilisation  # type: ignore[attr-defined]  # those of this class
 
-    def _break_off(self, connector: SimulatedConnector, force: float, moment: float) -> None:
-        limits, state = self._setup.limits, connector.state()
-        too_much = (
-            f"{force:.0f} N, rated {limits.max_force:.0f} N"
-            if force > limits.max_force
-            else f"{moment:.1f} N m, rated {limits.max_moment:.1f} N m"
-        )
+    def _slip(self, connector: SimulatedConnector) -> None:
+        """Let plates slide on each other while the vacuum is low; in contact they go on being evacuated."""
+        vacuum = connector.vacuum
+        self._release(connector)
+        connector.vacuum = vacuum
+
+    def _break_off(self, connector: SimulatedConnector, load: Load) -> None:
+        held = connector.held
+        assert held is not None
+        strength, share = connector.strength()
+        by = "its latch" if not connector.until_locked else f"{1e-3 * share * connector.cup.pressure:.0f} kPa of vacuum"
         self._release(
             connector,
             enabled=False,
-            broken_off=state.broken_off + 1,
+            broken_off=connector.state().broken_off + 1,
             error=ConnectorError.OVERLOADED,
-            last_error=f"{state.attached_to} broke off: {too_much}",
+            last_error=f"{held.part} broke off: {load} are {load.utilisation:.0%} of what {by} holds "
+            f"({strength.force * share:.0f} N, {strength.moment * share:.1f} N m)",
         )
 
     # --- frames ---------------------------------------------------------------------------------------------------
@@ -381,10 +501,14 @@ def _make(cell: CellModel) -> dict[str, SimulatedConnector]:
         kind = setup.types[part.type]
         for name, frame in kind.connectors.items():
             frames[f"{part.name}/{name}"] = part.name, carrier(part.name, kind), frame
-    return {
-        name: SimulatedConnector(name, part, int(model.body(body).id), frame, int(model.equality(name).id))
-        for name, (part, body, frame) in frames.items()
-    }
+    limits = setup.limits
+    found = {}
+    for name, (owner, body, frame) in frames.items():
+        cup = limits.cup if owner else limits.gripper
+        latch = limits.latch if owner and setup.type_of(owner).latch else None
+        weld = int(model.equality(name).id)
+        found[name] = SimulatedConnector(name, owner, int(model.body(body).id), frame, weld, cup=cup, latch=latch)
+    return found
 
 
 def _faces(cell: CellModel) -> Iterable[Face]:
@@ -394,14 +518,14 @@ def _faces(cell: CellModel) -> Iterable[Face]:
         if kind.kind is PartKind.BOX:
             yield from _box_faces(part.name, kind, body)
             continue
+        # flanges first: where the gripper holds a base is one of them, and the first face in contact is taken
         if kind.kind is not PartKind.BASE:
-            yield Face(part.name, body, IDENTITY)
-        yield Face(part.name, body, kind.grasp)
-        if kind.back is not None:
-            yield Face(part.name, body, kind.back)
+            yield Face(part.name, body, IDENTITY, latch=kind.latch)
         carried = int(cell.model.body(carrier(part.name, kind)).id)
         for frame in kind.connectors.values():
-            yield Face(part.name, carried, frame @ HALF_TURN)
+            yield Face(part.name, carried, frame @ HALF_TURN, latch=kind.latch)
+        for grasp in kind.grasps:
+            yield Face(part.name, body, grasp)
 
 
 def _box_faces(part: str, kind: PartType, body: int) -> Iterable[Face]:

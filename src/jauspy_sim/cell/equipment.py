@@ -22,7 +22,7 @@ from jauspy.platform.modular.cell import (
 from jauspy.platform.modular.parts import CellSetup, ConveyorSetup, PartKind, PartSensorSetup
 from jauspy_sim.assembly import TIMESTEP, view
 from jauspy_sim.cell.connectors import to_transform
-from jauspy_sim.cell.part_cameras import PartCameras, SoughtPart
+from jauspy_sim.cell.part_cameras import PartCameras
 
 BELT_ACCELERATION: Final = 1.0
 """m/s^2 of the conveyor's drive."""
@@ -75,11 +75,11 @@ class SimulatedPartSensor(PartSensor):
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, setup: PartSensorSetup) -> None:
         self._data = data
         self._setup = setup
-        self._cameras = PartCameras(model, data, setup.cameras) if setup.cameras else None
         self._parts = [(part.name, part.type, int(model.body(part.name).id)) for part in cell.parts if not part.fixed]
-        self._targets: dict[str, SoughtPart] = {}
-        if self._cameras is not None:
-            self._targets = {name: self._cameras.target(name, cell.types[kind]) for name, kind, _ in self._parts}
+        self._cameras: PartCameras | None = None
+        if setup.cameras and self._parts:
+            sought = [(name, cell.types[kind]) for name, kind, _ in self._parts]
+            self._cameras = PartCameras(model, data, setup.cameras, sought)
         self._random = np.random.default_rng((setup.seed, cell.seed))
         self._state = Observation()
         self._due = 0.0
@@ -103,14 +103,14 @@ class SimulatedPartSensor(PartSensor):
         data, setup = self._data, self._setup
         noise = self._random.standard_normal((len(self._parts), 9)).tolist()
         parts = []
-        for (name, kind, body), row in zip(self._parts, noise, strict=True):
+        sights = [None] * len(self._parts) if self._cameras is None else self._cameras.sights()
+        for (name, kind, body), sight, row in zip(self._parts, sights, noise, strict=True):
+            if sight is None and self._cameras is not None:
+                continue
             true = to_transform(data.xpos[body].tolist(), data.xmat[body].tolist())
             position = add(true.position, scaled((row[0], row[1], row[2]), setup.position_noise))
             turn = setup.angle_noise
-            if self._cameras is not None:
-                sight = self._cameras.sight(self._targets[name])
-                if sight is None:
-                    continue
+            if sight is not None:
                 along, across, angle = sight.camera.errors(sight.distance)
                 position = add(position, sight.frame.rotate((along * row[6], across * row[7], across * row[8])))
                 turn = math.hypot(turn, angle)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
 import mujoco
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
 from jauspy.platform.modular.parts import PartCamera, PartSolid, PartType, Shape
+from jauspy_sim.models.groups import COLLISION, SOLID
 
 Array = NDArray[np.float64]
 
@@ -21,13 +23,8 @@ ENOUGH: Final = 0.25
 """Fraction of a part's points that must be seen: less does not suffice to fit the part's model."""
 
 
-class SoughtPart(NamedTuple):
-    """A part that cameras look for."""
-
-    tree: int
-    """Its kinematic tree in MuJoCo: a ray that ends on it sees the part."""
-    points: tuple[tuple[int, Array], ...]
-    """Bodies with the points in their frames, shape (n, 3), m."""
+HIDING: Final = np.isin(np.arange(mujoco.mjNGROUP), (0, COLLISION, SOLID)).astype(np.uint8)
+"""Groups of shapes that hide parts: those that collide. Meshes that are only drawn take ten times as long."""
 
 
 class Sight(NamedTuple):
@@ -41,58 +38,78 @@ class Sight(NamedTuple):
 
 
 class PartCameras:
-    """The cameras of a part sensor."""
+    """The cameras of a part sensor, and the parts that they look for."""
 
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, setups: Sequence[PartCamera]) -> None:
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        data: mujoco.MjData,
+        setups: Sequence[PartCamera],
+        parts: Sequence[tuple[str, PartType]],
+    ) -> None:
+        """Look for parts of a model, by name with their types."""
         self._model, self._data, self._setups = model, data, setups
         self._frames = [Transform.from_pose(setup.pose) for setup in setups]
-        self._eyes = np.array([frame.position for frame in self._frames])[:, np.newaxis]
-        self._rotations = np.array([frame.rotation for frame in self._frames])
-        self._tangents = np.array([np.array(setup.size) / (2.0 * setup.focal) for setup in setups])[:, np.newaxis]
+        self._eyes = np.array([frame.position for frame in self._frames]).reshape(-1, 1, 3)
+        self._rotations = np.array([frame.rotation for frame in self._frames]).reshape(-1, 3, 3)
+        self._tangents = np.array([setup.size for setup in setups]).reshape(-1, 1, 2)
+        self._tangents /= 2.0 * np.array([setup.focal for setup in setups]).reshape(-1, 1, 1)
         """Tangents of half the angles of view, horizontal and vertical."""
-        self._hit = np.full(1, -1, np.int32)
+        self._reach = np.array([setup.reach for setup in setups])
+        solids = [
+            (number, int(model.body(body).id), _points(shapes))
+            for number, (name, kind) in enumerate(parts)
+            for body, shapes in _bodies(name, kind)
+        ]
+        self._bodies = np.concatenate([np.full(len(points), body) for _, body, points in solids])
+        self._local = np.concatenate([points for _, _, points in solids])
+        self._part = np.concatenate([np.full(len(points), number) for number, _, points in solids])
+        self._first = np.searchsorted(self._part, np.arange(len(parts)))
+        self._count = np.bincount(self._part, minlength=len(parts))
+        self._needed = ENOUGH * self._count
+        self._trees = model.body_treeid[self._bodies]
+        self._trees_of_geoms = model.body_treeid[model.geom_bodyid]
 
-    def target(self, name: str, kind: PartType) -> SoughtPart:
-        """What to look for."""
-        body = int(self._model.body(name).id)
-        points = [(body, _points(kind.solids))]
-        if kind.servo is not None and kind.servo.output:
-            points.append((int(self._model.body(f"{name}.output").id), _points(kind.servo.output)))
-        return SoughtPart(int(self._model.body_treeid[body]), tuple(points))
-
-    def sight(self, target: SoughtPart) -> Sight | None:
-        """The view of a part; None if no camera sees enough of it."""
+    def sights(self) -> list[Sight | None]:
+        """Views of the parts, in their order; None for a part of which no camera sees enough."""
         data = self._data
-        points = np.concatenate(
-            [data.xpos[body] + local @ data.xmat[body].reshape(3, 3).T for body, local in target.points]
-        )
+        points = data.xpos[self._bodies]
+        points += np.einsum("nij,nj->ni", data.xmat[self._bodies].reshape(-1, 3, 3), self._local)
         local = (points - self._eyes) @ self._rotations
         depths = local[:, :, 0]
-        distances = depths.mean(axis=1)
+        distances = np.add.reduceat(depths, self._first, axis=1) / self._count
         across = np.abs(local[:, :, 1:]) <= depths[:, :, np.newaxis] * self._tangents
         inside = across.all(axis=2) & (depths > 0.0)
-        needed = ENOUGH * len(points)
-        for number in np.argsort(distances).tolist():
-            setup, distance = self._setups[number], float(distances[number])
-            if 0.0 < distance <= setup.reach:
-                eye = self._eyes[number, 0]
-                if self._sees(target.tree, eye, points[inside[number]], needed):
-                    return Sight(setup, self._frames[number], distance)
-        return None
+        near = (distances > 0.0) & (distances <= self._reach[:, np.newaxis])
+        rays = inside & near[:, self._part]
+        seen = np.array([self._count_seen(camera, points, row) for camera, row in enumerate(rays)])
+        distances[seen < self._needed] = math.inf
+        nearest = distances.argmin(axis=0)
+        return [
+            Sight(self._setups[camera], self._frames[camera], distance) if distance < math.inf else None
+            for camera, distance in zip(nearest.tolist(), distances.min(axis=0).tolist(), strict=True)
+        ]
 
-    def _sees(self, tree: int, eye: Array, points: Array, needed: float) -> bool:
-        """True if rays from a camera end on a part at so many of these points."""
-        seen = 0
-        for left, point in zip(range(len(points), 0, -1), points, strict=True):
-            if seen + left < needed:
-                return False
-            mujoco.mj_ray(self._model, self._data, eye, point - eye, None, 1, -1, self._hit)
-            geom = int(self._hit[0])
-            if geom >= 0 and self._model.body_treeid[self._model.geom_bodyid[geom]] == tree:
-                seen += 1
-                if seen >= needed:
-                    return True
-        return False
+    def _count_seen(self, camera: int, points: Array, inside: NDArray[np.bool_]) -> NDArray[np.int64]:
+        """The number of points of each part on which rays from a camera end, of those inside its field of view."""
+        rays = np.flatnonzero(inside)
+        count = len(rays)
+        geoms, distances = np.full(count, -1, np.int32), np.empty(count)
+        if count:
+            model, eye, most = self._model, self._eyes[camera, 0], mujoco.mjMAXVAL
+            directions = (points[rays] - eye).ravel()
+            mujoco.mj_multiRay(
+                model, self._data, eye, directions, HIDING, True, -1, geoms, distances, None, count, most
+            )
+        ends = (geoms >= 0) & (self._trees_of_geoms[geoms] == self._trees[rays])
+        return np.bincount(self._part[rays[ends]], minlength=len(self._first))
+
+
+def _bodies(name: str, kind: PartType) -> Iterator[tuple[str, Sequence[PartSolid]]]:
+    """Bodies of a part in MuJoCo, with their solids."""
+    yield name, kind.solids
+    if kind.servo is not None and kind.servo.output:
+        yield f"{name}.output", kind.servo.output
 
 
 def _points(solids: Sequence[PartSolid]) -> Array:

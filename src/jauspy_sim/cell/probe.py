@@ -1,4 +1,4 @@
-"""What a cell's physics do at each step: how gently plates meet, how fast and how exactly the robot's joints move.
+"""What a cell's physics do at each step: how gently plates meet, what they hold, how fast and exactly joints move.
 
 For tests, reports and figures; nothing that commands the cell reads it.
 """
@@ -41,6 +41,23 @@ class Meeting:
     """m/s between the plates when they attached, or at the first contact if that was faster."""
     force: float = 0.0
     """Newtons: the largest of the contact before, and of the connection until it has settled."""
+
+
+@dataclass(frozen=True, slots=True)
+class Peak:
+    """The largest load of a connector, of all physics steps."""
+
+    utilisation: float = 0.0
+    """Fraction of the strength that there was in that step."""
+    time: float = 0.0
+    """Seconds."""
+    part: str = ""
+    """The part that it held."""
+    kind: str = ""
+    """Kind of the connection: `latch`, `cup`, or `gripper`."""
+    force: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    moment: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """N and N m that it exerted, in the connector's frame."""
 
 
 @dataclass(slots=True)
@@ -109,6 +126,8 @@ class Probe:
         self.collisions: list[Meeting] = []
         """Contacts of the robot's links and gripper, except with what the gripper has just attached or released."""
         self.joints: dict[str, JointFigures] = {}
+        self.peaks: dict[tuple[str, str], Peak] = {}
+        """The largest loads, by connector and kind of connection."""
         self._model, self._data, self._attachments = cell.model, data, attachments
         self._groups = tuple(groups.values())
         self._before = mujoco.MjData(cell.model)
@@ -140,6 +159,38 @@ class Probe:
         for group in self._groups:
             self._measure_joints(group)
         self._keep()
+
+    def measure_loads(self, time: float) -> None:
+        """Measure what the connectors hold in a physics step, before any of them breaks off; `time` is that before it.
+
+        Read from MuJoCo's constraints by their ids, not through what breaks the connectors off.
+        """
+        data = self._data
+        rows, forces = data.ne, data.efc_force
+        ids = data.efc_id[:rows]
+        for connector, face in self._attachments.attached():
+            own = np.flatnonzero(ids == connector.weld)
+            if len(own) != 6:
+                continue
+            axes = data.xmat[connector.body].reshape(3, 3) @ np.array(connector.frame.rotation)
+            force = -axes.T @ forces[own[:3]]
+            # the rows of the rotation are those of half the angle, in the frame of what is held
+            moment = -0.5 * axes.T @ (data.xmat[face.body].reshape(3, 3) @ forces[own[3:]])
+            strength, share = connector.strength()
+            used = strength.utilisation(force.tolist(), moment.tolist()) / share
+            kind = "gripper" if not connector.part else "latch" if not connector.until_locked else "cup"
+            last = self.peaks.get((connector.name, kind))
+            if last is None or used > last.utilisation:
+                (x, y, z), (a, b, c) = force.tolist(), moment.tolist()
+                self.peaks[connector.name, kind] = Peak(used, time, face.part, kind, (x, y, z), (a, b, c))
+
+    def largest_loads(self) -> dict[str, Peak]:
+        """The largest load of each kind of connection."""
+        found: dict[str, Peak] = {}
+        for (_, kind), peak in self.peaks.items():
+            if kind not in found or peak.utilisation > found[kind].utilisation:
+                found[kind] = peak
+        return found
 
     def _keep(self) -> None:
         self._before.qpos[:] = self._data.qpos
@@ -276,7 +327,7 @@ class Probe:
     # --- joints ---------------------------------------------------------------------------------------------------
 
     def _measure_joints(self, group: SimulatedJoints) -> None:
-        state = group.state()
+        state = group.true_state()
         rows = zip(group.joints, state.positions, state.velocities, state.efforts, group.setpoints(), strict=True)
         for joint, position, velocity, effort, setpoint in rows:
             figures = self.joints.get(joint.name)

@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING, Final
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Pose, Transform
-from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.drives import FixedBase
@@ -25,66 +23,16 @@ from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
 from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
 from jauspy_sim.cell.faults import Faults
+from jauspy_sim.cell.payload import HeldPayload
 from jauspy_sim.cell.probe import Probe
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
 from jauspy_sim.cell.start import disturb, put, put_on_each_other, scatter
 from jauspy_sim.cell.truth import Truth
+from jauspy_sim.cell.writes import Writes
 from jauspy_sim.physics.dynamics import dynamics_of
 from jauspy_sim.physics.joints import SimulatedJoints
 from jauspy_sim.rendering.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.rendering.viewer import Viewer
-
-
-class Payload:
-    """The parts that hang on the gripper, directly or through connectors.
-
-    Their weight is compensated up to the force that the gripper measures, since a part that stands on something is not
-    carried. Parts that are connected to a fixed base do not count.
-    """
-
-    def __init__(
-        self, model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, link: str, attachments: Attachments
-    ) -> None:
-        self._model, self._data, self._attachments = model, data, attachments
-        self._gripper = attachments.connectors[GRIPPER]
-        self._link = int(model.body(link).id)
-        self._fixed = {part.name for part in cell.parts if part.fixed}
-        self._bodies: NDArray[np.int64] = np.zeros(0, np.int64)
-        self._jacobian = np.zeros((3, model.nv))
-
-    def update(self) -> None:
-        """Find the parts that hang on the gripper, after an attachment has changed."""
-        neighbours: dict[str, list[str]] = {}
-        for connector, face in self._attachments.attached():
-            if connector is not self._gripper:
-                neighbours.setdefault(connector.part, []).append(face.part)
-                neighbours.setdefault(face.part, []).append(connector.part)
-        first = self._gripper.state().attached_to
-        reached, waiting = {first}, [first]
-        while waiting:
-            for name in neighbours.get(waiting.pop(), ()):
-                if name not in reached:
-                    reached.add(name)
-                    waiting.append(name)
-        if not first or reached & self._fixed:
-            self._bodies = np.zeros(0, np.int64)
-            return
-        trees = [int(self._model.body_treeid[self._model.body(name).id]) for name in reached]
-        self._bodies = np.flatnonzero(np.isin(self._model.body_treeid, trees))
-
-    def efforts(self, load: NDArray[np.float64]) -> None:
-        """Write the efforts that carry the payload, by degree of freedom, N m or N."""
-        bodies = self._bodies
-        if not len(bodies):
-            load[:] = 0.0
-            return
-        masses = self._model.body_mass[bodies]
-        mass = float(masses.sum())
-        center = masses @ self._data.xipos[bodies] / mass
-        weight = min(mass * GRAVITY, self._gripper.state().force)
-        mujoco.mj_jac(self._model, self._data, self._jacobian, None, center, self._link)
-        np.multiply(self._jacobian[2], weight, out=load)
-
 
 if TYPE_CHECKING:
     from jauspy.platform.modular.assembled_arm import AssembledArm
@@ -122,14 +70,12 @@ class SimulatedCell:
         self._qvel = view(data.qvel)
         self._box_dofs = tuple([int(cell.model.joint(name).dofadr[0]) for name in boxes])
         """The first of the linear degrees of freedom of each box."""
+        dynamics = {
+            name: dynamics_of(cell.model, data, cell.prefix, robot, group) for name, group in robot.groups.items()
+        }
         self._groups = {
             name: SimulatedJoints(
-                cell.model,
-                data,
-                cell.prefix,
-                robot.description,
-                group,
-                dynamics=dynamics_of(cell.model, data, cell.prefix, robot, group),
+                cell.model, data, cell.prefix, robot.description, group, dynamics=dynamics[name], seed=setup.seed
             )
             for name, group in robot.groups.items()
         }
@@ -147,8 +93,10 @@ class SimulatedCell:
         self._sensor = SimulatedPartSensor(cell.model, data, setup, setup.sensor)
         connectors = self._attachments.connectors
         self._car = SimulatedCar(cell.model, data, setup, connectors, self._servos) if setup.car else None
-        gripper = f"{cell.prefix}{setup.gripper}"
-        self._payload = Payload(cell.model, data, setup, gripper, self._attachments) if setup.gripper else None
+        for name, group in robot.groups.items():
+            if (model := dynamics[name]) is not None and group.tip == setup.gripper:
+                joints = self._groups[name]
+                joints.held = HeldPayload(model, joints.joints, group.sensors, 1.0 / group.rate, connectors[GRIPPER])
         self._arm = self._make_arm(setup)
         self._truth = Truth(cell, data, self._servos)
         self._faults = Faults(self._attachments, self._sensor, self._servos, lambda: self.time)
@@ -160,6 +108,7 @@ class SimulatedCell:
         settling = SETTLING_STEPS * (SCATTERED_TIMES if setup.scatter else 1)
         self._steps = -settling
         self._run(settling)
+        self._truth.writes = Writes(cell.model, data)
         self._sensor.step(0.0)
         self._parts = tuple(self._list_parts())
         self._cameras = SimulatedCameras(cell.model, data, cell.prefix, robot)
@@ -293,12 +242,16 @@ class SimulatedCell:
 
     def _run(self, steps: int) -> None:
         model, data = self._model, self._data
+        writes = self._truth.writes
         for _ in range(steps):
+            if writes is not None:
+                writes.check()
             self._control()
             if self._box_flies():
                 self._short_steps()
             else:
                 mujoco.mj_step(model, data)
+                self._check_loads()
             self._steps += 1
             if (watch := self._truth.watching) is not None:
                 watch.step()
@@ -306,6 +259,8 @@ class SimulatedCell:
                 probe.step(self.time)
             if self._conveyor is not None:
                 self._conveyor.control()
+            if writes is not None:
+                writes.keep()
             self._sensor.step(self.time)
 
     def _box_flies(self) -> bool:
@@ -322,21 +277,28 @@ class SimulatedCell:
         model.opt.timestep = TIMESTEP / SHORT_STEPS
         for _ in range(SHORT_STEPS):
             mujoco.mj_step(model, data)
+            self._check_loads()
         model.opt.timestep = TIMESTEP
+
+    def _check_loads(self) -> None:
+        """Break off what the step that was just made has overloaded."""
+        for probe in self._probes:
+            probe.measure_loads(self.time)
+        self._attachments.check()
 
     def _control(self) -> None:
         for servo in self._powered:
             servo.sample()
         if not self._steps % CONTROL_EVERY:
-            self._attachments.control()
+            self._attachments.control(CONTROL_EVERY * TIMESTEP)
             if self._attachments.revision != self._revision:
                 self._follow_attachments()
+            if self._car is not None:
+                self._car.control(CONTROL_EVERY * TIMESTEP)
             if self._arm is not None:
                 self._arm.control(self.time, CONTROL_EVERY * TIMESTEP)
         for group in self._groups.values():
             if not self._steps % group.every:
-                if self._payload is not None:
-                    self._payload.efforts(group.load)
                 group.control()
         for servo in self._powered:
             servo.control()
@@ -345,8 +307,6 @@ class SimulatedCell:
         self._revision = self._attachments.revision
         self._let_sleep()
         self._power.update()
-        if self._payload is not None:
-            self._payload.update()
         if self._car is not None:
             self._car.update()
 

@@ -1,65 +1,15 @@
-"""Encoders and IMU of a simulated servo module, with the errors that `ServoSensors` states."""
+"""The IMU of a simulated servo module, with the errors that `ServoSensors` states."""
 
 from __future__ import annotations
 
-import zlib
 from collections.abc import Sequence
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.modular.parts import ServoSensors
-from jauspy_sim.assembly import TIMESTEP
-
-BLOCK: Final = 512
-"""Random numbers that are drawn at once."""
-
-
-class Noise:
-    """Normally distributed numbers of a named source: the same seed and name give the same numbers."""
-
-    def __init__(self, seed: int, name: str) -> None:
-        self._random = np.random.default_rng((seed, zlib.crc32(name.encode())))
-        self._left: list[float] = []
-
-    def __call__(self) -> float:
-        """The next number, of standard deviation 1."""
-        if not self._left:
-            self._left = self._random.standard_normal(BLOCK).tolist()
-        return self._left.pop()
-
-    def uniform(self, largest: float) -> Vector:
-        """Three numbers between minus and plus the largest."""
-        x, y, z = self._random.uniform(-largest, largest, 3).tolist()
-        return x, y, z
-
-
-class Encoder:
-    """An encoder: a position in counts, whose rate is the difference of counts."""
-
-    def __init__(self, setup: ServoSensors, noise: Noise) -> None:
-        self._step, self._deviation, self._noise = setup.encoder_step, setup.encoder_noise, noise
-        self._part = TIMESTEP / (TIMESTEP + setup.velocity_time)
-        self.position = self.rate = 0.0
-        """Radians and rad/s at the output of the module."""
-
-    def start(self, true: float) -> None:
-        """Read after the power has come; the rate begins at zero."""
-        self.position, self.rate = self._read(true), 0.0
-
-    def sample(self, true: float) -> None:
-        """Read the true position after another physics step."""
-        found = self._read(true)
-        self.rate += self._part * ((found - self.position) / TIMESTEP - self.rate)
-        self.position = found
-
-    def _read(self, true: float) -> float:
-        if self._deviation:
-            true += self._deviation * self._noise()
-        step = self._step
-        return step * round(true / step) if step else true
+from jauspy_sim.physics.encoders import Noise
 
 
 class Imu:

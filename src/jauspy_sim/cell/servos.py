@@ -17,7 +17,8 @@ from jauspy.platform.joints import ControlMode, Gains, JointGains, Target
 from jauspy.platform.modular.parts import ServoData
 from jauspy.platform.modular.servo import ServoModule, ServoReading, ServoState
 from jauspy_sim.assembly import TIMESTEP, view
-from jauspy_sim.cell.servo_sensors import Encoder, Imu, Noise
+from jauspy_sim.cell.servo_sensors import Imu
+from jauspy_sim.physics.encoders import Encoder, Noise
 
 UNLIMITED: Final = 1e9
 """Radians: servo modules turn without limits."""

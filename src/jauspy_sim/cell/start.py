@@ -40,8 +40,10 @@ STEEP: Final = 0.1
 
 GAP: Final = 0.0003
 """Metres between plates that are put on each other: contact, without overlap."""
-ATTACH_TIME: Final = 0.008
-"""Seconds: two control cycles."""
+ATTACH_TIME: Final = 0.5
+"""Seconds in which a cup must be evacuated, and a latch locked."""
+POLL: Final = 0.004
+"""Seconds from one look at a connector to the next."""
 
 
 def disturb(model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, random: np.random.Generator) -> None:
@@ -92,11 +94,17 @@ def _anywhere(bin: BinSetup, part: PlacedPart, cell: CellSetup, random: np.rando
     """Random poses in the world of a part in a bin, whose middle is where it is grasped."""
     frame = Transform.from_pose(bin.pose)
     local = frame.inverse() @ Transform.from_pose(part.pose)
-    x, y, z = (local @ cell.types[part.type].grasp).position
+    kind = cell.types[part.type]
+    height = (local @ kind.grasp).position[2]
+    upper = kind.grasp
+    if kind.further_grasps and random.random() < cell.turned_over:
+        upper = kind.further_grasps[int(random.integers(len(kind.further_grasps)))]
+        local = Transform(local.rotation) @ Transform(kind.grasp.rotation) @ Transform(upper.rotation).inverse()
+    x, y, z = (local @ upper).position
     for _ in range(MAX_DRAWS):
         along, across = random.uniform(-0.5, 0.5, 2).tolist()
         turn = rotation_about(Z, random.uniform(-math.pi, math.pi))
-        place = Transform(turn, (along * bin.length, across * bin.width, z + DROP))
+        place = Transform(turn, (along * bin.length, across * bin.width, height + DROP))
         yield frame @ place @ Transform(position=(-x, -y, -z)) @ local
 
 
@@ -172,8 +180,18 @@ def put_on_each_other(
     """
     for name in parts:
         put_on(cell, connector, name, (errors or {}).get(name, IDENTITY))
-        cell.advance(ATTACH_TIME)
-        state = cell.connectors[connector].state()
-        if state.attached_to != name:
-            raise ConfigError(f"{name} was put on {connector} and is not attached: {state.last_error}")
+        wait_attached(cell, connector, name)
         connector = f"{name}/{next(iter(cell.setup.type_of(name).connectors), '')}"
+
+
+def wait_attached(cell: SimulatedCell, connector: str, name: str) -> None:
+    """Advance until a connector holds a part, and has locked it if both can; raises `ConfigError` if it does not."""
+    holder = cell.connectors[connector]
+    until = cell.time + ATTACH_TIME
+    while not holder.secured:
+        if cell.time > until:
+            why = holder.state().last_error
+            raise ConfigError(f"{name} was put on {connector} and is not attached, or not locked: {why}")
+        cell.advance(POLL)
+    if (held := holder.state().attached_to) != name:
+        raise ConfigError(f"{name} was put on {connector}, which holds {held}")

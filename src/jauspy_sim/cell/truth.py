@@ -14,6 +14,7 @@ from jauspy_sim.cell.assembly import CellModel, carrier
 from jauspy_sim.cell.connectors import to_transform
 from jauspy_sim.cell.servos import SimulatedServo
 from jauspy_sim.cell.watch import Watch, Watched
+from jauspy_sim.cell.writes import Writes
 
 
 class TrueContact(NamedTuple):
@@ -35,6 +36,8 @@ class Truth:
         self._cell, self._model, self._data, self._servos = cell, cell.model, data, servos
         self.watching: Watch | None = None
         """What is measured at each step; None measures nothing."""
+        self.writes: Writes | None = None
+        """Positions that were written since the cell settled; None before."""
         self._types = {part.name: cell.setup.types[part.type] for part in cell.setup.parts}
 
     def frame(self, body: str) -> Transform:
@@ -90,6 +93,14 @@ class Truth:
     def penetration(self) -> float:
         """Metres of the deepest overlap of shapes in the last step."""
         return max((contact.depth for contact in self.contacts()), default=0.0)
+
+    @property
+    def written(self) -> tuple[str, ...]:
+        """Parts and links that were put in place by writing positions since the cell settled, in order."""
+        if self.writes is None:
+            return ()
+        self.writes.check()
+        return tuple(self.writes.names)
 
     def watch(self, parts: Iterable[str]) -> Watched:
         """Measure these parts against the robot's links, the bins and fixtures at each step from now on."""

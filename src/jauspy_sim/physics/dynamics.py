@@ -8,7 +8,9 @@ from typing import Final
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
+from jauspy.geometry.vectors import Vector
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy_sim.assembly import robot_spec, view
 from jauspy_sim.models.look import without_visuals
@@ -16,25 +18,33 @@ from jauspy_sim.models.look import without_visuals
 BREAKAWAY: Final = 0.01
 """Rad/s or m/s at which dry friction is nearly all of what it is in motion; without it, it would switch at rest."""
 
+UNIT_MASSES: Final = (1.0, 0.0, 0.0, 0.0)
+
+LOAD: Final = "load"
+"""The body of what the group's tip holds."""
+
 
 class Dynamics:
     """Inverse dynamics of the robot as its URDF describes it, for the joints of one group.
 
     Positions are the measured ones, those of other groups and the tilt of the base included; velocities and
-    accelerations are those of the setpoints. A load that the robot holds is not part of it.
+    accelerations are those of the setpoints. `carry` adds what the group's tip holds.
     """
 
     def __init__(
         self, world: mujoco.MjModel, data: mujoco.MjData, prefix: str, robot: RobotModel, group: GroupSetup
     ) -> None:
         plain = replace(robot, description=without_visuals(robot.description))
-        self._model = model = robot_spec(plain).compile()
+        spec = robot_spec(plain)
+        spec.body(group.tip).add_body(name=LOAD)
+        self._model = model = spec.compile()
         model.opt.gravity[:] = world.opt.gravity
-        self._data = mujoco.MjData(model)
-        self._world = data
-        self._from, self._to = _positions(world, model, prefix)
+        self._load = int(model.body(LOAD).id)
+        model.body_sameframe[self._load] = int(mujoco.mjtSameFrame.mjSAMEFRAME_NONE)  # its centre of mass will move
+        self._data = own = mujoco.MjData(model)
+        self._qpos, self._qvel, self._qacc, self._world_qpos = own.qpos, own.qvel, own.qacc, data.qpos
+        self._from, self._to = map(_block, _positions(world, model, prefix))
         joints = [robot.description.joint(name) for name in group.joints]
-        self._dofs = np.array([int(model.joint(joint.name).dofadr[0]) for joint in joints])
         followers = [
             (joint, joints.index(leader), joint.multiplier)
             for joint in robot.description.joints.values()
@@ -44,13 +54,48 @@ class Dynamics:
         self._followers = [
             (int(model.joint(joint.name).dofadr[0]), number, multiplier) for joint, number, multiplier in followers
         ]
-        moved = [*self._dofs.tolist(), *(dof for dof, _, _ in self._followers)]
-        self._world_dofs = np.array([int(world.joint(f"{prefix}{_name(model, dof)}").dofadr[0]) for dof in moved])
-        self._moved = np.array(moved)
+        leaders = [int(model.joint(joint.name).dofadr[0]) for joint in joints]
+        self._dofs = _block(leaders)
+        moved = [*leaders, *(dof for dof, _, _ in self._followers)]
+        self._world_dofs = _block([int(world.joint(f"{prefix}{_name(model, dof)}").dofadr[0]) for dof in moved])
+        self._moved = _block(moved)
         self._armature = model.dof_armature[self._moved].copy()
         self._friction = model.dof_frictionloss[self._moved].copy()
+        self.friction = model.dof_frictionloss[self._dofs].copy()
+        """Dry friction of the group's joints, N m or N."""
         self._efforts = np.zeros(world.nv)
+        self._view = view(self._efforts)
         self._found = np.zeros(model.nv)
+
+    def carry(self, mass: float, center: Vector) -> None:
+        """Hold a mass, in kilograms, at a point in the frame of the tip; from the next call of `efforts` on."""
+        self._model.body_mass[self._load] = mass
+        self._model.body_ipos[self._load] = center
+
+    def load_rows(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Efforts of the joints for what the tip holds, in the state of the last call of `efforts`.
+
+        Shape (joints, 4): for each kilogram, and for each kilogram metre of first moment along the tip's axes. Shape
+        (joints,): that part of the efforts which the load that is carried had.
+        """
+        data, load = self._data, self._load
+        carried = data.cinert[load].copy()
+        arm = data.xpos[load] - data.subtree_com[self._model.body_rootid[load]]
+        rows = np.empty((len(self.friction), 4))
+        data.cinert[load] = 0.0
+        without = self._inverse_dynamics()
+        for column, (mass, moment) in enumerate(
+            zip(UNIT_MASSES, (np.zeros(3), *data.xmat[load].reshape(3, 3).T), strict=True)
+        ):
+            data.cinert[load] = _about(arm, mass, moment)
+            rows[:, column] = self._inverse_dynamics() - without
+        data.cinert[load] = carried
+        return rows, self._inverse_dynamics() - without
+
+    def _inverse_dynamics(self) -> NDArray[np.float64]:
+        mujoco.mj_rne(self._model, self._data, 1, self._found)
+        found: NDArray[np.float64] = self._found[self._dofs].copy()
+        return found
 
     def efforts(self, setpoints: Sequence[tuple[float, float]]) -> memoryview[float]:
         """Efforts by degree of freedom of the world, N m or N, for velocities and accelerations of the joints.
@@ -58,17 +103,17 @@ class Dynamics:
         Without those against viscous damping, which the controllers of the joints add.
         """
         model, data, moved = self._model, self._data, self._moved
-        data.qpos[self._to] = self._world.qpos[self._from]
+        self._qpos[self._to] = self._world_qpos[self._from]
         rows = [*setpoints, *((m * setpoints[n][0], m * setpoints[n][1]) for _, n, m in self._followers)]
-        wanted = np.array(rows)
-        data.qvel[moved], data.qacc[moved] = wanted[:, 0], wanted[:, 1]
+        velocities, accelerations = np.array(rows).T
+        self._qvel[moved], self._qacc[moved] = velocities, accelerations
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_comVel(model, data)
         mujoco.mj_rne(model, data, 1, self._found)
-        friction = self._friction * np.tanh(2.0 * wanted[:, 0] / BREAKAWAY)
-        self._efforts[self._world_dofs] = self._found[moved] + self._armature * wanted[:, 1] + friction
-        return view(self._efforts)
+        friction = self._friction * np.tanh(2.0 / BREAKAWAY * velocities)
+        self._efforts[self._world_dofs] = self._found[moved] + self._armature * accelerations + friction
+        return self._view
 
 
 def dynamics_of(
@@ -76,6 +121,21 @@ def dynamics_of(
 ) -> Dynamics | None:
     """The dynamics for a group of joints with feed-forward; None for one without."""
     return Dynamics(world, data, prefix, robot, group) if group.feed_forward else None
+
+
+def _block(indices: list[int]) -> slice | NDArray[np.int64]:
+    """The indices as a slice if they are contiguous, which is several times as fast."""
+    if indices == list(range(indices[0], indices[0] + len(indices))):
+        return slice(indices[0], indices[0] + len(indices))
+    return np.array(indices)
+
+
+def _about(arm: NDArray[np.float64], mass: float, moment: NDArray[np.float64]) -> list[float]:
+    """A row of MuJoCo's `cinert`, by mass and first moment of mass about a point that is `arm` from its reference."""
+    inertia = mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
+    inertia += 2.0 * (arm @ moment) * np.eye(3) - np.outer(arm, moment) - np.outer(moment, arm)
+    (xx, xy, xz), (_, yy, yz), (_, _, zz) = inertia.tolist()
+    return [xx, yy, zz, xy, xz, yz, *(mass * arm + moment).tolist(), mass]
 
 
 def _name(model: mujoco.MjModel, dof: int) -> str:

@@ -3,23 +3,45 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Protocol
 
 import mujoco
-import numpy as np
 
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint, RobotDescription
 from jauspy.platform.description import GroupSetup
 from jauspy.platform.joint_control import FedForwardController, JointController, JointSetpoint
-from jauspy.platform.joints import JointState, Target
+from jauspy.platform.joints import JointSensors, JointState, Target
 from jauspy_sim.assembly import TIMESTEP, view
 from jauspy_sim.physics.dynamics import Dynamics
+from jauspy_sim.physics.encoders import Encoder, Noise
 from jauspy_sim.physics.load_brake import LoadBrake
 
 
+class Held(Protocol):
+    """What a group's tip holds, as its controllers know it."""
+
+    def prepare(self, setpoints: Sequence[tuple[float, float]]) -> bool:
+        """Set the load for the next step; `setpoints`: velocities and accelerations of the joints.
+
+        True to learn from this step.
+        """
+        ...
+
+    def learn(
+        self, setpoints: Sequence[tuple[float, float]], efforts: Sequence[float], needed: Sequence[float]
+    ) -> None:
+        """Learn from the efforts of the step, as measured, where the model of robot and load had said `needed`."""
+        ...
+
+
 class SimulatedJoints:
-    """A `JointGroup`; joints and motors have their URDF's names after `prefix`."""
+    """A `JointGroup`; joints and motors have their URDF's names after `prefix`.
+
+    With `sensors` in its setup, its controllers and its state know positions by encoders and efforts by currents;
+    `seed` is that of their errors.
+    """
 
     def __init__(
         self,
@@ -30,6 +52,7 @@ class SimulatedJoints:
         setup: GroupSetup,
         *,
         dynamics: Dynamics | None = None,
+        seed: int = 0,
     ) -> None:
         self._qpos, self._qvel, self._bias, self._ctrl = map(view, (data.qpos, data.qvel, data.qfrc_bias, data.ctrl))
         self._joints = tuple(description.joint(name) for name in setup.joints)
@@ -44,21 +67,28 @@ class SimulatedJoints:
         self._dt = self.every * TIMESTEP
         _set_initial_positions(data, model, prefix, description, dict(zip(setup.joints, setup.start, strict=True)))
         self._dynamics = dynamics
-        controller = JointController if dynamics is None else FedForwardController
-        self._controllers = [
-            controller(joint, setup.gains[joint.name], start)
-            for joint, start in zip(self._joints, setup.start, strict=True)
+        self._setpoints = [(0.0, 0.0)] * len(self._joints)
+        """Velocities and accelerations of the setpoints in the last control cycle."""
+        starts = [
+            (joint, setup.gains[joint.name], start) for joint, start in zip(self._joints, setup.start, strict=True)
         ]
+        fed_forward = [FedForwardController(*row) for row in starts] if dynamics is not None else []
+        self._fed_forward = fed_forward
+        """Those of the controllers that `dynamics` feeds forward: all or none."""
+        self._controllers: Sequence[JointController] = fed_forward or [JointController(*row) for row in starts]
         self._brakes = [
             LoadBrake(model, data, joint, dof, self._dt) for joint, dof in zip(self._joints, self._dofs, strict=True)
         ]
-        self.load = np.zeros(model.nv)
-        """Further efforts that the controllers compensate, by degree of freedom: of a payload."""
-        self._load = view(self.load)
+        self.held: Held | None = None
+        """What the group's tip holds, which needs `dynamics`."""
+        sensors = setup.sensors
+        self._encoders = _encoders(self._joints, sensors, seed, self._dt) if sensors is not None else ()
+        self._noises = _effort_noises(self._joints, sensors, seed) if sensors is not None else ()
+        for encoder, address in zip(self._encoders, self._positions, strict=False):
+            encoder.start(self._qpos[address])
         self._rows = list(
             zip(
                 self._controllers,
-                self._positions,
                 self._dofs,
                 self._motors,
                 self._followers,
@@ -91,7 +121,19 @@ class SimulatedJoints:
             controller.hold(position)
 
     def state(self) -> JointState:
-        """Positions, velocities and efforts after the last step."""
+        """Positions, velocities and efforts as measured: by encoders, those when its controllers acted last."""
+        true = self.true_state()
+        if not self._encoders:
+            return true
+        return JointState(
+            tuple([encoder.position for encoder in self._encoders]),
+            tuple([encoder.rate for encoder in self._encoders]),
+            tuple([effort + noise() for effort, noise in zip(true.efforts, self._noises, strict=True)]),
+            true.overloads,
+        )
+
+    def true_state(self) -> JointState:
+        """Positions, velocities and efforts after the last step, for measurements only."""
         return JointState(
             tuple([self._qpos[address] for address in self._positions]),
             tuple([self._qvel[address] for address in self._dofs]),
@@ -114,19 +156,41 @@ class SimulatedJoints:
 
         Without feed-forward, MuJoCo's bias compensates gravity and motion.
         """
-        qpos, qvel, bias, ctrl, dt = self._qpos, self._qvel, self._bias, self._ctrl, self._dt
-        load = self._load
+        bias, ctrl, dt = self._bias, self._ctrl, self._dt
+        measured = self._measure()
+        setpoints, learns = self._setpoints, False
         if self._dynamics is not None:
-            bias = self._dynamics.efforts([controller.preview(dt) for controller in self._controllers])
-        for controller, position, dof, motor, followers, brake in self._rows:
-            needed = bias[dof] + load[dof]
+            self._setpoints = setpoints = [controller.begin(dt) for controller in self._fed_forward]
+            learns = self.held is not None and self.held.prepare(setpoints)
+            bias = self._dynamics.efforts(setpoints)
+        for (controller, dof, motor, followers, brake), (value, velocity) in zip(self._rows, measured, strict=True):
+            needed = bias[dof]
             for multiplier, follower in followers:
                 needed += multiplier * bias[follower]
-            value, velocity = qpos[position], qvel[dof]
             effort = controller.effort(value, velocity, dt, needed)
             if brake.watches or not -brake.saturation < effort < brake.saturation:
                 effort = brake.effort(controller, value, velocity, effort, needed)
             ctrl[motor] = effort
+        if learns and self.held is not None:
+            self.held.learn(setpoints, self.state().efforts, [bias[dof] for dof in self._dofs])
+
+    def _measure(self) -> list[tuple[float, float]]:
+        """Positions and velocities, base to tip; by the encoders where there are some."""
+        qpos, qvel = self._qpos, self._qvel
+        if not self._encoders:
+            return [(qpos[address], qvel[dof]) for address, dof in zip(self._positions, self._dofs, strict=True)]
+        for encoder, address, (_, acceleration) in zip(self._encoders, self._positions, self._setpoints, strict=True):
+            encoder.sample(qpos[address], acceleration)
+        return [(encoder.position, encoder.rate) for encoder in self._encoders]
+
+
+def _encoders(joints: Sequence[Joint], sensors: JointSensors, seed: int, dt: float) -> tuple[Encoder, ...]:
+    return tuple([Encoder(sensors, Noise(seed, f"{joint.name} encoder"), dt) for joint in joints])
+
+
+def _effort_noises(joints: Sequence[Joint], sensors: JointSensors, seed: int) -> tuple[Callable[[], float], ...]:
+    """For each joint a source of errors of its effort, N m or N."""
+    return tuple([Noise(seed, f"{joint.name} effort", sensors.effort_noise * joint.effort) for joint in joints])
 
 
 def _followers(

@@ -50,9 +50,12 @@ def test_torque_and_moments_of_a_level_arm_are_those_computed_by_hand(cell: Cell
     moment = GRAVITY * (ELBOW_OUTPUT * 0.065 + TUBE_MASS * (0.075 + 0.075) + 1.0 * (0.075 + 0.15))
     assert at.tip.position == pytest.approx((0.225, 0.0, 0.08))
     assert at.torques() == pytest.approx([moment])
-    (force, base), (_, middle), (_, tip) = at.loads()
-    assert force == pytest.approx(GRAVITY * (ELBOW_BODY + ELBOW_OUTPUT + TUBE_MASS + 1.0))
-    assert (base, middle, tip) == pytest.approx((moment, GRAVITY * (TUBE_MASS * 0.075 + 0.15), 0.0))
+    (force, base), (_, middle), (shear, tip) = at.loads()
+    assert force == pytest.approx((0.0, 0.0, GRAVITY * (ELBOW_BODY + ELBOW_OUTPUT + TUBE_MASS + 1.0)))
+    assert base == pytest.approx((0.0, -moment, 0.0))
+    assert middle == pytest.approx((0.0, -GRAVITY * (TUBE_MASS * 0.075 + 0.15), 0.0))
+    assert shear == pytest.approx((-GRAVITY, 0.0, 0.0))  # the tip lies on its side
+    assert tip == pytest.approx((0.0, 0.0, 0.0))
 
 
 def test_costs_are_cobras(cell: CellSetup) -> None:

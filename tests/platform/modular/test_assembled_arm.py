@@ -13,7 +13,7 @@ from tests.helpers.servo_plant import FIVE, ServoPlant, many
 
 from jauspy.geometry.poses import IDENTITY, Transform
 from jauspy.geometry.vectors import rotation_about
-from jauspy.platform.modular.arm import ArmController
+from jauspy.platform.modular.arm import ArmController, MotionResult
 from jauspy.platform.modular.assembled_arm import AssembledArm
 
 NAN = math.nan
@@ -204,12 +204,17 @@ class TestRefusals:
         arm.move(START, 1.0)
         assert arm.state().error == ""
 
-    def test_a_refusal_leaves_the_present_motion(self, plant: ServoPlant, arm: AssembledArm) -> None:
+    def test_a_refusal_ends_the_present_motion(self, plant: ServoPlant, arm: AssembledArm) -> None:
         arm.move((1.0, *START[1:]), 1.5)
-        plant.run(arm, 0.3)
+        plant.run(arm, 0.5)
         arm.move((math.inf,) * 5, 1.0)
-        plant.run(arm, 2.0)
-        assert plant.positions[0] == pytest.approx(1.0, abs=3e-3)
+        plant.run(arm, 1.0)
+        stopped = plant.positions[0]
+        assert START[0] + 0.02 < stopped < 0.8
+        assert not arm.state().moving
+        assert arm.state().result is MotionResult.REFUSED
+        plant.run(arm, 0.5)
+        assert plant.positions[0] == pytest.approx(stopped, abs=1e-3)
 
 
 class TestOrder:

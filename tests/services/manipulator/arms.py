@@ -15,10 +15,10 @@ from jauspy.services.manipulator.arm import Arm
 ROBOTS = ("inc1", "inc1_pprm")
 
 
-def arm_of(robot: str, start: tuple[float, ...] | None = None) -> Arm:
+def arm_of(robot: str, start: tuple[float, ...] | None = None, group: str = "arm") -> Arm:
     """Its arm; `start` as its URDF counts."""
     _, model = described(robot)
-    setup = model.groups["arm"]
+    setup = model.groups[group]
     return Arm(KinematicJoints(model.description, replace(setup, start=start or setup.start)))
 
 

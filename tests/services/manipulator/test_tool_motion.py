@@ -163,3 +163,16 @@ def test_repeated_command_keeps_the_line() -> None:
     for _ in range(10):
         often.go(ZERO, (-0.1, 0.05, 0.0), 0.1)
     assert often.arm.state() == once.arm.state()
+
+
+ELBOW_UP = (0.0, -1.9, 2.1, -1.77, -math.pi / 2.0, 0.0)
+
+
+def test_a_fast_tool_of_six_joints_keeps_its_line_and_its_attitude() -> None:
+    arm = arm_of("cell", ELBOW_UP, "ur10")
+    before = arm.kinematic_state().tool.rotation
+    run = Run(arm)
+    run.go(ZERO, (0.5, 0.5, -0.5), 0.4)
+    assert max(run.speeds) > 0.8
+    assert run.aside < 0.003
+    assert math.hypot(*rotation_vector(before, arm.kinematic_state().tool.rotation)) < math.radians(0.5)

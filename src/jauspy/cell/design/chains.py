@@ -36,8 +36,8 @@ class ChainPosture:
     """Middle and direction of each joint."""
     masses: tuple[tuple[Vector, float, int], ...]
     """Centre of mass, mass, and the number of joints before it."""
-    connectors: tuple[tuple[Vector, int], ...]
-    """Middle of the connector that carries each part, and the index of its first mass."""
+    connectors: tuple[tuple[Transform, int], ...]
+    """Frame of the connector that carries each part, and the index of its first mass."""
     points: tuple[tuple[Vector, int], ...]
     """Points of the middle lines, and the index of their part."""
 
@@ -52,15 +52,18 @@ class ChainPosture:
             found.append(dot(moment, axis))
         return found
 
-    def loads(self) -> list[tuple[float, float]]:
-        """Force and moment at each connector, base to tip; the last one is the tip's."""
+    def loads(self) -> list[tuple[Vector, Vector]]:
+        """Force and moment that each connector exerts, in its frame, base to tip; the last one is the tip's."""
         found = []
-        for origin, first in self.connectors:
-            weight, moment = 0.0, (0.0, 0.0, 0.0)
+        for frame, first in self.connectors:
+            force: Vector = (0.0, 0.0, 0.0)
+            moment: Vector = (0.0, 0.0, 0.0)
             for center, mass, _ in self.masses[first:]:
-                weight += mass * GRAVITY
-                moment = add(moment, cross(difference(center, origin), (0.0, 0.0, -mass * GRAVITY)))
-            found.append((weight, math.hypot(*moment)))
+                carried = (0.0, 0.0, mass * GRAVITY)
+                force = add(force, carried)
+                moment = add(moment, cross(difference(center, frame.position), carried))
+            inverse = frame.inverse()
+            found.append((inverse.rotate(force), inverse.rotate(moment)))
         return found
 
     def clearance(self, obstacles: Sequence[Obstacle], floor: float = 0.0) -> float:
@@ -102,11 +105,11 @@ def posture(
     frame, joint = mount, 0
     axes: list[tuple[Vector, Vector]] = []
     masses: list[tuple[Vector, float, int]] = []
-    connectors: list[tuple[Vector, int]] = []
+    connectors: list[tuple[Transform, int]] = []
     points: list[tuple[Vector, int]] = []
     for index, element in enumerate(elements):
         part = types[element.type]
-        connectors.append((frame.position, len(masses)))
+        connectors.append((frame, len(masses)))
         start = frame.position
         frame = frame @ Transform(rotation_about(Z, element.turn))
         body = body_inertia(part)
@@ -122,7 +125,7 @@ def posture(
             masses.append((frame.apply(output.center), output.mass, joint))
         frame = frame @ next(iter(part.connectors.values()))
         points += _line(start, frame.position, index)
-    connectors.append((frame.position, len(masses)))
+    connectors.append((frame, len(masses)))
     if load:
         masses.append((frame.position, load, joint))
     return ChainPosture(frame, tuple(axes), tuple(masses), tuple(connectors), tuple(points))

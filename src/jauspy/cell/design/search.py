@@ -21,10 +21,9 @@ from jauspy.cell.design.tasks import DesignTask, Goal
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY, Z, rotation_about
-from jauspy.platform.modular.parts import CellSetup, ConnectorLimits, PartKind, PartType
+from jauspy.platform.modular.holding import CUP, LATCH, SAFETY
+from jauspy.platform.modular.parts import CellSetup, PartKind, PartType
 
-SAFETY: Final = 1.5
-"""Divides the strength of connectors, and of servo modules: the rest is for accelerations, as elsewhere in planning."""
 MAX_BEND: Final = 2.0
 """Radians to which an elbow bends: further, what is mounted on it comes near the housing. Inline modules turn once."""
 STARTS: Final = 6
@@ -48,7 +47,7 @@ class Design:
     torque: float
     """Largest torque at rest, as a fraction of the module's."""
     moment: float
-    """Largest moment of a connector at rest, as a fraction of what holds."""
+    """Largest load of a connector at rest, as a fraction of its strength."""
     clearance: float
     """Metres."""
 
@@ -99,7 +98,7 @@ class Search:
         self, cell: CellSetup, task: DesignTask, base: str, *, load: float, weights: Mapping[str, float], seed: int
     ) -> None:
         """`base` is the connector that carries the chain, as in `platform_1/top`; `load` in kilograms at the tip."""
-        self._types, self._limits, self._task = cell.types, cell.limits, task
+        self._types, self._task = cell.types, task
         self._load, self._weights = load, weights
         self.mount = mount_of(cell, base)
         self.stock = stock_of(cell)
@@ -178,7 +177,8 @@ class Search:
             if math.dist(goal.pose.position, self.mount.position) > reach + slack:
                 return "too short"
         weight = (mass_of(elements, self._types) + self._load) * GRAVITY
-        return "too heavy for the base's connector" if weight > self._limits.max_force / SAFETY else ""
+        held = LATCH.utilisation(self.mount.inverse().rotate((0.0, 0.0, weight)), (0.0, 0.0, 0.0))
+        return "too heavy for the base's connector" if held > 1.0 / SAFETY else ""
 
     def _solve(self, elements: tuple[Element, ...]) -> Design | str:
         kinematics = _Kinematics(self.mount, elements, self._types)
@@ -216,15 +216,14 @@ class Search:
 
     def _margins(self, elements: Sequence[Element], positions: Sequence[float]) -> tuple[float, float, float]:
         found = posture(self.mount, elements, self._types, positions, self._load)
-        return (*utilisation(found, elements, self._types, self._limits), found.clearance(self._task.obstacles))
+        return (*utilisation(found, elements, self._types), found.clearance(self._task.obstacles))
 
 
-def utilisation(
-    chain: ChainPosture, elements: Sequence[Element], types: Mapping[str, PartType], limits: ConnectorLimits
-) -> tuple[float, float]:
-    """Largest torque and largest connector load at rest, as fractions of the limits."""
+def utilisation(chain: ChainPosture, elements: Sequence[Element], types: Mapping[str, PartType]) -> tuple[float, float]:
+    """Largest torque and largest connector load at rest, as fractions of the limits. The tip holds by suction alone."""
     torque = max(abs(t) / servo.max_torque for t, servo in zip(chain.torques(), servos(elements, types), strict=True))
-    return torque, max(max(f / limits.max_force, m / limits.max_moment) for f, m in chain.loads())
+    *latched, tip = chain.loads()
+    return torque, max(CUP.utilisation(*tip), *(LATCH.utilisation(*load) for load in latched))
 
 
 def mount_of(cell: CellSetup, connector: str) -> Transform:
@@ -264,7 +263,7 @@ def check(
         if len(row) != len(servos(elements, cell.types)) or not all(map(math.isfinite, row)):
             return [f"goal {goal.name}: its positions do not match the joints"]
         chain = posture(mount_of(cell, base), elements, cell.types, row, load)
-        torque, moment = utilisation(chain, elements, cell.types, cell.limits)
+        torque, moment = utilisation(chain, elements, cell.types)
         if not goal.met(chain.tip):
             wrong.append(f"goal {goal.name}: missed")
         if max(torque, moment) > 1.0 / SAFETY:

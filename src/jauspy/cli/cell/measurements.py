@@ -43,26 +43,39 @@ def iso9283(
     cycles: Annotated[
         int, typer.Option("--cycles", min=2, metavar="N", help="Cycles of each pose; ISO 9283 requires 30.")
     ] = 30,
+    path_cycles: Annotated[
+        int, typer.Option("--path-cycles", min=2, metavar="N", help="Cycles of the path; ISO 9283 requires 10.")
+    ] = 10,
     samples: Annotated[int, typer.Option("--samples", min=8, metavar="N", help="Postures of the calibration.")] = 60,
-    out: Out = OUTPUT,
+    out: Annotated[
+        Path,
+        typer.Option("-o", "--output", "--out", metavar="PATH", help="Directory of results, or the page: an .html."),
+    ] = OUTPUT,
     json: Json = False,
 ) -> None:
     """Measure accuracy and repeatability of both arms, before and after a calibration.
 
-    At the whole, half and a tenth of their speed. Writes DIR/iso9283.json and a plot of the attained places,
-    DIR/iso9283.svg. Exit status 1 unless the calibration improves the accuracy at least five times.
+    At poses and along a line, at the whole, half and a tenth of their speed, without a load, with a tenth of the rated
+    load and with all of it, and how they drift. Writes iso9283.html with the standard's tables, iso9283.json and plots.
+    Exit status 1 unless the calibration improves the accuracy at least five times.
     """
     check_extra()
     check_libraries("`jauspy cell iso9283`", "scipy", extra="cell-measurements")
-    from jauspy.cell.iso9283 import measure, plot_accuracy
+    from jauspy.cell.iso9283.bench import Plan
+    from jauspy.cell.iso9283.measurement import measure
+    from jauspy.cell.iso9283.page import write_report
+
+    plan = Plan(cycles, path_cycles, samples=samples)
+    is_page = out.suffix.lower() in (".html", ".htm")
+    directory = out.parent if is_page else out
 
     async def measured() -> Measured:
-        report = await measure(seed, cycles, samples, console.note)
-        out.mkdir(parents=True, exist_ok=True)
-        plot_accuracy(report, out / "iso9283.svg")
+        report = await measure(seed, plan, console.note)
+        written = write_report(report, plan, seed, directory, out if is_page else None)
+        console.note(str(written))
         return report.measured(seed)
 
-    _show(run(measured()), out, "iso9283", json=json)
+    _show(run(measured()), directory, "iso9283", json=json)
 
 
 def _show(found: Measured | None, out: Path, name: str, *, json: bool) -> None:

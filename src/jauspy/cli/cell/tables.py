@@ -12,6 +12,8 @@ from jauspy.cli.cell.options import degrees, millimetres
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from jauspy.cell.story import Stage
+
 
 def assembly_table(found: Measured) -> Table:
     """A line for each part of an arm that was built."""
@@ -20,7 +22,18 @@ def assembly_table(found: Measured) -> Table:
     table = Table(title=f"assembly, seed {found.seed}", title_justify="left")
     for heading in ("place", "part"):
         table.add_column(heading)
-    for heading in ("fetch s", "join s", "grasp N", "joint N", "joint Nm", "off mm", "tilt deg", "turn deg", "retries"):
+    for heading in (
+        "fetch s",
+        "join s",
+        "grasp N",
+        "mass kg",
+        "joint N",
+        "joint Nm",
+        "off mm",
+        "tilt deg",
+        "turn deg",
+        "retries",
+    ):
         table.add_column(heading, justify="right")
     for row in found.rows:
         placed = "error" in row
@@ -30,6 +43,7 @@ def assembly_table(found: Measured) -> Table:
             f"{row['fetch_time']:.1f}",
             f"{row['join_time']:.1f}",
             f"{row['grasp_force']:.1f}",
+            f"{row['mass']:.2f} ±{row['mass_deviation']:.2f}",
             f"{row['joint_force']:.1f}",
             f"{row['joint_moment']:.2f}",
             millimetres(row["error"]) if placed else "-",
@@ -53,6 +67,8 @@ def values_table(found: Measured) -> Table:
         table.add_row("time of the cell", f"{found.duration:.1f} s{speed}")
     for name, value in found.values.items():
         table.add_row(name.replace("_", " "), figure_text(name, value))
+    if found.written:
+        table.add_row("put in place by writing positions", ", ".join(found.written))
     for row in found.rows:
         if "event" in row:
             table.add_row("", row["event"])
@@ -60,6 +76,14 @@ def values_table(found: Measured) -> Table:
             tried = "; ".join(row["attempts"]) or "at once"
             table.add_row(row["slot"], f"{row['part']}: {row['fetch_time'] + row['join_time']:.1f} s, {tried}")
     return table
+
+
+def stage_text(stage: Stage, found: Measured) -> str:
+    """The result of one stage of a story, with its figures, on one line."""
+    figures = [f"{name.replace('_', ' ')} {figure_text(name, value)}" for name, value in found.values.items()]
+    result = "done" if found.success else f"FAILED ({found.failure or 'its goal was not reached'})"
+    written = f"; put in place by writing positions: {', '.join(found.written)}" if found.written else ""
+    return f"{stage.name}: {result} in {found.duration:.1f} s; {', '.join(figures)}{written}"
 
 
 def trials_table(summary: Summary, results: Sequence[Measured]) -> Table:

@@ -34,7 +34,7 @@ def with_progress(what: str, total: int, results: Iterable[Measured]) -> Iterato
 def trials(
     *,
     task: Annotated[
-        str, typer.Argument(metavar="TASK", help="What to run: assemble, lift, step, car, ariac.")
+        str, typer.Argument(metavar="TASK", help="What to run: assemble, lift, step, take-apart, car, demo, ariac.")
     ] = "assemble",
     seeds: Seeds = 100,
     first: Annotated[int, typer.Option("--first", min=0, metavar="N", help="The first seed.")] = 0,

@@ -26,6 +26,7 @@ from jauspy.messages.cell import (
     SetConnector,
     SetConveyorSpeed,
     SetModularArmOrder,
+    SetModularArmTrajectory,
     SetModulePower,
     SetServoGains,
     SetServoTarget,
@@ -65,6 +66,12 @@ def _stay(explorer: Explorer) -> Message:
     return kind(kind.MotionDurationRec(0.0), [kind.JointPositionRec() for _ in explorer.tester.memory[NAMES]])
 
 
+def _stay_at_a_point(explorer: Explorer) -> Message:  # noqa: ARG001 - a Stimulus
+    """A trajectory of one point that moves no joint."""
+    kind = SetModularArmTrajectory
+    return kind(kind.ModularArmTrajectoryRec(1), [], [kind.TrajectoryPointSeq(kind.PointTimeRec(0.0), [])])
+
+
 def _same_order(explorer: Explorer) -> Message:
     kind = SetModularArmOrder
     return kind([kind.JointNameRec(name) for name in explorer.tester.memory[NAMES]])
@@ -101,6 +108,7 @@ CELL_COMMANDS: Final = (
     ),
     effect(SetConveyorSpeed, QueryConveyorState(0x1), ReportConveyorState, "commanded_speed", 0.02),
     Stimulus("MoveModularArm", _stay, before=_remember_joints),
+    Stimulus("SetModularArmTrajectory", _stay_at_a_point),
     Stimulus("SetModularArmOrder", _same_order, before=_remember_joints),
     Stimulus("SetModulePower", _same_power, before=_remember_power),
 )

@@ -13,10 +13,12 @@ if TYPE_CHECKING:
     )
     from jauspy.messages.cell.v1_0.modular_arm import (
         HoldModularArm as HoldModularArm, MoveModularArm as MoveModularArm,
+        QueryModularArmMotionResult as QueryModularArmMotionResult,
         QueryModularArmSpecification as QueryModularArmSpecification, QueryModularArmState as QueryModularArmState,
+        ReportModularArmMotionResult as ReportModularArmMotionResult,
         ReportModularArmSpecification as ReportModularArmSpecification,
         ReportModularArmState as ReportModularArmState, SetModularArmController as SetModularArmController,
-        SetModularArmOrder as SetModularArmOrder,
+        SetModularArmOrder as SetModularArmOrder, SetModularArmTrajectory as SetModularArmTrajectory,
     )
     from jauspy.messages.cell.v1_0.module_power import (
         QueryModulePower as QueryModulePower, ReportModulePower as ReportModulePower,
@@ -39,7 +41,7 @@ if TYPE_CHECKING:
 
 __all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.cell.v1_0.conveyor": "QueryConveyorState ReportConveyorState SetConveyorSpeed",
-    "jauspy.messages.cell.v1_0.modular_arm": "HoldModularArm MoveModularArm QueryModularArmSpecification QueryModularArmState ReportModularArmSpecification ReportModularArmState SetModularArmController SetModularArmOrder",
+    "jauspy.messages.cell.v1_0.modular_arm": "HoldModularArm MoveModularArm QueryModularArmMotionResult QueryModularArmSpecification QueryModularArmState ReportModularArmMotionResult ReportModularArmSpecification ReportModularArmState SetModularArmController SetModularArmOrder SetModularArmTrajectory",
     "jauspy.messages.cell.v1_0.module_power": "QueryModulePower ReportModulePower SetModulePower",
     "jauspy.messages.cell.v1_0.part_sensor": "QueryPartObservations ReportPartObservations",
     "jauspy.messages.cell.v1_0.servo_module": "QueryServoGains QueryServoSpecification QueryServoState ReportServoGains ReportServoSpecification ReportServoState SetServoGains SetServoTarget",

@@ -8,9 +8,13 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
+from typing import Final
 
 from jauspy.geometry.poses import ORIGIN, Pose
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, RobotParts
+
+CHANGED: Final = "the joints have changed since they were reported to this client"
+"""Reason to refuse a motion that was made for other joints."""
 
 
 class ArmController(Enum):
@@ -20,6 +24,49 @@ class ArmController(Enum):
     """An independent PID controller for each module (stage 1)."""
     MODEL = "model"
     """Inverse dynamics of the arm as it is assembled, and PID for what remains (stage 2)."""
+
+
+class MotionResult(Enum):
+    """How a motion ended, if it has."""
+
+    UNKNOWN = "unknown"
+    """There is no such motion, or no more knowledge of it."""
+    IN_PROGRESS = "in progress"
+    REACHED = "reached"
+    """The joints have come to rest at its end."""
+    REFUSED = "refused"
+    """It was not begun."""
+    STOPPED = "stopped"
+    """The arm was told to hold."""
+    REPLACED = "replaced"
+    """Another motion took its place."""
+    BLOCKED = "blocked"
+    """Something was in the way."""
+    FAILED = "failed"
+    """It ended early for another reason, or did not come to rest at its end."""
+
+
+@dataclass(frozen=True, slots=True)
+class TrajectoryPoint:
+    """Where joints are at a time. Velocities and accelerations that are left out, or NaN, are those of a smooth path.
+
+    A trajectory of one point without velocities and accelerations is a motion straight in the space of the joints, and
+    takes with 0 as its time as long as limits demand.
+    """
+
+    time: float
+    """Seconds from the start of the motion."""
+    positions: tuple[float, ...]
+    """Radians; in a trajectory of one point NaN leaves a joint's target as it is."""
+    velocities: tuple[float, ...] = ()
+    """rad/s; zero at the last point."""
+    accelerations: tuple[float, ...] = ()
+    """rad/s^2; zero at the last point."""
+
+    @property
+    def is_plain(self) -> bool:
+        """True without velocities and accelerations."""
+        return not any(map(math.isfinite, (*self.velocities, *self.accelerations)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +95,9 @@ class ModularArmState:
     tip_pose: Pose = ORIGIN
     """Pose of the tip's frame in the world, by the model."""
     motion: int = 0
-    """Number of the last motion that was begun or refused; the state is that of an earlier one until it is reached."""
+    """Number of the last motion that was begun or refused; until the arm has taken a motion it is another one's."""
+    result: MotionResult = MotionResult.UNKNOWN
+    """Result of that motion."""
     error: str = ""
     """Reason why the last motion ended early or was not begun; empty after a success."""
 
@@ -67,19 +116,29 @@ class ModularArm(OptionalPart):
     def state(self) -> ModularArmState:
         """State of the joints, and of the motion."""
 
-    @abstractmethod
-    def move(self, positions: Sequence[float], duration: float) -> int:
+    def move(self, positions: Sequence[float], duration: float, *, known: Sequence[str] | None = None) -> int:
         """Move the joints to `positions` (rad, base to tip; NaN leaves a joint's target) in `duration` seconds.
 
         Returns the number of the motion, by which `state().motion` tells when the state is that of this motion.
 
-        With 0 seconds it takes as long as the limits demand. A vector of another length, infinite values or a duration
-        that limits do not allow are refused: nothing moves, and `state().error` contains the reason.
+        With 0 seconds it takes as long as the limits demand. A vector of another length, infinite values, a duration
+        that limits do not allow, or an arm that has other joints than those `known` are refused: the arm holds, and
+        `state().error` contains the reason.
         """
+        points = (TrajectoryPoint(duration, tuple(positions)),)
+        motion = ArmMotion(self.name, points, known=None if known is None else tuple(known), number=next(_NUMBERS))
+        self.begin(motion)
+        return motion.number
+
+    def follow(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> int:
+        """Move these joints through points, and to rest at the last one; the others stay. Returns as `move` does."""
+        motion = ArmMotion(self.name, tuple(points), joints=tuple(joints), number=next(_NUMBERS))
+        self.begin(motion)
+        return motion.number
 
     @abstractmethod
-    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
-        """Same as `move`, with the number that another thread has given to the motion."""
+    def begin(self, motion: ArmMotion) -> None:
+        """Begin a motion that has a number; `move` and `follow` make one."""
 
     @abstractmethod
     def hold(self) -> None:
@@ -102,13 +161,20 @@ class ModularArm(OptionalPart):
         return _ModularArmProxy(self.name, link)
 
 
+_NUMBERS: Final = itertools.count(1)
+"""Numbers of motions: no two of a process are equal, whichever proxy they come from."""
+
+
 @dataclass(frozen=True, slots=True)
 class ArmMotion(Command):
-    """Move the joints of a modular arm; without positions it holds."""
+    """Move the joints of a modular arm; without points it holds."""
 
     name: str
-    positions: tuple[float, ...] | None
-    duration: float = math.nan
+    points: tuple[TrajectoryPoint, ...] | None
+    joints: tuple[str, ...] | None = None
+    """Names of the joints to which the values of points belong; None for all of the arm, in the order of its state."""
+    known: tuple[str, ...] | None = None
+    """Joints that the arm must have, in this order; None for any."""
     number: int = 0
     """Number that the arm's state reports from then on."""
 
@@ -122,10 +188,10 @@ class ArmMotion(Command):
         arm = find(robot, self.name)
         if arm is None:
             return
-        if self.positions is None:
+        if self.points is None:
             arm.hold()
         else:
-            arm.move_as(self.number, self.positions, self.duration)
+            arm.begin(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,20 +235,14 @@ class _ModularArmProxy(ModularArm):
     def __init__(self, name: str, link: RobotLink) -> None:
         self.name = name
         self._link = link
-        self._numbers = itertools.count(1)
 
     def state(self) -> ModularArmState:
         state = self._link.snapshot.parts[self.id]
         assert isinstance(state, ModularArmState)
         return state
 
-    def move(self, positions: Sequence[float], duration: float) -> int:
-        number = next(self._numbers)
-        self.move_as(number, positions, duration)
-        return number
-
-    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
-        self._link.submit(ArmMotion(self.name, tuple(positions), duration, number))
+    def begin(self, motion: ArmMotion) -> None:
+        self._link.submit(motion)
 
     def hold(self) -> None:
         self._link.submit(ArmMotion(self.name, None))

@@ -8,10 +8,19 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy.platform.modular.arm import MotionResult
 from jauspy.platform.modular.assembly import ArmAssembly, carried_over
 from jauspy.platform.modular.control_laws import JointMeasurements
 from jauspy.platform.modular.servo import ServoReading
-from jauspy.platform.modular.trajectory import MotionError, PlannedMotion, Setpoint, Shaper, plan_within_torques
+from jauspy.platform.modular.splines import Knots, Spline
+from jauspy.platform.modular.trajectory import (
+    Motion,
+    MotionError,
+    PlannedMotion,
+    Setpoint,
+    Shaper,
+    plan_within_torques,
+)
 
 Array = NDArray[np.float64]
 
@@ -43,9 +52,11 @@ class ArmSetpoints:
         """The last setpoint, averaged by the shaper."""
         self.error = ""
         """Reason why the last motion ended early or was not begun; empty after a success."""
+        self.result = MotionResult.UNKNOWN
+        """Result of the last motion."""
         self._assembly = assembly
         self._planned = self.setpoint
-        self._motion: PlannedMotion | None = None
+        self._motion: Motion | None = None
         self._shaper = Shaper(self._planned, 1)
         self._since_end = 0.0
         self._period = 0.002
@@ -66,27 +77,48 @@ class ArmSetpoints:
         With 0 seconds as `duration` it takes as long as the limits demand. `shaped` averages setpoints over
         `SHAPING_TIME`, if no motion is in progress.
         """
+        plan = plan_within_torques
+        limits, ratio = self._assembly.limits, self._assembly.torque_ratio
         try:
-            motion = plan_within_torques(
-                self._planned,
-                targets,
-                self._assembly.limits,
-                self._assembly.torque_ratio,
-                duration=duration,
-                shaping=SHAPING_TIME,
-            )
+            motion = plan(self._planned, targets, limits, ratio, duration=duration, shaping=SHAPING_TIME)
         except MotionError as refusal:
-            self.error = f"motion refused: {refusal}"
+            self.refuse(str(refusal))
             return
+        self._play(motion, shaped=shaped)
+
+    def begin_spline(self, knots: Knots, *, shaped: bool) -> None:
+        """Begin a motion through points from the present setpoint; `error` says why if limits do not allow it."""
+        assembly = self._assembly
+        try:
+            spline = Spline(self._planned, knots)
+            allowed = assembly.planned_torques.tolist()
+            spline.check(assembly.chain.joints, assembly.limits, assembly.motor_torques, allowed)
+        except MotionError as refusal:
+            self.refuse(str(refusal))
+            return
+        self._play(Motion(spline, knots.positions[-1].tolist(), assembly.limits), shaped=shaped)
+
+    def _play(self, motion: Motion, *, shaped: bool) -> None:
         if self._motion is None:
             self._shaper = Shaper(self._planned, round(SHAPING_TIME / self._period) if shaped else 1)
         self._motion = motion
-        self.error, self._since_end = "", 0.0
+        self.error, self.result, self._since_end = "", MotionResult.IN_PROGRESS, 0.0
+
+    def refuse(self, reason: str) -> None:
+        """Begin no motion for a reason, and hold."""
+        self.brake()
+        self.error, self.result = f"motion refused: {reason}", MotionResult.REFUSED
+
+    def fail(self, reason: str) -> None:
+        """End the motion in progress early for a reason; the setpoint goes on until it is told to brake or to rest."""
+        self.error, self.result = reason, MotionResult.FAILED
 
     def brake(self) -> None:
         """Brake along the path of the motion in progress."""
         if self._motion is not None:
             self._motion.brake()
+        if self.result is MotionResult.IN_PROGRESS:
+            self.result = MotionResult.STOPPED
 
     def come_to_rest(self) -> None:
         """Stop from the present setpoint, each joint independently."""
@@ -107,7 +139,7 @@ class ArmSetpoints:
         if after != before:
             self._planned = self.setpoint
             if self._motion is not None and not self._motion.ended:
-                self.error = "the motion ended early: modules were attached or released"
+                self.fail("the motion ended early: modules were attached or released")
             if self._motion is not None or self.setpoint.v.any():
                 self.come_to_rest()
         if assembly.chain.held_by:
@@ -146,14 +178,18 @@ class ArmSetpoints:
         speeds = np.where(powered, np.abs(measured.v), 0.0)
         if bool(np.all(errors < POSITION_TOLERANCE)) and bool(np.all(speeds < STANDSTILL)):
             self._motion = None
+            if self.result is MotionResult.IN_PROGRESS:
+                self.result = MotionResult.REACHED
         elif self._since_end > SETTLING_TIME:
             self._motion = None
+            if self.result is not MotionResult.IN_PROGRESS:
+                return
             worst = int(np.argmax(errors))
-            if errors[worst] >= POSITION_TOLERANCE and not self.error:
-                self.error = (
-                    f"{self._assembly.chain.joints[worst]} is {errors[worst]:.3f} rad from its target "
-                    f"{SETTLING_TIME:.0f} s after the motion"
-                )
+            name = self._assembly.chain.joints[worst]
+            if errors[worst] >= POSITION_TOLERANCE:
+                self.fail(f"{name} is {errors[worst]:.3f} rad from its target {SETTLING_TIME:.0f} s after the motion")
+            else:
+                self.result = MotionResult.REACHED
 
 
 def _at_readings(readings: Sequence[ServoReading]) -> Setpoint:

@@ -6,9 +6,17 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Pose
-from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmState
+from jauspy.platform.modular.arm import (
+    CHANGED,
+    ArmController,
+    ArmMotion,
+    ModularArm,
+    ModularArmState,
+    TrajectoryPoint,
+)
 from jauspy.platform.modular.arm_setpoints import ArmSetpoints
 from jauspy.platform.modular.assembly import ArmAssembly, carried_over
 from jauspy.platform.modular.connector import VacuumConnector
@@ -16,7 +24,10 @@ from jauspy.platform.modular.control_laws import JointMeasurements
 from jauspy.platform.modular.graph import ArmChain, attachments, find_chain
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.modular.servo import ServoDrive, ServoReading
+from jauspy.platform.modular.splines import Knots
 from jauspy.platform.modular.torque_controller import TorqueController
+
+Array = NDArray[np.float64]
 
 
 class AssembledArm(ModularArm):
@@ -79,27 +90,27 @@ class AssembledArm(ModularArm):
             payload=self._assembly.model.load_mass,
             tip_pose=self._assembly.tip_pose(np.array([reading.position for reading in readings])),
             motion=self._motion,
+            result=self._setpoints.result,
             error=self._setpoints.error,
         )
 
-    def move(self, positions: Sequence[float], duration: float) -> int:
-        """Move the joints; see `ModularArm.move`. With NaN as duration it takes as long as the limits demand."""
-        self.move_as(self._motion + 1, positions, duration)
-        return self._motion
-
-    def move_as(self, number: int, positions: Sequence[float], duration: float) -> None:
-        """Same as `move`, with the number that another thread has given to the motion."""
-        self._motion = number
-        error = self._refusal(positions, duration)
-        if error:
-            self._setpoints.error = error
+    def begin(self, motion: ArmMotion) -> None:
+        """Begin a motion; see `ModularArm.move` and `ModularArm.follow`. NaN as time of one point is like 0."""
+        self._motion = motion.number
+        points = motion.points or ()
+        if refusal := self._refusal(motion, points):
+            self._setpoints.refuse(refusal)
             return
-        targets = list(self._setpoints.targets)
-        for joint, position in zip(self._index, positions, strict=True):
-            if not math.isnan(position):
-                targets[joint] = float(position)
+        columns = self._columns(motion.joints)
         shaped = self._torques.selected is ArmController.MODEL
-        self._setpoints.begin(targets, 0.0 if math.isnan(duration) else duration, shaped=shaped)
+        targets = np.array(self._setpoints.targets)
+        if len(points) > 1 or not points[0].is_plain:
+            self._setpoints.begin_spline(_knots(points, columns, targets), shaped=shaped)
+            return
+        given = np.array(points[0].positions, dtype=float)
+        targets[columns] = np.where(np.isnan(given), targets[columns], given)
+        duration = points[0].time
+        self._setpoints.begin(targets.tolist(), 0.0 if math.isnan(duration) else duration, shaped=shaped)
 
     def hold(self) -> None:
         """Brake along the present path, and hold all joints."""
@@ -193,28 +204,69 @@ class AssembledArm(ModularArm):
         returned = [name for name, before, now in changes if now and not before]
         self._powered = powered
         if silent and self._setpoints.moving:
-            self._setpoints.error = f"the motion ended early: no report of {', '.join(silent)}"
+            self._setpoints.fail(f"the motion ended early: no report of {', '.join(silent)}")
             self._setpoints.brake()
         elif returned:
             self._setpoints.come_to_rest()
         self._torques.restart(np.where(powered, self._torques.last_torques, self._measured.spring))
 
-    def _refusal(self, positions: Sequence[float], duration: float) -> str:
-        """Reason to refuse a motion; empty if it can begin."""
-        names = [self.chain.joints[joint] for joint in self._index]
-        if not names:
-            return "motion refused: no servo module is attached to a base"
-        if len(positions) != len(names):
-            return f"motion refused: {len(positions)} positions for {len(names)} joints ({', '.join(names)})"
-        if any(map(math.isinf, positions)):
-            return "motion refused: a position is infinite"
-        if math.isinf(duration) or duration < 0.0:
-            return f"motion refused: a duration of {duration} s"
+    def _columns(self, joints: tuple[str, ...] | None) -> list[int]:
+        """The indices in the chain of the joints that a motion names."""
+        return list(self._index) if joints is None else [self.chain.joints.index(name) for name in joints]
+
+    def _refusal(self, motion: ArmMotion, points: Sequence[TrajectoryPoint]) -> str:
+        """Reason to refuse a motion; empty if it can begin, as far as limits allow."""
+        present = tuple(self.chain.joints[joint] for joint in self._index)
+        names = present if motion.joints is None else motion.joints
+        if not present:
+            return "no servo module is attached to a base"
+        if motion.known is not None and motion.known != present:
+            return CHANGED
+        if unknown := [name for name in names if name not in present]:
+            return f"the arm has no joint {unknown[0]!r}; it has {', '.join(present)}"
+        if len(set(names)) != len(names):
+            return "a joint is named twice"
+        if problem := _values_problem(names, points):
+            return problem
         if self.chain.held_by:
-            return f"motion refused: the arm is also held by {', '.join(self.chain.held_by)}"
+            return f"the arm is also held by {', '.join(self.chain.held_by)}"
         silent = [
             name
-            for name, joint, position in zip(names, self._index, positions, strict=True)
-            if not (self._powered[joint] or math.isnan(position))
+            for number, (name, joint) in enumerate(zip(names, self._columns(motion.joints), strict=True))
+            if not (self._powered[joint] or math.isnan(points[-1].positions[number]))
         ]
-        return f"motion refused: no report of {', '.join(silent)}" if silent else ""
+        return f"no report of {', '.join(silent)}" if silent else ""
+
+
+def _values_problem(names: Sequence[str], points: Sequence[TrajectoryPoint]) -> str:
+    """Reason why values do not fit these joints; empty if they do."""
+    if not points:
+        return "it has no points"
+    if not names and len(points) > 1:
+        return "it names no joint"
+    for number, point in enumerate(points, 1):
+        where = f" at point {number}" if len(points) > 1 else ""
+        if len(point.positions) != len(names):
+            return f"{len(point.positions)} positions for {len(names)} joints ({', '.join(names)}){where}"
+        if any(len(values) not in (0, len(names)) for values in (point.velocities, point.accelerations)):
+            return f"velocities or accelerations for another number of joints than {len(names)}{where}"
+        if any(map(math.isinf, (*point.positions, *point.velocities, *point.accelerations))):
+            return f"a position is infinite{where}" if any(map(math.isinf, point.positions)) else f"infinite{where}"
+        if math.isinf(point.time) or point.time < 0.0:
+            return f"a duration of {point.time} s{where}"
+        spline = len(points) > 1 or not point.is_plain
+        if spline and any(map(math.isnan, (point.time, *point.positions))):
+            return f"a time or a position is not a number{where}"
+    return ""
+
+
+def _knots(points: Sequence[TrajectoryPoint], columns: Sequence[int], targets: Array) -> Knots:
+    """Points for all joints of the chain: those that a trajectory does not name are at their targets."""
+    count, free = len(points), np.full((len(points), len(targets)), math.nan)
+    knots = Knots(np.array([point.time for point in points]), np.tile(targets, (count, 1)), free, free.copy())
+    for row, point in enumerate(points):
+        knots.positions[row, columns] = point.positions
+        for table, values in ((knots.velocities, point.velocities), (knots.accelerations, point.accelerations)):
+            if values:
+                table[row, columns] = values
+    return knots

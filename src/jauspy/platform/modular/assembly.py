@@ -76,12 +76,22 @@ class ArmAssembly:
             return Pose()
         return (self.base @ self.model.tip_pose(positions)).to_pose()
 
-    def torque_ratio(self, setpoint: Setpoint) -> float:
-        """The largest torque that a setpoint demands of a motor, as a fraction of what planned motions may use."""
+    def motor_torques(self, setpoint: Setpoint) -> Array:
+        """The torques (N m) that a setpoint demands of the motors."""
         links = self.model.inverse_dynamics(setpoint.q, setpoint.v, setpoint.a)
         rotors = self._rotor_inertias * setpoint.a + self._dampings * setpoint.v
-        rotors += self._frictions * np.sign(setpoint.v)
-        return float(np.max(np.abs(links + rotors) / (TORQUE_RESERVE * self.torque_limits), initial=0.0))
+        found: Array = links + rotors + self._frictions * np.sign(setpoint.v)
+        return found
+
+    @property
+    def planned_torques(self) -> Array:
+        """Largest torques (N m) that planned motions may demand of the motors."""
+        found: Array = TORQUE_RESERVE * self.torque_limits
+        return found
+
+    def torque_ratio(self, setpoint: Setpoint) -> float:
+        """The largest torque that a setpoint demands of a motor, as a fraction of what planned motions may use."""
+        return float(np.max(np.abs(self.motor_torques(setpoint)) / self.planned_torques, initial=0.0))
 
     def update_load(self, measured: JointMeasurements, dt: float) -> None:
         """Estimate the mass of a box at the tip, and take it into the model."""

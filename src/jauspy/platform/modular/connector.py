@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
 from dataclasses import dataclass
 from enum import Enum
@@ -43,6 +44,16 @@ class ConnectorState:
     """Magnitude of what it holds, in newtons."""
     moment: float = 0.0
     """Magnitude about the middle of the plate, in newton metres."""
+    mass: float = 0.0
+    """Kilograms of all that hangs on it, of the gripper: by the efforts of the robot's motors while it moves."""
+    mass_deviation: float = math.inf
+    """Standard deviation of that mass, kilograms; infinite while it is not known."""
+    utilisation: float = 0.0
+    """Fraction of the connection's strength that the load uses; above 1 it breaks off."""
+    vacuum: float = 0.0
+    """Pascals below the ambient pressure."""
+    latched: bool = False
+    """True when the attached part is locked mechanically."""
     broken_off: int = 0
     """Number of parts that an overload has released."""
     error: ConnectorError = ConnectorError.NONE

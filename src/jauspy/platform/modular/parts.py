@@ -18,7 +18,8 @@ from annotated_types import Interval, MaxLen, MinLen
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, ORIGIN, Transform
 from jauspy.geometry.vectors import GRAVITY, Vector, add, difference, dot, product, scaled, transposed
-from jauspy.platform.joints import Gains
+from jauspy.platform.joints import EncoderSetup, Gains
+from jauspy.platform.modular.holding import GRIPPER_PLATE, LATCH, PLATE, Cup, Holding, Latch
 from jauspy.platform.tables import (
     Converted,
     FrameOfTable,
@@ -97,19 +98,13 @@ def _unit(axis: Vector) -> Vector:
 
 
 @dataclass(frozen=True, slots=True)
-class ServoSensors(Table):
+class ServoSensors(EncoderSetup):
     """Errors of the sensors in a servo module, as standard deviations of each measurement where not said otherwise.
 
     The spring's torque is its stiffness times the difference of two encoders like this, one on each side of it, so its
     noise is sqrt(2) times `encoder_noise` (and the rounding) times the stiffness. Sources: docs/cell.md.
     """
 
-    encoder_step: NotNegative = math.tau / 2**17
-    """Radians of one count; 0 reads without steps."""
-    encoder_noise: NotNegative = 0.5 * math.tau / 2**17
-    """Radians, before the rounding to counts."""
-    velocity_time: NotNegative = 0.004
-    """Seconds over which differences of counts are averaged (first-order) to a velocity."""
     gyro_density: NotNegative = math.radians(0.014)
     """rad/s per square root of a hertz."""
     gyro_bias: NotNegative = math.radians(0.1)
@@ -179,6 +174,10 @@ class PartType(Table):
     servo: ServoData | None = None
     grasp: FrameOfTable = IDENTITY
     """Frame of the gripper when it holds the part, in the frame of the part; its z points into the part."""
+    further_grasps: tuple[FrameOfTable, ...] = ()
+    """The same for other faces by which it can be held, when it does not lie with the first one up."""
+    latch: bool = False
+    """True if its input flange and its connectors have mechanical latches; two that meet lock."""
 
     def __post_init__(self) -> None:
         if (self.kind is PartKind.SERVO) != (self.servo is not None):
@@ -189,17 +188,9 @@ class PartType(Table):
             raise ValueError("solids: they need a mass; only what is fixed to the world has none")
 
     @property
-    def back(self) -> Transform | None:
-        """Frame of the gripper on the flat face opposite to `grasp`, for a part that lies upside down.
-
-        None where that face has a flange (a wheel), where the gripper may be anywhere (a box), and for bases.
-        """
-        solid = self.solids[0]
-        if self.kind in (PartKind.BASE, PartKind.WHEEL, PartKind.BOX) or solid.shape is not Shape.CUBOID:
-            return None
-        normal = (solid.pose.inverse() @ self.grasp).rotate((0.0, 0.0, 1.0))
-        thickness = sum(abs(part) * size for part, size in zip(normal, solid.size, strict=True))
-        return self.grasp @ Transform(position=(0.0, 0.0, thickness)) @ HALF_TURN
+    def grasps(self) -> tuple[Transform, ...]:
+        """The frames of the gripper on all faces by which it can hold the part, the usual one first."""
+        return self.grasp, *self.further_grasps
 
     @property
     def is_module(self) -> bool:
@@ -215,10 +206,16 @@ class ConnectorLimits(Table):
     """Metres between the middles of the plates; on a box, which may be held anywhere, along its face's normal."""
     max_angle: Annotated[float, Interval(gt=0.0, le=math.pi)] = math.radians(4.0)
     """Angle between the plates' normals, in radians; the angle about the normal is free."""
-    max_force: Positive = 180.0
-    """Newtons, any direction."""
-    max_moment: Positive = 18.0
-    """Newton metres about any axis."""
+    cup: Cup = PLATE
+    """The suction cup of each connector of a part."""
+    gripper: Cup = GRIPPER_PLATE
+    """The suction cup of the robot's gripper."""
+    latch: Latch = LATCH
+    """The latch of parts that have one."""
+
+    def strength(self, *, latched: bool) -> Holding:
+        """Strength of a part's connector, with or without its latch."""
+        return self.latch if latched else self.cup.holding
 
 
 @dataclass(frozen=True, slots=True)
@@ -390,6 +387,8 @@ class CellSetup(Table):
     """Largest error of the parts' poses at the start, metres and radians, drawn with `seed`."""
     scatter: bool = False
     """True to have the parts in bins lie anywhere in them, turned at will about their upper face's normal."""
+    turned_over: Annotated[float, Interval(ge=0.0, le=1.0)] = 0.0
+    """Fraction of the scattered parts that lie on another side, so that one of their further grasps is up."""
     attach_failure: Annotated[float, Interval(ge=0.0, le=1.0)] = 0.0
     """Fraction of the attempts of the gripper to attach that fail by themselves, drawn with `seed`."""
     seed: Seed = 0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple, Protocol
 
 import numpy as np
 import ruckig
@@ -77,30 +77,32 @@ class Limits:
     jerk: tuple[float, ...]
 
 
-class PlannedMotion:
-    """Motion from a setpoint to rest at a target; `sample` returns where it is. No angle is wrapped."""
+class Timed(Protocol):
+    """Path of all joints over time, at rest at its end."""
 
-    def __init__(
-        self,
-        start: Setpoint,
-        target: Sequence[float] | None,
-        limits: Limits,
-        duration: float = 0.0,
-        shaping: float = 0.0,
-    ) -> None:
-        """Plan it; `duration` 0 takes as long as the limits demand; without a target it only comes to rest.
+    @property
+    def duration(self) -> float:
+        """Seconds."""
+        ...
 
-        `shaping` seconds of a given duration are for the `Shaper`. Raises `MotionError`.
-        """
+    def at_time(self, time: float) -> tuple[Any, Any, Any]:
+        """Positions, velocities and accelerations at a time from the start."""
+        ...
+
+
+class Motion:
+    """Motion along a path; `sample` returns where it is. No angle is wrapped."""
+
+    def __init__(self, path: Timed | None, target: Sequence[float], limits: Limits) -> None:
+        """Follow a path to rest at `target`; without a path it is there already."""
         self._time = 0.0
         self._pace = 1.0
         self._brake_time = 0.0
         self._braking = 0.0
         self._limits = limits
-        self._trajectory = _plan(start, target, limits, duration, shaping)
-        self.duration: float = self._trajectory.duration if self._trajectory is not None else 0.0
-        end = self._trajectory.at_time(self.duration)[0] if self._trajectory is not None else start.q.tolist()
-        self.target: tuple[float, ...] = tuple(end) if target is None else tuple(map(float, target))
+        self._path = path
+        self.duration: float = path.duration if path is not None else 0.0
+        self.target: tuple[float, ...] = tuple(map(float, target))
         self._end = Setpoint(np.array(self.target), np.zeros(len(self.target)), np.zeros(len(self.target)))
 
     @property
@@ -138,10 +140,31 @@ class PlannedMotion:
 
     def sample(self, time: float) -> Setpoint:
         """The setpoint `time` seconds after the start, without braking."""
-        if self._trajectory is None:
+        if self._path is None:
             return self._end
-        q, v, a = self._trajectory.at_time(min(time, self.duration))
+        q, v, a = self._path.at_time(min(time, self.duration))
         return Setpoint(np.array(q), np.array(v), np.array(a))
+
+
+class PlannedMotion(Motion):
+    """Motion from a setpoint to rest at a target, as fast as limits allow or in a given time."""
+
+    def __init__(
+        self,
+        start: Setpoint,
+        target: Sequence[float] | None,
+        limits: Limits,
+        duration: float = 0.0,
+        shaping: float = 0.0,
+    ) -> None:
+        """Plan it; `duration` 0 takes as long as the limits demand; without a target it only comes to rest.
+
+        `shaping` seconds of a given duration are for the `Shaper`. Raises `MotionError`.
+        """
+        path = _plan(start, target, limits, duration, shaping)
+        if target is None:
+            target = path.at_time(path.duration)[0] if path is not None else start.q.tolist()
+        super().__init__(path, target, limits)
 
 
 def _plan(

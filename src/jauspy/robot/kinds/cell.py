@@ -97,7 +97,11 @@ class ModularArmContext:
 def _connectors(
     part: str, type: str, connectors: Sequence[VacuumConnector], setup: CellSetup
 ) -> cell.VacuumConnectorService | None:
-    return cell.VacuumConnectorService(part, type, connectors, setup.limits) if connectors else None
+    if not connectors:
+        return None
+    limits = setup.limits
+    strength = limits.strength(latched=setup.types[type].latch) if type else limits.gripper.holding
+    return cell.VacuumConnectorService(part, type, connectors, limits, strength)
 
 
 def _cell(build: ModuleBuild) -> CellSetup:

@@ -12,12 +12,15 @@ from jauspy.geometry.vectors import quaternion
 from jauspy.ids import JausID
 from jauspy.messages.cell import (
     MoveModularArm,
+    QueryModularArmMotionResult,
+    ReportModularArmMotionResult,
     ReportModularArmSpecification,
     ReportModularArmState,
     SetModularArmController,
     SetModularArmOrder,
+    SetModularArmTrajectory,
 )
-from jauspy.platform.modular.arm import ArmController, ModularArm
+from jauspy.platform.modular.arm import CHANGED, ArmController, ModularArm, MotionResult, TrajectoryPoint
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.services.manipulator.joints import CHECK_PERIOD
 from jauspy.services.service import Service
@@ -26,7 +29,8 @@ from jauspy.services.units import sent_text
 
 MAX_TOLD: Final = 64
 """Clients of which the service remembers which joints were reported to them."""
-CHANGED: Final = "motion refused: the joints have changed since they were reported to this client"
+MAX_RESULTS: Final = 32
+"""Motions of which the service remembers the result."""
 _TIMER: Final = "modular arm motion"
 
 _Controller: Final = SetModularArmController.Controller
@@ -51,6 +55,42 @@ def motion_command(positions: Iterable[float], duration: float = 0.0) -> MoveMod
     return kind(kind.MotionDurationRec(duration), rows)
 
 
+def trajectory_command(
+    joints: Iterable[str], points: Iterable[TrajectoryPoint], number: int = 0
+) -> SetModularArmTrajectory:
+    """The command for a motion of these joints through points; `number` is that of the client, 1 to 2^32 - 1.
+
+    A joint that a point leaves out must be left out of `joints`: NaN as a position has no place in the message.
+    """
+    kind = SetModularArmTrajectory
+    record, names = kind.ModularArmTrajectoryRec(number), [kind.JointNameRec(name) for name in joints]
+    rows = [kind.TrajectoryPointSeq(kind.PointTimeRec(point.time), _joint_values(point)) for point in points]
+    return kind(record, names, rows)
+
+
+def _joint_values(point: TrajectoryPoint) -> list[SetModularArmTrajectory.JointValuesRec]:
+    free = (math.nan,) * len(point.positions)
+    rows = zip(point.positions, point.velocities or free, point.accelerations or free, strict=True)
+    return [SetModularArmTrajectory.JointValuesRec(q, _given(v), _given(a)) for q, v, a in rows]
+
+
+def _given(value: float) -> float | None:
+    return None if math.isnan(value) else value
+
+
+def _read_points(msg: SetModularArmTrajectory) -> list[TrajectoryPoint]:
+    free = math.nan
+    return [
+        TrajectoryPoint(
+            point.point_time_rec.time,
+            tuple(value.position for value in point.value_list),
+            tuple(free if value.velocity is None else value.velocity for value in point.value_list),
+            tuple(free if value.acceleration is None else value.acceleration for value in point.value_list),
+        )
+        for point in msg.point_list
+    ]
+
+
 class ArmMotionControl:
     """Commands a modular arm for the services of its component."""
 
@@ -58,10 +98,18 @@ class ArmMotionControl:
         self.arm = arm
         self._holding = False
 
-    def move(self, positions: Sequence[float], duration: float) -> int:
-        """Move the joints, in radians and seconds; NaN leaves one as it is. Returns the number of the motion."""
+    def move(self, positions: Sequence[float], duration: float, known: Sequence[str] | None) -> int:
+        """Move the joints, in radians and seconds; NaN leaves one as it is. Returns the number of the motion.
+
+        The arm refuses it if it has other joints than those `known`.
+        """
         self._holding = False
-        return self.arm.move(positions, duration)
+        return self.arm.move(positions, duration, known=known)
+
+    def follow(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> int:
+        """Move these joints through points. Returns the number of the motion."""
+        self._holding = False
+        return self.arm.follow(joints, points)
 
     def stop(self) -> None:
         """Hold, unless it already does."""
@@ -83,29 +131,34 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
         self._cell = cell
         self._command = CommandCompletion()
         self._motion = 0
-        """Number of the motion of the present command."""
+        """Number that the arm reports for the present motion."""
+        self._number = 0
+        """Number that the client has given to it."""
+        self._results: OrderedDict[int, tuple[MotionResult, str]] = OrderedDict()
+        """Result and reason of the last motions, by the client's numbers."""
         self._told: OrderedDict[JausID, tuple[str, ...]] = OrderedDict()
         """The joints that were last reported to a client."""
-        self._refusal = ""
 
     def move_modular_arm(self, msg: MoveModularArm, source: JausID) -> None:
         """Begin a motion; the command is completed when it has ended, and has failed if it ended early."""
-        self._end_command(False)
-        present = self._arm.state().joints
-        self._refusal = CHANGED if self._told.get(source, present) != present else ""
-        if self._refusal:
-            self.host.count("joints_changed", f"{source}: {self._refusal}")
-            self._control.stop()
-            self.host.begin_command()(False)
-            return
         positions = [math.nan if position.position is None else position.position for position in msg.position_list]
-        self._motion = self._control.move(positions, msg.motion_duration_rec.duration)
-        self._command = self.host.begin_command()
-        self.host.set_timer(_TIMER, self.host.now + CHECK_PERIOD, self._check)
+        self._end(MotionResult.REPLACED, "another motion took its place")
+        self._follow_motion(0, self._control.move(positions, msg.motion_duration_rec.duration, self._told.get(source)))
+
+    def set_modular_arm_trajectory(self, msg: SetModularArmTrajectory) -> None:
+        """Begin a motion through points; as above."""
+        self._end(MotionResult.REPLACED, "another motion took its place")
+        motion = self._control.follow([joint.name for joint in msg.joint_list], _read_points(msg))
+        self._follow_motion(msg.modular_arm_trajectory_rec.motion_number, motion)
 
     def hold_modular_arm(self) -> None:
-        """Brake and hold; runs also when Ready is left."""
-        self._end_command(False)
+        """Brake and hold."""
+        self._end(MotionResult.STOPPED, "the arm was told to hold")
+        self._control.stop()
+
+    def end_modular_arm_motion(self) -> None:
+        """Brake and hold, because Ready is left."""
+        self._end(MotionResult.STOPPED, "the arm has left the state Ready, or lost the client in control")
         self._control.stop()
 
     def set_modular_arm_controller(self, msg: SetModularArmController) -> None:
@@ -121,7 +174,7 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
     def control_lost(self) -> None:
         """Hold: the next client must not inherit a motion."""
         super().control_lost()
-        self.hold_modular_arm()
+        self.end_modular_arm_motion()
 
     def _tell(self, client: JausID, joints: tuple[str, ...]) -> None:
         self._told[client] = joints
@@ -146,7 +199,7 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
             tip_orientation_x=qx,
             tip_orientation_y=qy,
             tip_orientation_z=qz,
-            error=sent_text(self._refusal or state.error),
+            error=sent_text(state.error),
         )
         rows = zip(state.joints, state.positions, state.velocities, state.efforts, state.targets, strict=False)
         return _Reported(motion, [_Reported.ModularJointRec(sent_text(name), *values) for name, *values in rows])
@@ -164,14 +217,51 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
         parts = [report.ArmPartRec(sent_text(name)) for name in state.parts]
         return report(report.ModularArmEndsRec(sent_text(state.base), sent_text(state.tip)), limits, parts)
 
-    def _check(self) -> None:
-        state = self._arm.state()
-        if state.moving or state.motion < self._motion:
-            self.host.set_timer(_TIMER, self.host.now + CHECK_PERIOD, self._check)
-        else:
-            self._end_command(not state.error)
+    def report_modular_arm_motion_result(self, query: QueryModularArmMotionResult) -> ReportModularArmMotionResult:
+        """How a motion ended, by its number; that of the last one for 0."""
+        self._look()
+        number = query.motion_number or self._number
+        result, reason = self._results.get(number, (MotionResult.UNKNOWN, ""))
+        if result is MotionResult.UNKNOWN:
+            last = f" among the last {MAX_RESULTS}" if self._results else " since the component was started"
+            reason = f"the arm has taken no motion{f' of the number {number}' if number else ''}{last}"
+        report = ReportModularArmMotionResult
+        return report(number, report.Result[result.name], sent_text(reason))
 
-    def _end_command(self, succeeded: bool) -> None:
+    def _follow_motion(self, number: int, motion: int) -> None:
+        """Have the command completed when the motion has ended."""
+        self._number, self._motion = number, motion
+        self._results[number] = MotionResult.IN_PROGRESS, ""
+        self._results.move_to_end(number)
+        if len(self._results) > MAX_RESULTS:
+            self._results.popitem(last=False)
+        self._command = self.host.begin_command()
+        self.host.set_timer(_TIMER, self.host.now + CHECK_PERIOD, self._check)
+
+    def _check(self) -> None:
+        if not self._look():
+            self.host.set_timer(_TIMER, self.host.now + CHECK_PERIOD, self._check)
+
+    def _look(self) -> bool:
+        """Take over what the arm's state says of the present motion; True unless it is in progress."""
+        if not self._in_progress:
+            return True
+        state = self._arm.state()
+        if state.motion != self._motion or state.result is MotionResult.IN_PROGRESS:
+            return False  # the state may be one from before the motion was begun
+        if state.error.endswith(CHANGED):
+            self.host.count("joints_changed", state.error)
+        self._end(state.result, state.error)
+        return True
+
+    @property
+    def _in_progress(self) -> bool:
+        return self._results.get(self._number, (MotionResult.UNKNOWN, ""))[0] is MotionResult.IN_PROGRESS
+
+    def _end(self, result: MotionResult, reason: str) -> None:
+        """Note the end of the present motion, if it is in progress, and complete its command."""
+        if self._in_progress:
+            self._results[self._number] = result, reason
         self.host.cancel_timer(_TIMER)
         ended, self._command = self._command, CommandCompletion()
-        ended(succeeded)
+        ended(result is MotionResult.REACHED)

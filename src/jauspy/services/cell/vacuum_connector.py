@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Final
 
@@ -12,6 +13,7 @@ from jauspy.messages.cell import (
     SetConnector,
 )
 from jauspy.platform.modular.connector import ConnectorError, VacuumConnector
+from jauspy.platform.modular.holding import Holding
 from jauspy.platform.modular.parts import ConnectorLimits
 from jauspy.services.core import present_authority
 from jauspy.services.service import Service
@@ -36,8 +38,12 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
     A load is released only for a client with at least the authority of the client that attached it.
     """
 
-    def __init__(self, part: str, type: str, connectors: Sequence[VacuumConnector], limits: ConnectorLimits) -> None:
+    def __init__(
+        self, part: str, type: str, connectors: Sequence[VacuumConnector], limits: ConnectorLimits, strength: Holding
+    ) -> None:
+        """`strength` is that of a connection between two parts like this one."""
         self._part = part
+        self._strength = strength
         self._type = type
         self._connectors = dict(enumerate(connectors, start=1))
         self._limits = limits
@@ -74,6 +80,7 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
             return None
         state = connector.state()
         offset = state.offset.to_pose()
+        known = math.isfinite(state.mass_deviation)
         refusal = self._refusals.get(query.connector) if state.attached_to else None
         return ReportConnectorState(
             connector=query.connector,
@@ -87,9 +94,14 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
             offset_yaw=offset.yaw,
             force=state.force,
             moment=state.moment,
+            utilisation=state.utilisation,
+            vacuum=state.vacuum,
+            latched=ReportConnectorState.Latched(state.latched),
             broken_off=min(state.broken_off, 0xFFFF),
             error=_ERRORS[state.error] if refusal is None else _Error.OTHER_ERROR,
             error_text=sent_text(state.last_error if refusal is None else refusal),
+            load_mass=state.mass if known else None,
+            load_mass_deviation=state.mass_deviation if known else None,
         )
 
     def report_connector_specification(self) -> ReportConnectorSpecification:
@@ -100,8 +112,8 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
             type=sent_text(self._type),
             max_distance=self._limits.max_distance,
             max_angle=self._limits.max_angle,
-            max_force=self._limits.max_force,
-            max_moment=self._limits.max_moment,
+            max_force=self._strength.force,
+            max_moment=self._strength.moment,
         )
         names = [connector.name.rpartition("/")[2] for connector in self._connectors.values()]
         return report(limits, [report.ConnectorNameRec(sent_text(name)) for name in names])

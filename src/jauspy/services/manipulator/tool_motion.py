@@ -22,7 +22,7 @@ SHARE_WEIGHT: Final = 0.1
 """Weight of the share of the commanded velocity, relative to that of the line."""
 ATTITUDE_WEIGHT: Final = 0.01
 """Metres that a radian of the last link's attitude counts as."""
-DAMPING: Final = 0.003
+DAMPING: Final = 0.001
 """Metres that a radian of a joint counts as."""
 SINGULAR_DAMPING: Final = 0.05
 """The damping at a singularity, which keeps joints from racing."""
@@ -106,10 +106,11 @@ class ToolMotion:
         """Joint velocities by least squares; one more unknown is the share of the commanded velocity."""
         line, joints = self._line, len(self._rates)
         turn, way = line.deviation(now.tool)
-        rows: list[list[float]] = [[*row, -v] for *row, v in zip(*now.linear_jacobian, line.linear, strict=True)]
+        middle = self._half_a_step_ahead(dt)
+        rows: list[list[float]] = [[*row, -v] for *row, v in zip(*middle.linear_jacobian, line.linear, strict=True)]
         rows += [
             [ATTITUDE_WEIGHT * value for value in (*row, -w)]
-            for *row, w in zip(*now.angular_jacobian, line.angular, strict=True)
+            for *row, w in zip(*middle.angular_jacobian, line.angular, strict=True)
         ]
         rows.append([0.0] * joints + [SHARE_WEIGHT * line.speed])
         wanted = [
@@ -119,6 +120,12 @@ class ToolMotion:
         ]
         lower, upper = self._bounds(dt)
         return bounded_least_squares(rows, wanted, [*lower, 0.0], [*upper, 1.0], [damping] * joints + [1e-6])[:-1]
+
+    def _half_a_step_ahead(self, dt: float) -> KinematicState:
+        """The state whose Jacobian is the mean of the next step: with that of its start, a fast tool bends off."""
+        arm = self._arm
+        ahead = [p + rate * dt / 2.0 for p, rate in zip(arm.state().positions, self._rates, strict=True)]
+        return forward_kinematics(arm.geometry.links, ahead, arm.tool)
 
     def _bounds(self, dt: float) -> tuple[list[float], list[float]]:
         """The least and the greatest velocity from which each joint can stop at its limits."""

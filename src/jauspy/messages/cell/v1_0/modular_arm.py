@@ -64,6 +64,51 @@ class SetModularArmOrder(jd.Message):
     joint_list: list[SetModularArmOrder.JointNameRec] = jd.field("JointList", lambda: jd.Repeat(jd.Count("B", 0, 255), SetModularArmOrder.JointNameRec.layout()))
 
 
+@jd.message(_SERVICE, 0xDA69, command=True)
+class SetModularArmTrajectory(jd.Message):
+    """SetModularArmTrajectory (0xDA69): Moves joints through points at given times, and to rest at the last one.
+
+    joint_list: 0..255 items. The joints that move, in any order
+    point_list: 0..255 items. The points, in the order of their times
+    """
+
+    @jd.record()
+    class ModularArmTrajectoryRec(jd.Struct):
+        """motion_number: The client's own number of a motion; 0 in a query means the last motion"""
+        motion_number: int = jd.field("MotionNumber", jd.Number("I"))
+
+    @jd.record()
+    class JointNameRec(jd.Struct):
+        """name: up to 255 characters. Name of the servo module"""
+        name: str = jd.field("Name", jd.Text(count=jd.Count("B", 0, 255)))
+
+    @jd.record()
+    class PointTimeRec(jd.Struct):
+        """time: in second. Seconds from the start; 0 for a single point takes as long as limits demand"""
+        time: float = jd.field("Time", jd.Number("d", jd.ANY, "second"))
+
+    @jd.record("B")
+    class JointValuesRec(jd.Struct):
+        """position: in radian. Position in radians, of any number of turns
+        velocity: in radian per second, optional. Velocity in rad/s; left out, it is that of the smoothest path
+        acceleration: in radian per second squared, optional. Acceleration in rad/s^2; left out, it is that of the smoothest path
+        """
+        position: float = jd.field("Position", jd.Number("d", jd.ANY, "radian"))
+        velocity: float | None = jd.field("Velocity", jd.Number("f", jd.ANY, "radian per second"), default=None)
+        acceleration: float | None = jd.field("Acceleration", jd.Number("f", jd.ANY, "radian per second squared"), default=None)
+        reserved_presence: int = 0
+
+    @jd.record()
+    class TrajectoryPointSeq(jd.Struct):
+        """value_list: 0..255 items. One for each joint of the list of joints"""
+        point_time_rec: SetModularArmTrajectory.PointTimeRec = jd.field("PointTimeRec", lambda: SetModularArmTrajectory.PointTimeRec.layout())
+        value_list: list[SetModularArmTrajectory.JointValuesRec] = jd.field("ValueList", lambda: jd.Repeat(jd.Count("B", 0, 255), SetModularArmTrajectory.JointValuesRec.layout()))
+
+    modular_arm_trajectory_rec: SetModularArmTrajectory.ModularArmTrajectoryRec = jd.field("ModularArmTrajectoryRec", lambda: SetModularArmTrajectory.ModularArmTrajectoryRec.layout())
+    joint_list: list[SetModularArmTrajectory.JointNameRec] = jd.field("JointList", lambda: jd.Repeat(jd.Count("B", 0, 255), SetModularArmTrajectory.JointNameRec.layout()))
+    point_list: list[SetModularArmTrajectory.TrajectoryPointSeq] = jd.field("PointList", lambda: jd.Repeat(jd.Count("B", 0, 255), SetModularArmTrajectory.TrajectoryPointSeq.layout()))
+
+
 @jd.message(_SERVICE, 0xFA68)
 class ReportModularArmState(jd.Message):
     """ReportModularArmState (0xFA68): Tells joints and motion.
@@ -171,3 +216,37 @@ class ReportModularArmSpecification(jd.Message):
 class QueryModularArmSpecification(jd.Message):
     """QueryModularArmSpecification (0xEA69): Asks what the arm is made of, and for the limits of its joints."""
     REPORT = ReportModularArmSpecification
+
+
+@jd.message(_SERVICE, 0xFA6A)
+class ReportModularArmMotionResult(jd.Message):
+    """ReportModularArmMotionResult (0xFA6A): Tells how a motion ended, and why.
+
+    motion_number: The client's own number of a motion; 0 in a query means the last motion
+    result: Result. How the motion ended, if it has
+    reason: up to 255 characters. Why it was refused or ended early; empty otherwise
+    """
+
+    class Result(IntEnum):
+        UNKNOWN = 0
+        IN_PROGRESS = 1
+        REACHED = 2
+        REFUSED = 3
+        STOPPED = 4
+        REPLACED = 5
+        BLOCKED = 6
+        FAILED = 7
+
+    motion_number: int = jd.field("MotionNumber", jd.Number("I"))
+    result: ReportModularArmMotionResult.Result | int = jd.field("Result", lambda: jd.Number("B", jd.Values(ReportModularArmMotionResult.Result)))
+    reason: str = jd.field("Reason", jd.Text(count=jd.Count("B", 0, 255)))
+
+
+@jd.message(_SERVICE, 0xEA6A, query=True)
+class QueryModularArmMotionResult(jd.Message):
+    """QueryModularArmMotionResult (0xEA6A): Asks how a motion ended.
+
+    motion_number: The client's own number of a motion; 0 in a query means the last motion
+    """
+    REPORT = ReportModularArmMotionResult
+    motion_number: int = jd.field("MotionNumber", jd.Number("I"))

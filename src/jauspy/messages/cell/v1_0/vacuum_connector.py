@@ -42,6 +42,11 @@ class ReportConnectorState(jd.Message):
     broken_off: optional. How often an overload has released what was attached
     error: Error, optional. Why the last attachment ended or did not come about
     error_text: up to 255 characters, optional. The same in words; empty after a success
+    load_mass: in kilogram, optional. Mass of all that hangs on the gripper, as the robot's motors tell while it moves
+    load_mass_deviation: in kilogram, optional. Standard deviation of that mass; absent while the mass is not known
+    utilisation: optional. Fraction of the strength of the connection that the load uses; above 1 it breaks off
+    vacuum: in pascal, optional. Pressure below that of the surroundings, in pascals
+    latched: Latched, optional. Whether the attached part is locked mechanically
     """
 
     class Enabled(IntEnum):
@@ -58,6 +63,10 @@ class ReportConnectorState(jd.Message):
         NO_POWER = 6
         OTHER_ERROR = 7
 
+    class Latched(IntEnum):
+        NOT_LATCHED = 0
+        LATCHED = 1
+
     connector: int = jd.field("Connector", jd.Number("B", jd.Values(None, ((1, 255),))))
     enabled: ReportConnectorState.Enabled | int | None = jd.field("Enabled", lambda: jd.Number("B", jd.Values(ReportConnectorState.Enabled)), default=None)
     attached_to: str | None = jd.field("AttachedTo", jd.Text(count=jd.Count("B", 0, 255)), default=None)
@@ -72,6 +81,11 @@ class ReportConnectorState(jd.Message):
     broken_off: int | None = jd.field("BrokenOff", jd.Number("H"), default=None)
     error: ReportConnectorState.Error | int | None = jd.field("Error", lambda: jd.Number("B", jd.Values(ReportConnectorState.Error)), default=None)
     error_text: str | None = jd.field("ErrorText", jd.Text(count=jd.Count("B", 0, 255)), default=None)
+    load_mass: float | None = jd.field("LoadMass", jd.Number("f", jd.ANY, "kilogram"), default=None)
+    load_mass_deviation: float | None = jd.field("LoadMassDeviation", jd.Number("f", jd.ANY, "kilogram"), default=None)
+    utilisation: float | None = jd.field("Utilisation", jd.Number("f"), default=None)
+    vacuum: float | None = jd.field("Vacuum", jd.Number("f", jd.ANY, "pascal"), default=None)
+    latched: ReportConnectorState.Latched | int | None = jd.field("Latched", lambda: jd.Number("B", jd.Values(ReportConnectorState.Latched)), default=None)
     reserved_presence: int = 0
 
 

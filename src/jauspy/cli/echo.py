@@ -1,0 +1,116 @@
+"""`jauspy echo`: print messages as they are routed, or from a capture."""
+
+from __future__ import annotations
+
+import sys
+import time
+from typing import Annotated, Any
+
+import typer
+
+from jauspy.capture.filters import printed_values
+from jauspy.cli import console
+from jauspy.cli.decode import part_json
+from jauspy.cli.definitions import SchemasOption, definitions
+from jauspy.cli.options import DEFAULT_ROOT, FilterOption, Json, LocalRoot
+from jauspy.cli.render import Styled, styled_fields
+from jauspy.cli.traffic import CaptureFile, combined, traffic
+from jauspy.inspection.rates import Route
+from jauspy.inspection.traffic import SeenMessage
+from jauspy.printable import printable
+
+
+def echo(
+    *,
+    source: Annotated[
+        str | None, typer.Argument(metavar="[ID]", help="Only messages of this sender: 101.1.102, 101.* or '*'.")
+    ] = None,
+    message: Annotated[
+        str | None, typer.Argument(metavar="[MESSAGE]", help="Only messages of this name; * and ? are wildcards.")
+    ] = None,
+    only: FilterOption = None,
+    rate: Annotated[
+        float | None,
+        typer.Option("--rate", min=0.001, metavar="HZ", help="At most so many a second of one name from one sender."),
+    ] = None,
+    field: Annotated[
+        list[str] | None, typer.Option("--field", metavar="NAME", help="Print only this field; may be repeated.")
+    ] = None,
+    count: Annotated[int | None, typer.Option("--count", min=1, help="End after so many messages.")] = None,
+    json: Json = False,
+    file: CaptureFile = None,
+    root: LocalRoot = DEFAULT_ROOT,
+    schemas: SchemasOption = None,
+) -> None:
+    """Print messages as the node manager of this machine routes them, until Ctrl-C.
+
+    It only listens: it sends nothing, and components do not notice it. A message to several receivers is printed once.
+
+    Examples:
+      jauspy echo
+      jauspy echo 101.1.102 ReportLocalPose --rate 2
+      jauspy echo '*' 'Report*' --filter 'x > 5' --field x --field y
+      jauspy echo 42.* --capture run.pcap --json
+    """
+    known = definitions(schemas)
+    due: dict[Route, float] = {}
+    printer = _Printer(tuple(tuple(name.lower().split(".")) for name in field or ()), json)
+    with traffic(file, root, known, combined(source, message, only)) as found:
+        for seen in found:
+            if rate is not None:
+                route = Route(str(seen.part.packet.source), "", seen.name)
+                if seen.time < due.get(route, seen.time):
+                    continue
+                due[route] = seen.time + 1.0 / rate
+            if not printer.show(seen):
+                continue
+            sys.stdout.flush()
+            if count is not None:
+                count -= 1
+                if not count:
+                    break
+
+
+class _Printer:
+    def __init__(self, fields: tuple[tuple[str, ...], ...], as_json: bool) -> None:
+        self._fields = fields
+        self._as_json = as_json
+        self._print = console.styled_printer()
+
+    def show(self, seen: SeenMessage) -> bool:
+        """Print a message; false if it has none of the fields."""
+        part = seen.part
+        values = [(".".join(path), list(printed_values(part.content.message, path))) for path in self._fields]
+        if self._fields and not any(found for _, found in values):
+            return False
+        if self._as_json:
+            shown: dict[str, Any] = {"time": seen.time}
+            if self._fields:
+                shown |= {"source": str(part.packet.source), "message": seen.name}
+                shown |= {name: found[0] if len(found) == 1 else found for name, found in values}
+            else:
+                shown |= part_json(part)
+            console.print_json(shown, flush=False)
+            return True
+        stamp = f"{time.strftime('%H:%M:%S', time.localtime(seen.time))}.{round(seen.time % 1.0 * 1e3) % 1000:03d}"
+        route = f"{part.packet.source} → {part.packet.destination}"
+        head: Styled = [(f"{stamp}  ", "dim"), (f"{route}  ", ""), (seen.name, "bold")]
+        if self._fields:
+            text = "  ".join(f"{name}: {', '.join(map(_shown, found))}" for name, found in values if found)
+            self._print([[*head, (f"  {text}", "")]])
+            return True
+        lines = [head]
+        if part.content.message is not None:
+            lines += styled_fields(part.content.message, margin="     ")
+        elif part.content.problem:
+            lines.append([(f"     {part.content.problem}", "yellow")])
+        lines += [[(f"     {deviation}", "yellow")] for deviation in part.content.deviations]
+        self._print(lines)
+        return True
+
+
+def _shown(value: object) -> str:
+    name = getattr(value, "name", None)
+    if isinstance(name, str):
+        return name
+    return f"{value:.9g}" if isinstance(value, float) else printable(str(value))

@@ -1,0 +1,1 @@
+"""Looking at traffic, live or captured: messages one by one, rates, and who talks to whom."""

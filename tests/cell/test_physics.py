@@ -1,0 +1,116 @@
+"""What the simulation measured of a run: its figures, its tables, and files of results that are read again."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from jauspy.cell.measurements import Measured
+from jauspy.cell.physics import JointFigures, Meeting, Physics
+from jauspy.cell.physics_tables import MOST_ROWS, gentle, physics_tables, trials_tables
+from jauspy.cell.report import Section, page
+from jauspy.cell.trials import read_results
+from jauspy.errors import ConfigError
+
+EVIL = "<img src=x onerror=alert(1)>"
+
+
+@dataclass
+class Probe:
+    attaches: list[Meeting] = field(default_factory=list)
+    landings: list[Meeting] = field(default_factory=list)
+    collisions: list[Meeting] = field(default_factory=list)
+    joints: dict[str, JointFigures] = field(default_factory=dict)
+
+
+def physics(*speeds: float, collisions: int = 0) -> Physics:
+    meetings = [Meeting(1.0, "gripper", "box_1", speed, 10.0) for speed in speeds]
+    hits = [Meeting(2.0, EVIL, "bin_1", 0.1, 30.0 + number) for number in range(collisions)]
+    return Physics.of(Probe(meetings, [], hits, {"elbow": JointFigures(3.0, 50.0, 0.002, 0.0005, 7)}))
+
+
+def run(seed: int, *speeds: float, **fields: Any) -> Measured:
+    return Measured(seed, "lift", success=True, duration=8.0, wall=1.0, physics=physics(*speeds, **fields))
+
+
+def test_the_largest_of_each_figure_counts() -> None:
+    figures = physics(0.004, 0.012, collisions=2).figures()
+    assert figures["attach speed"] == 0.012
+    assert figures["attachments"] == 2.0
+    assert figures["collision force"] == 31.0
+    assert figures["tracking error"] == 0.002
+    assert "landing speed" not in figures, "nothing was put down"
+
+
+def test_gentle_runs_keep_their_promises_and_others_say_what_happened() -> None:
+    assert all(promise.kept for promise in gentle(run(1, 0.004, 0.02)))
+    hard, touched = gentle(run(1, 0.004, 0.111, collisions=2))
+    assert (hard.kept, hard.measured) == (False, "1 of 2, at most 111.0 mm/s and 10 N")
+    assert not touched.kept
+    assert touched.measured.endswith("on bin_1: 31 N")
+
+
+def test_a_strong_attachment_is_not_gentle() -> None:
+    found = run(1, 0.004)
+    assert found.physics is not None
+    found.physics.attaches.append(Meeting(1.0, "gripper", "box_1", 0.001, 763.0))
+    assert not gentle(found)[0].kept
+
+
+def test_names_of_parts_are_text_on_the_page() -> None:
+    found = physics(0.1, collisions=1)
+    text = page("t", "l", gentle(Measured(1, EVIL, physics=found)), [Section("s", tables=physics_tables(found))])
+    assert "<img" not in text
+    assert "&lt;img src=x onerror=alert(1)&gt;" in text
+
+
+def test_many_runs_have_a_median_a_largest_value_and_its_seed() -> None:
+    summary, each = trials_tables([run(1, 0.001), run(2, 0.03), run(3, 0.002), Measured(4, "lift")])
+    assert ("attach speed", "0.002 m/s", "0.03 m/s", "2") in summary.rows
+    assert [row[0] for row in each.rows] == ["seed", "1", "2", "3"]
+    assert each.folded
+
+
+def test_long_tables_end_and_say_so() -> None:
+    tables = physics_tables(physics(*[0.001] * (MOST_ROWS + 5)))
+    (attachments,) = (table for table in tables if table.caption.endswith("attachments"))
+    assert len(attachments.rows) == MOST_ROWS + 1
+    assert attachments.note == "5 more are left out."
+
+
+def test_results_are_read_as_they_were_written(tmp_path: Path) -> None:
+    path = tmp_path / "trials-demo.json"
+    runs = [run(2, 0.004, collisions=1), Measured(1, "demo", failure="fell", values={"miss": math.inf})]
+    path.write_text(json.dumps([asdict(found) for found in runs]))
+    assert read_results(path) == sorted(runs, key=lambda found: found.seed)
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("{", "is no file of results"),
+        ("[]", "has no results"),
+        ('{"seed": 1}', "is no file of results"),
+        ('[{"seed": "seven", "task": "demo"}]', "0.seed: Input should be a valid integer"),
+        ('[{"seed": 1, "task": "demo", "physics": {"attaches": [1]}}]', "0.physics.attaches.0"),
+        ("[" * 10_000, "is no file of results"),
+    ],
+)
+def test_other_files_are_refused_in_a_sentence(tmp_path: Path, text: str, problem: str) -> None:
+    path = tmp_path / "other.json"
+    path.write_text(text)
+    with pytest.raises(ConfigError) as error:
+        read_results(path)
+    assert problem in str(error.value)
+    assert str(error.value).startswith(str(path))
+    assert "\n" not in str(error.value)
+
+
+def test_a_file_that_is_not_there_is_named(tmp_path: Path) -> None:
+    with pytest.raises(ConfigError, match="cannot be read"):
+        read_results(tmp_path / "none.json")

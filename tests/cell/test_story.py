@@ -1,0 +1,189 @@
+"""Tasks one after the other: what stops a story, what it says, and that nothing in it is put in place by hand."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytest.importorskip("mujoco", reason="needs the extra `sim`")
+
+from jauspy import backends
+from jauspy.cell.assembly import FIVE_JOINTS, Assembler
+from jauspy.cell.client import CellClient
+from jauspy.cell.disassembly import Disassembler
+from jauspy.cell.frames import offset_between, se3_of_pose
+from jauspy.cell.judge import Judge, WatchedBackend
+from jauspy.cell.measurements import Measured
+from jauspy.cell.scene import Layout
+from jauspy.cell.schedule import TaskFailed
+from jauspy.cell.session import OCU_ID, UNDISTURBED, Session, configured, simulated
+from jauspy.cell.standing import standing_on
+from jauspy.cell.story import Stage, tell
+from jauspy.cell.tasks import BASE, STAGES, TASKS, prepared, run_one, take_apart
+from jauspy.robot import robot_files
+from jauspy.robot.runner import RobotRunner
+from jauspy.virtual.environment import VirtualTime
+from jauspy.virtual.network import VirtualNetwork
+
+Made = Callable[..., Session]
+
+
+@pytest.fixture
+def session() -> Made:
+    """A session at a standstill; its judge, if any, has seen that these parts were written."""
+
+    def made(*written: str, judged: bool = True) -> Session:
+        cell: Any = SimpleNamespace(now=lambda: 4.0)
+        judge: Any = SimpleNamespace(written=written) if judged else None
+        layout: Any = None
+        return Session(cell, layout, judge)
+
+    return made
+
+
+def stage(name: str, *, success: bool = True, error: str = "") -> Stage:
+    async def run(_session: Session, seed: int) -> Measured:
+        if error:
+            raise TaskFailed(error)
+        return Measured(seed, name, success, "" if success else "it missed", 2.0, values={"off": 0.5})
+
+    return Stage(name, f"It does {name}", run)
+
+
+class TestTelling:
+    async def test_the_stages_are_told_as_they_go(self, session: Made) -> None:
+        told = []
+        found = await tell(
+            session(), 3, [stage("a"), stage("b c")], lambda stage, found: told.append((stage.name, found))
+        )
+        assert [(name, found and found.success) for name, found in told] == [
+            ("a", None),
+            ("a", True),
+            ("b c", None),
+            ("b c", True),
+        ]
+        assert found.success
+        assert found.failure == ""
+        assert found.values == {"a.off": 0.5, "b_c.off": 0.5, "stages": 2.0}
+
+    async def test_a_missed_goal_does_not_end_it_but_counts(self, session: Made) -> None:
+        found = await tell(session(), 3, [stage("a", success=False), stage("b")])
+        assert not found.success
+        assert found.failure == "a: it missed"
+        assert [row["success"] for row in found.rows] == [False, True]
+
+    async def test_an_error_ends_it_and_names_what_was_not_begun(self, session: Made) -> None:
+        found = await tell(session(), 3, [stage("a", error="no arm"), stage("b"), stage("c")])
+        assert found.failure == "a: no arm; not begun: b, c"
+
+    async def test_what_was_put_in_place_is_a_failure(self, session: Made) -> None:
+        found = await tell(session("servo_1", "box_2"), 3, [stage("a")])
+        assert not found.success
+        assert found.failure == "put in place by writing positions: servo_1, box_2"
+
+    async def test_in_a_cell_elsewhere_nothing_is_known_of_that(self, session: Made) -> None:
+        assert (await tell(session(judged=False), 3, [stage("a")])).success
+
+
+def test_the_story_is_a_task_of_five_stages() -> None:
+    assert [stage.name for stage in STAGES] == ["assemble", "lift", "step", "take apart", "car"]
+    assert "demo" in TASKS
+
+
+@pytest.mark.parametrize("how", ["place", "qpos"])
+def test_a_position_that_is_written_in_a_story_is_caught(how: str) -> None:
+    """A fault that is put in: a stage moves a box by hand."""
+
+    async def cheat(session: Session, seed: int) -> Measured:
+        robot: Any = session.true._robot
+        await session.cell.sleep(0.2)
+        if how == "place":
+            session.true.place("box_2", next(part.pose for part in session.layout.setup.parts if part.name == "box_1"))
+        else:
+            robot.data.qpos[int(robot.model.joint("box_2").qposadr[0]) + 1] += 0.01
+        await session.cell.sleep(0.2)
+        return Measured(seed, "cheat", success=True)
+
+    async def honest(session: Session, seed: int) -> Measured:
+        await session.cell.run_conveyor(0.2)
+        await session.cell.sleep(0.5)
+        return Measured(seed, "honest", success=True)
+
+    async def told(*stages: Stage) -> Measured:
+        async with simulated(0, UNDISTURBED) as session:
+            return await tell(session, 0, stages)
+
+    assert asyncio.run(told(Stage("honest", "", honest))).success
+    found = asyncio.run(told(Stage("honest", "", honest), Stage("cheat", "", cheat)))
+    assert not found.success
+    assert found.failure == "put in place by writing positions: box_2"
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(900)
+def test_tasks_take_the_arm_that_the_last_one_left() -> None:
+    """The arm is written once; it steps, and is taken apart. All parts are in their bins, as the simulation says."""
+
+    async def both() -> None:
+        async with simulated(1) as session:
+            arm = await prepared(session, heading=np.pi)
+            written = session.true.written
+            assert written == arm.parts
+            stepped = await TASKS["step"](session, 1)
+            assert stepped.success, stepped.failure
+            apart = await take_apart(session, 1)
+            assert apart.success, apart.failure
+            assert session.true.attached() == {}
+            assert session.true.written == written
+            for part in session.layout.setup.parts:
+                if part.name in arm.parts:
+                    far, _ = offset_between(session.true.pose(part.name), se3_of_pose(part.pose))
+                    assert far < 0.03, part.name
+
+    asyncio.run(both())
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(900)
+def test_one_client_takes_apart_what_another_one_has_built() -> None:
+    """Each client controls the cell in turn, as with --connect; the second one knows only what connectors report."""
+
+    async def both() -> None:
+        config = configured(2, UNDISTURBED)
+        layout = Layout(robot_files.robot_model(config))
+        backend = WatchedBackend(backends.find(config.backend))
+        async with (
+            VirtualNetwork(seed=2) as network,
+            RobotRunner(config, network.transport, backend=backend, realtime=VirtualTime),
+        ):
+            assert backend.robot is not None
+            judge = Judge(backend.robot)
+            async with network.ocu(OCU_ID) as ocu, CellClient(ocu, config, layout) as cell:
+                built = await Assembler(cell, layout).build(slots=FIVE_JOINTS[:2])
+                assert built.failure == ""
+            async with network.ocu("42.1.2") as ocu, CellClient(ocu, config, layout) as cell:
+                assert [item.part for item in await standing_on(cell, layout, BASE)] == ["servo_1", "bracket_1"]
+                ur10 = Assembler(cell, layout)
+                ur10.at = await cell.posture()
+                apart = await Disassembler(cell, layout, ur10).run(BASE)
+                assert [row.part for row in apart.parts] == ["bracket_1", "servo_1"]
+                again = await Assembler(cell, layout).build(slots=FIVE_JOINTS[:1])
+                assert again.failure == "", "the module is found and controlled again"
+            assert judge.attached() == {BASE: "servo_1"}
+            assert judge.written == ()
+
+    asyncio.run(both())
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(1800)
+def test_the_whole_story_succeeds_and_nothing_is_written() -> None:
+    found = asyncio.run(run_one("demo", 0))
+    assert found.success, found.failure
+    assert found.written == ()
+    assert found.values["stages"] == len(STAGES)
