@@ -7,7 +7,7 @@ way: the gripper turned, the part measured anew, another part of the type.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Final
@@ -22,9 +22,9 @@ from jauspy.cell.motion import MotionPlanner, NoPath, Path
 from jauspy.cell.scene import Clearance, Layout, connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
-from jauspy.geometry.vectors import GRAVITY
+from jauspy.geometry.vectors import GRAVITY, Z
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState
-from jauspy.platform.modular.parts import PartKind, body_inertia, output_inertia
+from jauspy.platform.modular.parts import PartKind, PartType, mass_of
 
 GRASPS: Final = 4
 """Attempts to grasp one part before another of its type is taken."""
@@ -49,6 +49,14 @@ HEAVY_TOUCH_SPEED: Final = 0.002
 """The same towards what is bolted down, or heavy: it gives way less than a part in a bin."""
 CONTACT_FORCE: Final = 8.0
 """Newtons by which the force on the gripper must change for what it holds to be in contact."""
+STEP: Final = 1e-6
+"""Radians of a difference quotient."""
+LEANS: Final = 24
+LEAN_SPEED: Final = 0.02
+LEAN_TIME: Final = 0.1
+"""Parts in which a load is taken up, the fraction of the UR10's speed, and seconds in which the force settles."""
+TAKEN_UP: Final = 0.9
+"""Fraction of a load's weight from which on the gripper carries it."""
 MAX_TILT: Final = math.radians(2.0)
 MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
@@ -67,6 +75,7 @@ PUT_DOWN_HEIGHT: Final = 0.2
 """Height of the gripper above the floor, metres."""
 PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
 """The UR10's posture away from platforms and conveyor, in radians."""
+QUARTERS: Final = (0.0, math.pi, math.pi / 2.0, -math.pi / 2.0)
 WHEEL_TURNS: Final = 12
 """Angles about its axis at which a wheel may be joined."""
 BACK: Final = 0.02
@@ -76,6 +85,8 @@ RELEASE_TIME: Final = 0.2
 """Seconds until a connector has let go."""
 POLL: Final = 0.02
 """Seconds between two queries of a connector."""
+STRAIGHT: Final = 0.999
+"""Cosine of the angle from which on two axes count as parallel."""
 OUT_OF_CONTACT: Final = (ConnectorError.NO_CONTACT, ConnectorError.TOO_FAR, ConnectorError.NOT_ALIGNED)
 SEARCH: Final = (0.0, 0.0015, -0.0015, 0.003)
 """Metres beside the connector at which the attempts to join press the part down."""
@@ -89,6 +100,9 @@ class Slot:
     types: tuple[str, ...]
     connector: str = "output"
     """The connector of the part in this place to which the next one is attached."""
+    turns: tuple[float, ...] = ()
+    """Radians about the connector's normal from where the part is square to the one before: as it is wanted, and then
+    others with which it does as well. Empty: by its type."""
 
 
 FIVE_JOINTS: Final = (
@@ -167,6 +181,8 @@ class Assembler:
         """The UR10's present posture."""
         self.rejected: set[str] = set()
         """Parts that are not tried again."""
+        self.out_of_reach: set[str] = set()
+        """Parts that cannot be had for the present place; for another one they may."""
         self.used: set[str] = set()
         self.carried: set[str] = set()
         """Parts that are attached to another one and move with it: their shapes are with those of the other."""
@@ -278,15 +294,12 @@ class Assembler:
         row.fetch_time += self.cell.now() - begun
 
     def goals(self, slot: Slot, tip: Tip) -> list[pin.SE3]:
-        """The frames in the world that a part in this place may have: on the connector, square to the base."""
-        if self.layout.setup.types[slot.types[0]].kind is PartKind.WHEEL:
-            turns = [math.tau * number / WHEEL_TURNS for number in range(WHEEL_TURNS)]
-        else:
-            turns = [0.0] if "elbow" in slot.types[0] else [0.0, math.pi, math.pi / 2.0, -math.pi / 2.0]
-        return [tip.frame * tip.square * turned("z", turn) for turn in turns]
+        """The frames in the world that a part in this place may have."""
+        return slot_goals(self.layout, slot, tip)
 
     async def fetch(self, slot: Slot, row: PartResult, goals: list[pin.SE3]) -> None:
         """Grasp a part for this place, and lift it; raises `TaskFailed` when no part can be had."""
+        self.out_of_reach.clear()
         for _ in range(PARTS):
             await self.look()
             part = self._choose(slot)
@@ -295,7 +308,8 @@ class Assembler:
             row.part = part
             if await self._grasp(part, row, goals):
                 return
-            self.rejected.add(part)
+            if part not in self.out_of_reach:
+                self.rejected.add(part)
         tried = "; ".join(row.attempts) or "none is left"
         raise TaskFailed(f"no {' or '.join(slot.types)} could be grasped for {slot.name}: {tried}")
 
@@ -340,7 +354,7 @@ class Assembler:
     def _choose(self, slot: Slot) -> str | None:
         """The next part of a fitting type that lies somewhere and was not rejected."""
         for name in self.layout.of_types(slot.types):
-            if name in self.seen and name not in self.rejected and name not in self.used:
+            if name in self.seen and name not in self.rejected | self.out_of_reach | self.used:
                 return name
         return None
 
@@ -354,6 +368,7 @@ class Assembler:
                 plan = await self.cell.compute(partial(self.handling.pick, part, pose, self.at, goals, skip=attempt))
             except NoPath as error:
                 row.attempts.append(f"{part}: {error}")
+                self.out_of_reach.add(part)
                 return False
             why = await self.try_grasp(plan, row)
             if not why:
@@ -394,7 +409,7 @@ class Assembler:
         if math.isfinite(state.mass_deviation):
             row.mass, row.mass_deviation = state.mass, state.mass_deviation
         type = self.layout.type_of(plan.part)
-        if weigh and (why := _wrong_weight(state, body_inertia(type).mass + output_inertia(type).mass)):
+        if weigh and (why := _wrong_weight(state, mass_of(type))):
             await self._put_back(plan, release)
             return why
         return ""
@@ -497,7 +512,7 @@ class Assembler:
         row.shift, row.tilt = float(np.linalg.norm(offset.translation)), tilt_between(pin.SE3.Identity(), offset)
         row.joint_force, row.joint_moment = after.force, after.moment
         if slot.connector in self.layout.type_of(part).connectors:
-            tip.advance(part, slot.connector, frame, self._connector(part, slot.connector))
+            tip.advance(part, slot.connector, frame, self._connector(part, slot.connector), (*slot.turns, 0.0)[0])
 
     async def put_here(self, part: str, frame: pin.SE3) -> None:
         """Let go of the held part, which then is at `frame` in the world until the sensor sees it."""
@@ -540,6 +555,26 @@ class Assembler:
         """Lower what the gripper holds along a path, until it is in contact or at the end."""
         await self.cell.touch(path, GRIPPER, tool_speed=TOUCH_SPEED, contact=CONTACT_FORCE)
         self.at = await self.cell.posture()
+
+    async def take_up(self, mass: float, center: Array) -> None:
+        """Lean against a load until the gripper carries its weight, so that it does not drop when it is let go.
+
+        `mass` in kilograms, `center` of mass in the world. What the gripper holds is attached elsewhere, too, and stays
+        where it is; the joints are sent where the weight would bend them from.
+        """
+        k, group = self.layout.kinematics, self.layout.group
+        local = k.forward(self.at).actInv(center)
+        height = float(center[2])
+        torques = np.array(
+            [(k.forward(self.at + STEP * axis).act(local)[2] - height) / STEP for axis in np.eye(len(self.at))]
+        )
+        stiffness = np.array([group.gains[name].position.p for name in group.joints])
+        bend = GRAVITY * mass * torques / stiffness
+        for _ in range(LEANS):
+            if (await self.cell.connector(GRIPPER)).force >= TAKEN_UP * GRAVITY * mass:
+                return
+            await self.go(Path((self.at, self.at + bend / LEANS)), speed=LEAN_SPEED, contact=True, gentle=True)
+            await self.cell.sleep(LEAN_TIME)
 
     async def _wait_held(self, connector: str) -> ConnectorState:
         """Wait until a connector has attached something, and locked it if it can, or reports why it does not."""
@@ -594,12 +629,28 @@ class Tip:
         self.square = pin.SE3.Identity()
         """The turn about the connector's axis after which a part is square to the base."""
 
-    def advance(self, part: str, connector: str, frame: pin.SE3, output: pin.SE3) -> None:
-        """The next part is joined to this one, whose frame is `frame`."""
-        before = self.frame * self.square
+    def advance(self, part: str, connector: str, frame: pin.SE3, output: pin.SE3, turn: float = 0.0) -> None:
+        """The next part is joined to this one, whose frame is `frame`, and was to be turned by `turn` radians."""
+        wanted = self.frame * self.square * turned("z", turn) * output
         self.connector, self.part, self.frame = f"{part}/{connector}", part, frame * output
-        x = self.frame.rotation.T @ before.rotation[:, 0]
+        x = self.frame.rotation.T @ wanted.rotation[:, 0]
         self.square = turned("z", math.atan2(x[1], x[0]))
+
+
+def slot_goals(layout: Layout, slot: Slot, tip: Tip) -> list[pin.SE3]:
+    """The frames in the world that a part in a place may have: on the connector, square to the base."""
+    type = layout.setup.types[slot.types[0]]
+    turns: Sequence[float] = QUARTERS if is_straight(type) else QUARTERS[:1]
+    if type.kind is PartKind.WHEEL:
+        turns = [math.tau * number / WHEEL_TURNS for number in range(WHEEL_TURNS)]
+    return [tip.frame * tip.square * turned("z", turn) for turn in slot.turns or turns]
+
+
+def is_straight(type: PartType) -> bool:
+    """True if a part has all its axes along its own z: turned about it, it carries the next part as well."""
+    axes = [frame.rotate(Z) for frame in type.connectors.values()]
+    axes += [type.servo.axis] if type.servo is not None else []
+    return all(axis[2] > STRAIGHT for axis in axes)
 
 
 def _wrong_weight(state: ConnectorState, mass: float) -> str:

@@ -34,6 +34,8 @@ INSERT: Final = 0.06
 """Metres above a connector at which a part is lowered in a straight line."""
 LINE_MARGIN: Final = 0.003
 """Metres to keep from everything but what is touched, on straight lines."""
+BIN_MARGIN: Final = 0.0015
+"""The same where a part is grasped: one that lies at a bin's wall is not much higher than that."""
 MAX_PLANS: Final = 8
 """Postures for which a whole plan is tried."""
 CONDITION: Final = 0.03
@@ -77,16 +79,17 @@ class Handling:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
-    def grasps(self, part: str) -> list[pin.SE3]:
-        """The poses of the gripper in the frame of a part on its usual face, for all angles about its axis."""
-        return _turned(self.layout.grasp(part))
+    def grasps(self, part: str, face: pin.SE3 | None = None) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part, for all angles about its axis.
 
-    def free_grasps(self, part: str, pose: pin.SE3) -> list[pin.SE3]:
-        """The same on all faces that are up while the part is at `pose`, or on those beside if it stands on an end."""
-        slopes = [(float((pose.rotation @ grasp.rotation)[2, 2]), grasp) for grasp in self.layout.grasps(part)]
-        up = [grasp for slope, grasp in slopes if slope < -DOWNWARD]
-        beside = [grasp for slope, grasp in slopes if abs(slope) <= DOWNWARD]
-        return [found for grasp in up or beside for found in _turned(grasp)]
+        `face` is one of `Layout.grasps`, by default the usual one.
+        """
+        return _turned(face or self.layout.grasp(part))
+
+    def upper_grasps(self, part: str, pose: pin.SE3) -> list[pin.SE3]:
+        """The same on all faces that are up while the part is at `pose`: from beside and below, bins are in the way."""
+        up = [grasp for grasp in self.layout.grasps(part) if (pose.rotation @ grasp.rotation)[2, 2] < -DOWNWARD]
+        return [found for grasp in up for found in _turned(grasp)]
 
     def pick(
         self,
@@ -98,16 +101,17 @@ class Handling:
         lift: float = LIFT,
         supports: Iterable[str] = (),
         skip: int = 0,
-        usual: bool = False,
+        face: pin.SE3 | None = None,
     ) -> PickPlan:
         """A way to grasp a part that is at `pose`, such that it can be put to one of `goals` afterwards.
 
-        `supports`: what it lies on or in. `skip` leaves out that many of the solutions. `usual` permits no other face
-        than the usual one.
+        `supports`: what it lies on or in. `face`: where it is grasped, if not on a face that is up. `skip` leaves out
+        that many of the solutions.
         """
         k = self.layout.kinematics
         options: list[tuple[float, pin.SE3, Array]] = []
-        for grasp in (grasps := self.grasps(part) if usual else self.free_grasps(part, pose)):
+        grasps = self.upper_grasps(part, pose) if face is None else self.grasps(part, face=face)
+        for grasp in grasps:
             over = pose * grasp * shifted(z=-APPROACH)
             options += [
                 (k.distance(posture.positions, start), grasp, posture.positions)
@@ -115,7 +119,7 @@ class Handling:
                 if self.scene.is_free(posture.positions, self.planner.margin)
             ]
         if not grasps:
-            raise NoPath(f"{part} lies turned over: no face by which the gripper can hold it is free")
+            raise NoPath(f"{part} lies turned over: no face by which the gripper can hold it is up")
         options.sort(key=lambda option: option[0])
         options = [option for option in options if not goals or self._reaches(option[1], option[2], goals)]
         if not options:
@@ -126,8 +130,8 @@ class Handling:
             _, grasp, posture = option
             approach = self.planner.to_posture(start, posture)
             with self.scene.without(part):
-                near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=LINE_MARGIN)
-                contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=LINE_MARGIN)
+                near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=BIN_MARGIN)
+                contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=BIN_MARGIN)
             try:
                 self.scene.hold(part, pieces, grasp.inverse())
                 with self.scene.without(*supports):

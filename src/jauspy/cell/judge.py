@@ -18,6 +18,7 @@ from jauspy.platform.backend import Backend
 from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
+from jauspy.platform.modular.cell import ModulePower, PowerState
 from jauspy.platform.modular.connector import VacuumConnector
 
 
@@ -165,6 +166,13 @@ class Judge:
     def watch(self, parts: Iterable[str]) -> Watched:
         """Measure these parts at each step from now on; the result is kept up to date."""
         return self._truth.watch(parts)
+
+    def power(self) -> PowerState:
+        """What modules have drawn, and what batteries have left."""
+        meter = ModulePower.of(self._robot)
+        if meter is None:
+            raise ConfigError("this cell does not measure the power of its modules")
+        return meter.state()
 
     def attached(self) -> dict[str, str]:
         """Parts that connectors hold, by connector."""

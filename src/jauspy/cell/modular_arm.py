@@ -259,6 +259,8 @@ class Chain:
 
     def __init__(self, base: pin.SE3, members: Iterable[Member]) -> None:
         self.members = tuple(members)
+        self.base = base
+        """The frame in the world of the connector that it stands on."""
         self.model = pin.Model()
         self.joints: list[str] = []
         self.links: list[LinkPiece] = []

@@ -106,11 +106,14 @@ class Movable(Protocol):
 class MotionPlanner:
     """Plans motions in a scene; the same seed gives the same paths."""
 
-    def __init__(self, scene: PlanningScene, kinematics: Movable, *, margin: float = 0.012, seed: int = 0) -> None:
+    def __init__(
+        self, scene: PlanningScene, kinematics: Movable, *, margin: float = 0.012, seed: int = 0, nodes: int = MAX_NODES
+    ) -> None:
         self.scene = scene
         self.kinematics = kinematics
         self.margin = margin
         """Metres to keep from everything, except at the end of an approach."""
+        self._nodes = nodes
         self._random = np.random.default_rng(seed)
         k = kinematics
         self._lower, self._upper = np.maximum(k.lower, -math.tau), np.minimum(k.upper, math.tau)
@@ -128,7 +131,7 @@ class MotionPlanner:
         points = self._connect(start, goal, margin)
         if points is None:
             between = " and ".join(straight.between)
-            raise NoPath(f"no way around {between} was found with {MAX_NODES} postures, {1000 * margin:.0f} mm off")
+            raise NoPath(f"no way around {between} was found with {self._nodes} postures, {1000 * margin:.0f} mm off")
         points = self._shortened(points, margin)
         return Path(tuple(points), self.scene.along(points, STEP))
 
@@ -195,7 +198,7 @@ class MotionPlanner:
         low = np.maximum(self._lower, np.minimum(start, goal) - 1.6)
         high = np.minimum(self._upper, np.maximum(start, goal) + 1.6)
         turn = 0
-        while len(trees[0]) + len(trees[1]) < MAX_NODES:
+        while len(trees[0]) + len(trees[1]) < self._nodes:
             sample = self._random.uniform(low, high)
             grown = self._extend(trees[turn], sample, margin)
             if grown is not None:
@@ -210,7 +213,7 @@ class MotionPlanner:
                         return joined if turn == 0 else joined[::-1]
             else:
                 trees[turn].failures += 1
-                if trees[turn].failures > MAX_NODES:
+                if trees[turn].failures > self._nodes:
                     return None
             turn = 1 - turn
         return None

@@ -399,6 +399,10 @@ class Layout:
             scene.put(part.name, pieces_of_part(self.type_of(part.name)), se3_of_pose(part.pose))
         return scene
 
+    def grasps(self, part: str) -> list[pin.SE3]:
+        """The gripper's poses in the part's frame on all faces by which it can hold the part, the usual one first."""
+        return [se3(grasp) for grasp in self.type_of(part).grasps]
+
     def thickness(self, part: str) -> float:
         """Height of a part that lies with its grasp upward, metres."""
         solid = self.type_of(part).solids[0]
@@ -406,10 +410,6 @@ class Layout:
             return solid.size[2]
         normal = np.abs(self.grasp(part).rotation[:, 2])
         return float(normal @ np.array(solid.size))
-
-    def grasps(self, part: str) -> list[pin.SE3]:
-        """The gripper's poses in the part's frame on all faces by which it can hold the part, the usual one first."""
-        return [se3(grasp) for grasp in self.type_of(part).grasps]
 
     def grasp(self, part: str) -> pin.SE3:
         """The gripper's pose in the part's frame when it holds the part."""

@@ -109,16 +109,16 @@ async def simulated(
     film: Path | None = None,
     camera: str = "overview",
     view: bool = False,
-    configure: Callable[[RobotConfig], RobotConfig] = lambda config: config,
+    robot: str = ROBOT,
     change: Callable[[RobotModel], RobotModel] = lambda model: model,
+    changed: Callable[[RobotConfig], RobotConfig] = lambda config: config,
 ) -> AsyncIterator[Session]:
     """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
 
     `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
-    `configure` makes another cell of the one in the file; `change` does so after its files were read, as with a load
-    that is bolted to it.
+    `change` makes the cell another one, as with a load that is bolted to it; `changed` does so with its configuration.
     """
-    config = configure(configured(seed, disturbances or Disturbances()))
+    config = changed(configured(seed, disturbances or Disturbances(), robot))
     layout = Layout(change(robot_files.robot_model(config)))
     backend = WatchedBackend(backends.find(config.backend), change)
     async with AsyncExitStack() as stack:

@@ -280,7 +280,7 @@ class Attachments:
                 continue
             if -DEPTH <= gap <= LIP and distance <= limits.max_distance and angle <= limits.max_angle:
                 leak = connector.cup.leak(gap, angle)
-                if not self._fails(connector, face) and self._seals(connector, face, leak):
+                if self._seals(connector, face, leak) and not self._fails(connector, face):
                     self._touch(connector, face, leak)
                 return
             if distance < best:

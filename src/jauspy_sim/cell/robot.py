@@ -21,12 +21,13 @@ from jauspy_sim.assembly import STEP_TOLERANCE, TIMESTEP, redirect_warnings, vie
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, build_cell
 from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
-from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
+from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor
 from jauspy_sim.cell.faults import Faults
 from jauspy_sim.cell.payload import HeldPayload
+from jauspy_sim.cell.power import SimulatedPower
 from jauspy_sim.cell.probe import Probe
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
-from jauspy_sim.cell.start import disturb, put, put_on_each_other, scatter
+from jauspy_sim.cell.start import disturb, put, put_fixture, put_on_each_other, scatter
 from jauspy_sim.cell.truth import Truth
 from jauspy_sim.cell.writes import Writes
 from jauspy_sim.physics.dynamics import dynamics_of
@@ -88,7 +89,7 @@ class SimulatedCell:
         self._servos = servos_of(cell.model, data, setups, setup.seed)
         self._powered: tuple[SimulatedServo, ...] = ()
         self._attachments = Attachments(cell, data, random)
-        self._power = SimulatedPower(setup, self._pairs, self._set_powered)
+        self._power = SimulatedPower(setup, self._pairs, self._set_powered, self._servos, self._attachments.connectors)
         self._conveyor = SimulatedConveyor(cell.model, data, setup.conveyor) if setup.conveyor else None
         self._sensor = SimulatedPartSensor(cell.model, data, setup, setup.sensor)
         connectors = self._attachments.connectors
@@ -212,7 +213,13 @@ class SimulatedCell:
         put_on_each_other(self, connector, parts, errors)
 
     def place(self, part: str, pose: Pose) -> None:
-        """Put a free part somewhere, at rest, by writing its position: for what a task does not do itself."""
+        """Put a free part somewhere, at rest, by writing its position: for what a task does not do itself.
+
+        A fixture may be moved, too.
+        """
+        if any(fixture.name == part for fixture in self._setup.fixtures):
+            put_fixture(self, part, Transform.from_pose(pose))
+            return
         put(self, part, Transform.from_pose(pose))
         self._attachments.wake(int(self._model.body(part).id))
 
@@ -259,6 +266,7 @@ class SimulatedCell:
                 probe.step(self.time)
             if self._conveyor is not None:
                 self._conveyor.control()
+            self._power.step(self.time)
             if writes is not None:
                 writes.keep()
             self._sensor.step(self.time)

@@ -155,11 +155,14 @@ class Packer(Assembler):
         """Take a part off the base that could not be taken off before, by any face, and put it down."""
         part = (await self.cell.connector(self._base)).attached_to
         if part:
-            try:
-                await self._take_off(part, [], usual=False)
-                await self.put_down(part)
-            except JausError as error:
-                self.log.lines.append(f"{part} stays on {self._base}: {error}")
+            for face in self.layout.grasps(part):
+                try:
+                    await self._take_off(part, [], face=face)
+                    await self.put_down(part)
+                except JausError as error:
+                    self.log.lines.append(f"{part} stays on {self._base}: {error}")
+                else:
+                    return
 
     async def _supply(self, order: OpenOrder, quadrant: int, type: str) -> None:
         """Fetch a product, and put it where it is wanted by then."""
@@ -369,12 +372,13 @@ class Packer(Assembler):
                 self._dropped[part] = self.cell.now()
             raise TaskFailed(f"{part} does not stand on {self._base}: {'; '.join(row.attempts)}")
 
-    async def _take_off(self, part: str, goals: Sequence[pin.SE3], *, usual: bool = True) -> None:
-        """Grasp a part that stands on the base, by its usual face, and take it off."""
+    async def _take_off(self, part: str, goals: Sequence[pin.SE3], face: pin.SE3 | None = None) -> None:
+        """Grasp a part that stands on the base, by its usual face or another one, and take it off."""
         pose, row = self.scene.poses[part], PartResult(self._base, part)
+        face = face or self.layout.grasp(part)
         for attempt in range(ATTEMPTS):
             pick = partial(
-                self.handling.pick, part, pose, self.at, goals, supports=[QUALITY_CONTROL], skip=attempt, usual=usual
+                self.handling.pick, part, pose, self.at, goals, supports=[QUALITY_CONTROL], skip=attempt, face=face
             )
             why = await self.try_grasp(await self.cell.compute(pick), row, release=self._base)
             if not why:

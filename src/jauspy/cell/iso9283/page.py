@@ -49,22 +49,17 @@ def write_report(report: Report, plan: Plan, seed: int, directory: Path, page: P
 def html(report: Report, plan: Plan, seed: int, directory: Path) -> str:
     """The page; its plots are in `directory`."""
     modular = (report.assembled, report.reported, *report.calibrated)
+    plots = [
+        Plot(directory / PLACES, "Attained places less the commanded ones, without a load; crosses are means."),
+        Plot(directory / PATHS, "Distance of the mean path from the commanded line, along the line, for each run."),
+        Plot(directory / DRIFT, "AP and RP of P1 over the time of the runs."),
+    ]
     sections = [
         _conditions(plan),
+        Section("Plots", plots=plots if report.drifts else plots[:2]),
         _arm_section("UR10", report.ur10, report.drifts),
         _arm_section("Modular arm", modular, report.drifts),
     ]
-    sections[1].plots.append(
-        Plot(
-            directory / PLACES,
-            "Attained places less the commanded ones, without a load; crosses are means.",
-        )
-    )
-    sections[2].plots.append(
-        Plot(directory / PATHS, "Distance of the mean path from the commanded line, along the line, for each run.")
-    )
-    if report.drifts:
-        sections[2].plots.append(Plot(directory / DRIFT, "AP and RP of P1 over the time of the runs."))
     promise = Promise(
         "Calibration of the misassembled arm",
         f"AP at least {WANTED:g} times better",
@@ -195,7 +190,7 @@ def plot_accuracy(report: Report, path: Path) -> None:
     """Plot the attained places of the UR10 and of the calibrated arm, less the commanded ones, from above and aside."""
     views = ((0, 1, "x, mm", "y, mm"), (0, 2, "x, mm", "z, mm"))
     runs = (report.ur10[0], report.calibrated[0])
-    with figure(path, columns=4, size=(14.0, 4.4)) as axes:
+    with figure(path, columns=4, size=(14.0, 3.9)) as axes:
         for column, axis in enumerate(axes):
             run, (across, up, x_name, y_name) = runs[column // 2], views[column % 2]
             most = 1.2e3 * max(float(np.max(np.abs(rows))) for rows in run.deviations)

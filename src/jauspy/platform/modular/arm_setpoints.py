@@ -36,6 +36,15 @@ STANDSTILL: Final = 0.05
 RELAXATION_TIME: Final = 0.3
 """Seconds in which an arm that is held at both ends gives way."""
 
+YIELDING_TIME: Final = 1.0
+"""Seconds after a contact in which an arm follows what pushes it."""
+
+COMPLIANCE: Final = 4.0
+"""rad/s of a joint that gives way to the whole torque of its module."""
+
+YIELDING_SPEED: Final = 0.4
+"""rad/s at most while it gives way."""
+
 SETTLING_TIME: Final = 2.0
 """Seconds after its end that a motion may take to come within tolerance."""
 
@@ -57,6 +66,9 @@ class ArmSetpoints:
         self._assembly = assembly
         self._planned = self.setpoint
         self._motion: Motion | None = None
+        self._yielding = 0.0
+        """Seconds left in which the setpoint follows what is measured, after a contact."""
+        self._compliance = 0.0
         self._shaper = Shaper(self._planned, 1)
         self._since_end = 0.0
         self._period = 0.002
@@ -102,6 +114,7 @@ class ArmSetpoints:
         if self._motion is None:
             self._shaper = Shaper(self._planned, round(SHAPING_TIME / self._period) if shaped else 1)
         self._motion = motion
+        self._yielding = 0.0
         self.error, self.result, self._since_end = "", MotionResult.IN_PROGRESS, 0.0
 
     def refuse(self, reason: str) -> None:
@@ -119,6 +132,18 @@ class ArmSetpoints:
             self._motion.brake()
         if self.result is MotionResult.IN_PROGRESS:
             self.result = MotionResult.STOPPED
+
+    def block(self, reason: str, measured: JointMeasurements, *, gives_way: bool) -> None:
+        """End the motion in progress where the joints are, because something is in the way.
+
+        Then the setpoint follows the joints, so that the torque at the contact falls; with `gives_way` it also moves
+        the way that the contact pushes.
+        """
+        self.error, self.result = reason, MotionResult.BLOCKED
+        self._motion = None
+        rest = np.zeros_like(measured.q)
+        self.setpoint = self._planned = Setpoint(measured.q.copy(), rest, rest)
+        self._yielding, self._compliance = YIELDING_TIME, COMPLIANCE if gives_way else 0.0
 
     def come_to_rest(self) -> None:
         """Stop from the present setpoint, each joint independently."""
@@ -167,10 +192,21 @@ class ArmSetpoints:
                 # a closed loop: what its other end demands is followed, so that no force builds up between the ends
                 part = min(1.0, dt / RELAXATION_TIME)
                 setpoint = Setpoint(setpoint.q + part * (measured.q - setpoint.q), setpoint.v, setpoint.a)
+            elif self._yielding > 0.0:
+                self._yielding -= dt
+                setpoint = self._yield(setpoint, measured, dt)
             rest = np.zeros_like(measured.q)
             self._planned = Setpoint(setpoint.q, rest, rest)
         self.setpoint = setpoint
         return setpoint
+
+    def _yield(self, setpoint: Setpoint, measured: JointMeasurements, dt: float) -> Setpoint:
+        """The setpoint of an arm that has met something."""
+        pushed = self._assembly.contact.external * (self._compliance / self._assembly.torque_limits)
+        fastest = float(np.abs(pushed).max(initial=0.0))
+        velocity = pushed * (min(1.0, YIELDING_SPEED / max(fastest, 1e-9)) if self._yielding > 0.0 else 0.0)
+        part = min(1.0, dt / RELAXATION_TIME)
+        return Setpoint(setpoint.q + part * (measured.q - setpoint.q) + dt * velocity, velocity, setpoint.a)
 
     def _end_motion(self, setpoint: Setpoint, measured: JointMeasurements, powered: Sequence[bool]) -> None:
         """End the motion once the joints follow, or have had time enough."""

@@ -22,7 +22,7 @@ from jauspy.platform.modular.assembly import ArmAssembly, carried_over
 from jauspy.platform.modular.connector import VacuumConnector
 from jauspy.platform.modular.control_laws import JointMeasurements
 from jauspy.platform.modular.graph import ArmChain, attachments, find_chain
-from jauspy.platform.modular.parts import CellSetup
+from jauspy.platform.modular.parts import CellSetup, ContactReaction
 from jauspy.platform.modular.servo import ServoDrive, ServoReading
 from jauspy.platform.modular.splines import Knots
 from jauspy.platform.modular.torque_controller import TorqueController
@@ -141,13 +141,31 @@ class AssembledArm(ModularArm):
         if not self._assembly.drives:
             return
         self._read(dt)
-        setpoint = self._setpoints.advance(self._measured, self._powered, dt)
         if all(self._powered):
+            self._watch_contact(dt)
             self._assembly.update_load(self._measured, dt)
+        setpoint = self._setpoints.advance(self._measured, self._powered, dt)
         torques = self._torques.update(setpoint, self._measured, dt)
         for drive, reading, torque in zip(self._assembly.drives, self._readings, torques.tolist(), strict=True):
             if reading.powered:
                 drive.set_torque(torque)
+
+    def _watch_contact(self, dt: float) -> None:
+        """End the motion in progress if something is in the way. A closed loop has forces of its own."""
+        contact, reaction = self._assembly.contact, self._cell.contact
+        contact.update(self._measured, dt)
+        if reaction is ContactReaction.IGNORE or not self._setpoints.moving or self.chain.held_by:
+            return
+        if touched := contact.touched():
+            way = np.array(self._setpoints.targets) - self._measured.q
+            rows = [
+                f"{self.chain.joints[joint]}, {abs(contact.external[joint]):.0f} N m, {abs(way[joint]):.2f} rad short"
+                for joint in touched
+            ]
+            gives_way = reaction is ContactReaction.YIELD
+            end = "the arm gives way" if gives_way else "the arm holds where it is"
+            self._setpoints.block(f"Blocked: {'; '.join(rows)}; {end}", self._measured, gives_way=gives_way)
+            self._torques.restart(self._assembly.model.gravity(self._measured.q))
 
     def _follow_attachments(self) -> None:
         """Adopt the arm that is assembled now."""
@@ -209,6 +227,7 @@ class AssembledArm(ModularArm):
         elif returned:
             self._setpoints.come_to_rest()
         self._torques.restart(np.where(powered, self._torques.last_torques, self._measured.spring))
+        self._assembly.contact.restart()
 
     def _columns(self, joints: tuple[str, ...] | None) -> list[int]:
         """The indices in the chain of the joints that a motion names."""

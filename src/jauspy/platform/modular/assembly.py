@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.geometry.poses import IDENTITY, Pose, Transform
+from jauspy.platform.modular.contact import ContactObserver
 from jauspy.platform.modular.control_laws import JointMeasurements, smooth_step
 from jauspy.platform.modular.dynamics import ArmModel, PayloadEstimator
 from jauspy.platform.modular.graph import ArmChain, Attachment, find_chain
@@ -63,6 +64,8 @@ class ArmAssembly:
         self.base = Transform.from_pose(base_pose(chain.ground)) if chain.ground else IDENTITY
         """Frame of the base in the world; it turns gravity in the frame of the model."""
         self.model.set_base(self.base)
+        self.contact = ContactObserver(self.model, self.torque_limits, on_wheels=not _stands_still(cell, chain))
+        """External torques on the joints."""
         self._payload = PayloadEstimator(self.model, len(chain.joints)) if self.model.has_load else None
         self._second_base = _find_second_base(cell, chain, tuple(connected), base_pose)
 
@@ -94,8 +97,8 @@ class ArmAssembly:
         return float(np.max(np.abs(self.motor_torques(setpoint)) / self.planned_torques, initial=0.0))
 
     def update_load(self, measured: JointMeasurements, dt: float) -> None:
-        """Estimate the mass of a box at the tip, and take it into the model."""
-        if self._payload is not None:
+        """Estimate the mass of a box at the tip, and take it into the model, unless something may be in the way."""
+        if self._payload is not None and not self.contact.suspects:
             self.model.set_load(self._payload.update(measured.q, measured.v, measured.spring, dt))
 
     def shared_load(self, q: Array, dt: float) -> Array:
@@ -141,6 +144,11 @@ def _find_second_base(
             model.set_base(Transform.from_pose(base_pose(other.ground)))
             return _SecondBase(model, [chain.joints.index(name) for name in other.joints])
     return None
+
+
+def _stands_still(cell: CellSetup, chain: ArmChain) -> bool:
+    """True if the base of a chain is bolted down."""
+    return any(part.fixed and part.name == chain.ground for part in cell.parts)
 
 
 def _servo_data(cell: CellSetup, name: str) -> ServoData:

@@ -90,6 +90,13 @@ class ArmModel:
         found: Array = pin.crba(self._model, self._data, q)
         return found
 
+    def momentum(self, q: Array, v: Array) -> tuple[Array, Array]:
+        """The generalized momentum (N m s), and its rate (N m) without torques at the joints: C^T v - g."""
+        momentum: Array = pin.crba(self._model, self._data, q) @ v
+        coriolis: Array = pin.computeCoriolisMatrix(self._model, self._data, q, v)
+        rate: Array = coriolis.T @ v - pin.computeGeneralizedGravity(self._model, self._data, q)
+        return momentum, rate
+
     def load_torques(self, q: Array, v: Array, a: Array) -> tuple[Array, Array]:
         """Torques (N m) without the box at the tip, and those for each kilogram of it."""
         without: Array = pin.rnea(self._empty, self._empty_data, q, v, a)

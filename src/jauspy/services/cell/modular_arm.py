@@ -10,6 +10,7 @@ from typing import Final
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import quaternion
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.messages.cell import (
     MoveModularArm,
     QueryModularArmMotionResult,
@@ -32,6 +33,7 @@ MAX_TOLD: Final = 64
 MAX_RESULTS: Final = 32
 """Motions of which the service remembers the result."""
 _TIMER: Final = "modular arm motion"
+_LOG: Final = get_logger("jauspy.cell")
 
 _Controller: Final = SetModularArmController.Controller
 _CONTROLLERS: Final[Mapping[int, ArmController]] = {
@@ -251,6 +253,9 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
             return False  # the state may be one from before the motion was begun
         if state.error.endswith(CHANGED):
             self.host.count("joints_changed", state.error)
+        if state.result is MotionResult.BLOCKED:
+            self.host.count("blocked", state.error)
+            _LOG.warning("%s: %s", self.host.id, state.error)
         self._end(state.result, state.error)
         return True
 
