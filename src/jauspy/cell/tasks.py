@@ -371,7 +371,15 @@ TASKS: Final[dict[str, Task]] = {
 }
 """The tasks that can be run by name."""
 
-FILMED_BY: Final[dict[str, str]] = {"assemble": "platforms", "lift": "target", "step": "platforms", "car": "car"}
+FILMED_BY: Final[dict[str, str]] = {
+    "assemble": "platforms",
+    "take-apart": "platforms",
+    "lift": "target",
+    "throws": "target",
+    "step": "platforms",
+    "car": "car",
+    "demo": "story",
+}
 """The camera of the cell that films a task; others are filmed by the one that sees all of the cell."""
 
 
