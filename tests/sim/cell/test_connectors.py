@@ -298,19 +298,6 @@ def test_the_probe_measures_the_same_load_from_outside() -> None:
     assert used <= peak.utilisation < 1.3 * used  # with what the sudden load overshoots
 
 
-def test_a_load_that_is_let_go_on_purpose_is_no_overload() -> None:
-    cell = held_tube(latched=False)
-    probe = cell.probe()
-    load(cell, np.array([0.0, 0.0, 40.0, 0.0, 0.0, 0.0]))
-    cell.advance(0.1)
-    held = probe.largest_loads()["cup"].utilisation
-    assert 0.0 < held < 1.0
-    cell.connectors[TOP].set(False)
-    cell.advance(0.5)
-    assert not cell.connectors[TOP].state().attached_to
-    assert probe.largest_loads()["cup"].utilisation == held, "the vacuum that is left is not what it has to hold with"
-
-
 # --- vacuum and latch ---------------------------------------------------------------------------------------------
 
 
