@@ -27,7 +27,7 @@ TURNER: Final = Slot("wheel servo", ("x5_1_inline",))
 WHEEL: Final = Slot("wheel", ("wheel",), "")
 CARRY_SPEED: Final = 0.25
 """Fraction of the UR10's speed with the car in the gripper."""
-ARM_SPEED: Final = 0.12
+ARM_SPEED: Final = 0.08
 """The same with the arm, whose joints have no power then and are held by friction only."""
 BESIDE: Final = (0.015, 0.12)
 """Metres from the middle of the belt towards the UR10, and from the line of the arm against the belt's direction, at
@@ -152,10 +152,10 @@ class CarTask:
         scene, handling = self.ur10.scene, self.ur10.handling
         at = scene.poses[root]
         pieces = list(pieces_of_part(self.layout.type_of(root)))
-        for name in members:
-            offset = at.actInv(scene.poses[name])
+        frames = [(name, at.actInv(scene.poses[name])) for name in members]
+        for name, offset in frames:
             pieces += [Piece(piece.shape, offset * piece.frame) for piece in scene.pieces(name)]
-        handling.composites[root] = pieces
+        handling.composites[root], handling.members[root] = pieces, frames
         for name in members:
             scene.remove(name)
         self.ur10.carried |= set(members)
@@ -234,8 +234,7 @@ class CarTask:
         ur10 = self.ur10
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.3)
-        ur10.held = None
-        ur10.scene.release()
+        ur10.forget_held()
         ur10.scene.put(part, ur10.handling.pieces(part), pose)
 
     async def _load_arm(self) -> None:
