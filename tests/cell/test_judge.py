@@ -46,6 +46,7 @@ class Robot:
     time: float = 12.5
     optional_parts: list[Any] = field(default_factory=list)
     cameras: dict[str, str] = field(default_factory=dict)
+    faults: Any = None
 
     def prepare(self, connector: str, parts: Any, errors: Any = None) -> None:
         """The test assembles nothing."""

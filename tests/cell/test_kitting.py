@@ -70,7 +70,7 @@ class TestPlaces:
         part = layout.of_types((type,))[0]
         product = Product(type, 0.1, -0.05, 0.3)
         gripper = kitter.goal(product, part) * layout.grasp(part)
-        top = layout.setup.conveyor.pose.z + kitter.thickness(part)
+        top = layout.setup.conveyor.pose.z + layout.thickness(part)
         assert gripper.translation == pytest.approx([TRAY[0] + 0.1, TRAY[1] - 0.05, top])
         assert gripper.rotation[:, 2] == pytest.approx([0.0, 0.0, -1.0]), "the gripper comes from above"
         assert gripper.rotation[:, 0] == pytest.approx([math.cos(0.3), math.sin(0.3), 0.0])
@@ -81,7 +81,7 @@ class TestPlaces:
         for part in layout.setup.parts:
             solids = layout.type_of(part.name).solids
             if solids:
-                assert 0.0 < kitter.thickness(part.name) <= max(solids[0].size) * math.sqrt(3.0) + 1e-9
+                assert 0.0 < layout.thickness(part.name) <= max(solids[0].size) * math.sqrt(3.0) + 1e-9
 
 
 class TestFailures:

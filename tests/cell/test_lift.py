@@ -10,7 +10,7 @@ import pinocchio as pin
 import pytest
 
 from jauspy.cell.frames import shifted
-from jauspy.cell.lift import ATTEMPTS, LEAST_GAIN, Aim, Lifter
+from jauspy.cell.lift import ATTEMPTS, LARGEST_LESSON, Aim, Lifter
 from jauspy.cell.schedule import TaskFailed
 from jauspy.platform.modular.parts import PartKind
 
@@ -104,7 +104,7 @@ def test_boxes_that_have_passed_or_fallen_are_left_and_the_nearest_is_the_first(
     boxes = {
         "box_1": (1.0, -0.8, 0.2),
         "box_2": (1.0, -0.3, 0.2),
-        "box_3": (1.0, 0.15, 0.2),  # less than 0.1 m before the arm, too late
+        "box_3": (1.0, 0.0, 0.2),  # closer to the arm than its run-up, too late
         "box_4": (1.0, -0.5, 0.0),  # on the floor
     }
     assert lifter(Cell(**boxes))._in_order() == ["box_2", "box_1"]
@@ -131,10 +131,40 @@ async def test_an_empty_belt_is_no_attempt() -> None:
         await lifter(cell).run()
 
 
-def test_a_miss_is_corrected_whole_at_first_and_by_less_later() -> None:
+def rests(aim: Aim, bias: np.ndarray, scatter: float, seed: int, throws: int) -> list[float]:
+    """Throw at a goal with a bias and a scatter, learning from each; distances from the goal, metres."""
+    random, goal, errors = np.random.default_rng(seed), np.array([2.3, 0.2]), []
+    for _ in range(throws):
+        planned = aim.at(goal)
+        rest = planned + bias + scatter * random.normal(size=2)
+        errors.append(float(np.linalg.norm(rest - goal)))
+        aim.learn(planned, rest)
+    return errors
+
+
+def test_a_bias_is_corrected_after_one_throw() -> None:
+    errors = rests(Aim(), np.array([0.04, -0.02]), 0.0, 0, 3)
+    assert errors[0] == pytest.approx(np.hypot(0.04, 0.02))
+    assert max(errors[1:]) < 1e-9
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_later_throws_are_as_exact_as_their_scatter_allows(seed: int) -> None:
+    errors = rests(Aim(), np.array([0.04, -0.02]), 0.004, seed, 40)
+    assert float(np.mean(errors[20:])) < 1.4 * 0.004 * np.sqrt(np.pi / 2.0)
+
+
+def test_a_correction_with_the_wrong_sign_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Aim, "at", lambda self, goal: goal + self.bias)
+    assert max(rests(Aim(), np.array([0.04, -0.02]), 0.0, 0, 3)[1:]) > 0.04
+
+
+def test_a_box_that_tumbles_moves_the_aim_little() -> None:
     aim = Aim()
-    aim.learn(np.array([0.04, -0.02]))
-    assert aim.offset == pytest.approx([-0.04, 0.02])
-    for _ in range(9):
-        aim.learn(np.array([0.01, 0.0]))
-    assert aim.offset[0] == pytest.approx(-0.04 - 0.01 * (1 / 2 + 1 / 3 + 7 * LEAST_GAIN))
+    rests(aim, np.array([0.01, 0.0]), 0.0, 0, 4)
+    aim.learn(np.zeros(2), np.array([0.3, -0.4]))
+    assert np.linalg.norm(aim.bias - np.array([0.01, 0.0])) < 0.005
+    assert LARGEST_LESSON < 0.5  # of the first one, too, only so much counts
+    first = Aim()
+    first.learn(np.zeros(2), np.array([0.3, -0.4]))
+    assert np.linalg.norm(first.bias) == pytest.approx(LARGEST_LESSON)

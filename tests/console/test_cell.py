@@ -14,11 +14,14 @@ from jauspy.console.operation import Operation
 from jauspy.console.robot_geometry import FREE
 from jauspy.console.world import World, is_cell
 from jauspy.console.world_socket import Worlds
-from jauspy.geometry.poses import Pose
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import Pose, Transform
+from jauspy.geometry.vectors import rotation_about, rotation_from_quaternion
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryControl
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
+from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.cell import CarState
 from jauspy.robot import robot_files
 from jauspy.robot.runner import RobotRunner
@@ -103,6 +106,54 @@ async def test_the_assembled_arm_moves_as_it_reports() -> None:
         now = places(world)
         assert (now["output of servo_1"], now["output of servo_2"]) == pytest.approx((0.5, -0.25), abs=1e-3)
         assert world.notes() == [], "a cell has no map and no pose, and nothing is missing"
+        await world.close()
+
+
+def frame(place: object) -> Transform:
+    """The frame of a pose that the browser is told."""
+    assert isinstance(place, list)
+    x, y, z, a, b, c, d = place
+    return Transform(rotation_from_quaternion(d, a, b, c), (x, y, z))
+
+
+def gripper(cell: Cell) -> Transform:
+    """Where the gripper is, by the joints of the robot itself."""
+    group = cell.robot.groups["ur10"]
+    description = robot_files.robot_model(robot_files.load("cell")).description
+    rows = zip(group.joints, group.state().positions, strict=True)
+    return FrameTree(description).pose("gripper", {joint.name: position for joint, position in rows})
+
+
+HELD = Transform(rotation_about((0.0, 0.0, 1.0), 0.4), (0.01, -0.02, 0.0))
+
+
+async def test_what_is_held_is_drawn_where_its_holder_is() -> None:
+    async with running() as cell:
+        cell.robot.assemble("servo_1", "tube_1")
+        cell.robot.attach("gripper", "box_1")
+        connector = cell.robot.connectors["gripper"]
+        connector.current = replace(connector.current, offset=HELD)
+        cell.robot.sensor.seen = tuple(part for part in cell.robot.sensor.seen if part.name != "tube_1")
+        await asyncio.sleep(0.2)
+        found = await cell.ocu.discover(201)
+        world = World(cell.ocu, lambda: found)
+        await world.watched_by("page")
+        for joint in (0.3, -0.4):
+            cell.robot.groups["ur10"].command([Target(ControlMode.POSITION, joint)] * 6)
+            cell.robot.arm.move([joint], 0.2)
+            await asyncio.sleep(6.0)
+            at, wanted = frame(places(world)["part box_1"]), gripper(cell) @ HELD
+            assert at.position == pytest.approx(wanted.position, abs=2e-3)
+            assert at.rotate((1.0, 0.0, 0.0)) == pytest.approx(wanted.rotate((1.0, 0.0, 0.0)), abs=2e-3)
+            lowest = frame(places(world)["part servo_1"])
+            assert lowest.position == pytest.approx((0.6, 0.22, 0.2), abs=1e-3), "on its platform"
+        assert "part tube_1" not in places(world), "what was never seen is not drawn"
+
+        connector.current = replace(connector.current, attached_to="")
+        await asyncio.sleep(1.0)
+        assert frame(places(world)["part box_1"]).position == pytest.approx((1.05, -0.95, 0.22), abs=1e-3)
+        assert world.notes() == []
+        world.unwatched_by("page")
         await world.close()
 
 

@@ -48,3 +48,22 @@ def test_it_opens_on_the_world_and_names_its_arms(url: str) -> None:
         page.locator(".component", has_text="CM-MAN").click()
         name = page.locator(".service").get_by_text("ManipulatorJointPositionDriver", exact=True)
         assert "Manipulator<wbr>Joint<wbr>Position<wbr>Driver" in name.evaluate("(each) => each.outerHTML")
+
+
+def test_the_conveyor_is_run_and_stopped(url: str) -> None:
+    with page_at(url) as page:
+        conveyor = page.locator("section.conveyor")
+        conveyor.get_by_text(re.compile("^stands, moved")).wait_for()
+        conveyor.get_by_text(re.compile("on it: .*box_1 at 0.2")).wait_for()
+        conveyor.get_by_text("speed 0.10 m/s").wait_for()
+        run = conveyor.get_by_role("button", name="run", exact=True)
+        sync_api.expect(run).to_be_disabled(timeout=WAIT)
+        page.get_by_role("button", name="take", exact=True).click()
+        sync_api.expect(run).to_be_enabled(timeout=WAIT)
+        run.click()
+        conveyor.get_by_text(re.compile("0.10 m/s forward")).wait_for()
+        conveyor.get_by_role("button", name="backward").click()
+        run.click()
+        conveyor.get_by_text(re.compile("0.10 m/s backward")).wait_for()
+        conveyor.get_by_role("button", name="stop", exact=True).click()
+        conveyor.get_by_text(re.compile("^stands, moved")).wait_for()

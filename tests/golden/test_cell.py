@@ -43,6 +43,21 @@ ROWS = [
         "64da0107" + b"servo_1".hex() + "00",
         id="a supply",
     ),
+    pytest.param(m.QueryModuleEnergy(), "6bea", id="a query for energy"),
+    pytest.param(
+        m.ReportModuleEnergy(
+            [m.ReportModuleEnergy.ModuleEnergyRec("s", 2.5, 100.0)],
+            [m.ReportModuleEnergy.BatteryRec("b", 50.0, 1000.0, 36.0, 1.25)],
+        ),
+        "6bfa"
+        "0101"
+        + b"s".hex()
+        + struct.pack("<fd", 2.5, 100.0).hex()
+        + "0101"
+        + b"b".hex()
+        + struct.pack("<fdff", 50.0, 1000.0, 36.0, 1.25).hex(),
+        id="what a module draws and a battery has left",
+    ),
     pytest.param(
         motion_command([0.5, math.nan, -2.0], 1.5),
         "65da000000000000f83f0301000000000000e03f000100000000000000c0",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from jauspy.backends.kinematic import KinematicJoints
@@ -21,14 +21,17 @@ from jauspy.platform.modular.arm import (
     MotionResult,
 )
 from jauspy.platform.modular.cell import (
+    BatteryState,
     Car,
     CarState,
+    Consumption,
     Conveyor,
     ConveyorState,
     ModulePower,
     Observation,
     ObservedPart,
     PartSensor,
+    PowerState,
 )
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState, VacuumConnector
 from jauspy.platform.modular.graph import attachments, find_chain
@@ -135,8 +138,9 @@ class MemoryPower(ModulePower):
     def __init__(self, names: Sequence[str]) -> None:
         self.switches = dict.fromkeys(names, True)
 
-    def state(self) -> Mapping[str, bool]:
-        return dict(self.switches)
+    def state(self) -> PowerState:
+        drawn = {name: Consumption(2.5, 10.0) for name in self.switches}
+        return PowerState(dict(self.switches), drawn, {"car": BatteryState(0.5, 1000.0, 36.0, 1.25)})
 
     def switch(self, name: str, on: bool) -> None:
         if name in self.switches:

@@ -200,6 +200,11 @@ async def test_parts_are_observed_and_modules_switched(cell):
     assert seen.poses[part.name].position == pytest.approx((part.pose.x, part.pose.y, part.pose.z))
     assert seen.time > 0.0
     async with robot.control(str(IDS["CM-PRT"])):
+        power = await station.energy()
+        assert power.switches["servo_1"]
+        assert power.consumption["servo_1"].energy == 10.0
+        assert power.energy == 10.0 * len(power.switches)
+        assert power.batteries["car"].charge == 0.5
         await station.switch(["servo_1"], on=False)
         await asyncio.sleep(APPLIED)
         assert not memory.power.switches["servo_1"]

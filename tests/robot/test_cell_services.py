@@ -426,6 +426,15 @@ def test_parts_are_observed_with_their_poses():
         assert found == pytest.approx(quaternion(Transform.from_pose(part.pose).rotation), abs=1e-6)
 
 
+def test_energy_of_modules_and_batteries_is_reported():
+    bench = Bench("CM-PRT")
+    report = bench.ask(m.QueryModuleEnergy())
+    assert {row.name for row in report.module_list} == set(bench.robot.power.switches)
+    assert (report.module_list[0].power, report.module_list[0].energy) == (2.5, 10.0)
+    (battery,) = report.battery_list
+    assert (battery.name, battery.charge, battery.energy, battery.voltage) == ("car", 50.0, 1000.0, 36.0)
+
+
 def test_modules_are_switched_on_and_off():
     bench = Bench("CM-PRT")
     record, power = m.SetModulePower.ModulePowerRec, m.SetModulePower.Power

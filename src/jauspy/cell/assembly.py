@@ -7,9 +7,10 @@ way: the gripper turned, the part measured anew, another part of the type.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -17,14 +18,15 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, tilt_between, turned
 from jauspy.cell.handling import Handling, PickPlan
+from jauspy.cell.held_load import MOST
 from jauspy.cell.interface import GRIPPER, Cell, SeenPart
-from jauspy.cell.motion import MotionPlanner, NoPath, Path
+from jauspy.cell.motion import GENTLE, MotionPlanner, NoPath, Path, profile
 from jauspy.cell.scene import Clearance, Layout, connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
-from jauspy.geometry.vectors import GRAVITY
+from jauspy.geometry.vectors import GRAVITY, Z
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState
-from jauspy.platform.modular.parts import PartKind, body_inertia, output_inertia
+from jauspy.platform.modular.parts import PartKind, PartType, mass_of
 
 GRASPS: Final = 4
 """Attempts to grasp one part before another of its type is taken."""
@@ -49,6 +51,14 @@ HEAVY_TOUCH_SPEED: Final = 0.002
 """The same towards what is bolted down, or heavy: it gives way less than a part in a bin."""
 CONTACT_FORCE: Final = 8.0
 """Newtons by which the force on the gripper must change for what it holds to be in contact."""
+STEP: Final = 1e-6
+"""Radians of a difference quotient."""
+LEANS: Final = 24
+LEAN_SPEED: Final = 0.02
+LEAN_TIME: Final = 0.1
+"""Parts in which a load is taken up, the fraction of the UR10's speed, and seconds in which the force settles."""
+TAKEN_UP: Final = 0.9
+"""Fraction of a load's weight from which on the gripper carries it."""
 MAX_TILT: Final = math.radians(2.0)
 MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
@@ -67,15 +77,20 @@ PUT_DOWN_HEIGHT: Final = 0.2
 """Height of the gripper above the floor, metres."""
 PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
 """The UR10's posture away from platforms and conveyor, in radians."""
+QUARTERS: Final = (0.0, math.pi, math.pi / 2.0, -math.pi / 2.0)
 WHEEL_TURNS: Final = 12
 """Angles about its axis at which a wheel may be joined."""
 BACK: Final = 0.02
 BACK_STEPS: Final = 4
 """Metres, and how often, that the gripper moves back from what it has released until there is room around it."""
+EVACUATED_TIME: Final = 0.15
+"""Seconds after an attachment in which the gripper's pump reaches the full vacuum."""
 RELEASE_TIME: Final = 0.2
 """Seconds until a connector has let go."""
 POLL: Final = 0.02
 """Seconds between two queries of a connector."""
+STRAIGHT: Final = 0.999
+"""Cosine of the angle from which on two axes count as parallel."""
 OUT_OF_CONTACT: Final = (ConnectorError.NO_CONTACT, ConnectorError.TOO_FAR, ConnectorError.NOT_ALIGNED)
 SEARCH: Final = (0.0, 0.0015, -0.0015, 0.003)
 """Metres beside the connector at which the attempts to join press the part down."""
@@ -89,6 +104,9 @@ class Slot:
     types: tuple[str, ...]
     connector: str = "output"
     """The connector of the part in this place to which the next one is attached."""
+    turns: tuple[float, ...] = ()
+    """Radians about the connector's normal from where the part is square to the one before: as it is wanted, and then
+    others with which it does as well. Empty: by its type."""
 
 
 FIVE_JOINTS: Final = (
@@ -167,6 +185,8 @@ class Assembler:
         """The UR10's present posture."""
         self.rejected: set[str] = set()
         """Parts that are not tried again."""
+        self.out_of_reach: set[str] = set()
+        """Parts that cannot be had for the present place; for another one they may."""
         self.used: set[str] = set()
         self.carried: set[str] = set()
         """Parts that are attached to another one and move with it: their shapes are with those of the other."""
@@ -249,7 +269,15 @@ class Assembler:
         contact: bool = False,
         gentle: bool = False,
     ) -> None:
-        """Move along a path; paths that do not end in contact count for the smallest distance."""
+        """Move along a path; paths that do not end in contact count for the smallest distance.
+
+        It speeds up slowly where what the gripper holds would load it too much otherwise. Raises `NoPath` where it does
+        at any acceleration.
+        """
+        if not gentle and self.load_used(path, speed, 1.0) > MOST:
+            gentle = True
+        if gentle and (used := self.load_used(path, speed, GENTLE)) > MOST:
+            raise NoPath(f"the gripper would use {used:.0%} of its strength on the way, at most {MOST:.0%} is safe")
         if not contact and path.clearance.distance < self.clearance.distance:
             self.clearance = path.clearance
         self.at = path.end
@@ -258,6 +286,23 @@ class Assembler:
         except JausError:
             self.at = await self.cell.posture()
             raise
+
+    def load_used(self, path: Path, speed: float, acceleration: float) -> float:
+        """Largest fraction of the gripper's strength that what it holds uses along a path.
+
+        `speed` and `acceleration` are fractions of the UR10's, as in a motion along it.
+        """
+        load, layout = self.planner.load, self.layout
+        if load is None:
+            return 0.0
+        used = 0.0
+        for start, goal in pairwise(path.points):
+            rates = profile(start, goal, layout.speeds * speed, layout.accelerations * acceleration).accelerations
+            change = np.sign(goal - start) * np.where(goal == start, 0.0, rates)
+            for posture, sign in ((start, 1.0), (goal, -1.0)):
+                tool, jacobian = layout.kinematics.forward(posture), layout.kinematics.jacobian(posture)
+                used = max(used, load.utilisation(tool, sign * jacobian[:3] @ change))
+        return used
 
     async def _make_safe(self) -> None:
         """Leave the UR10 at rest; it keeps holding its part, which would fall otherwise."""
@@ -278,15 +323,12 @@ class Assembler:
         row.fetch_time += self.cell.now() - begun
 
     def goals(self, slot: Slot, tip: Tip) -> list[pin.SE3]:
-        """The frames in the world that a part in this place may have: on the connector, square to the base."""
-        if self.layout.setup.types[slot.types[0]].kind is PartKind.WHEEL:
-            turns = [math.tau * number / WHEEL_TURNS for number in range(WHEEL_TURNS)]
-        else:
-            turns = [0.0] if "elbow" in slot.types[0] else [0.0, math.pi, math.pi / 2.0, -math.pi / 2.0]
-        return [tip.frame * tip.square * turned("z", turn) for turn in turns]
+        """The frames in the world that a part in this place may have."""
+        return slot_goals(self.layout, slot, tip)
 
     async def fetch(self, slot: Slot, row: PartResult, goals: list[pin.SE3]) -> None:
         """Grasp a part for this place, and lift it; raises `TaskFailed` when no part can be had."""
+        self.out_of_reach.clear()
         for _ in range(PARTS):
             await self.look()
             part = self._choose(slot)
@@ -295,7 +337,8 @@ class Assembler:
             row.part = part
             if await self._grasp(part, row, goals):
                 return
-            self.rejected.add(part)
+            if part not in self.out_of_reach:
+                self.rejected.add(part)
         tried = "; ".join(row.attempts) or "none is left"
         raise TaskFailed(f"no {' or '.join(slot.types)} could be grasped for {slot.name}: {tried}")
 
@@ -340,7 +383,7 @@ class Assembler:
     def _choose(self, slot: Slot) -> str | None:
         """The next part of a fitting type that lies somewhere and was not rejected."""
         for name in self.layout.of_types(slot.types):
-            if name in self.seen and name not in self.rejected and name not in self.used:
+            if name in self.seen and name not in self.rejected | self.out_of_reach | self.used:
                 return name
         return None
 
@@ -354,6 +397,7 @@ class Assembler:
                 plan = await self.cell.compute(partial(self.handling.pick, part, pose, self.at, goals, skip=attempt))
             except NoPath as error:
                 row.attempts.append(f"{part}: {error}")
+                self.out_of_reach.add(part)
                 return False
             why = await self.try_grasp(plan, row)
             if not why:
@@ -373,13 +417,21 @@ class Assembler:
         await self.go(plan.near, speed=NEAR_SPEED, contact=True)
         backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
         heavy = plan.part in self.handling.composites
-        state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if heavy else TOUCH_SPEED)
-        if state.attached_to != plan.part:
-            await self.cell.enable(GRIPPER, False)
-            await self.go(self.handling.retreat(self.at), contact=True)
-            return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}"
         if release:
             await self.cell.leave(plan.part)
+        stiff = heavy or bool(release)
+        state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if stiff else TOUCH_SPEED)
+        if state.attached_to != plan.part or (self.layout.locks(GRIPPER, plan.part) and not state.latched):
+            await self.cell.enable(GRIPPER, False)
+            await self.go(self.handling.retreat(self.at), contact=True)
+            return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}, or has not locked it"
+        if release:
+            await self.cell.sleep(EVACUATED_TIME)
+            state = await self.cell.connector(GRIPPER)
+            if state.attached_to != plan.part:
+                await self.cell.enable(GRIPPER, False)
+                await self.go(self.handling.retreat(self.at), contact=True)
+                return f"the gripper lost it{_because(state)}"
             await self.cell.enable(release, False)
             await self.cell.sleep(RELEASE_TIME)
         self._hold(plan.part, state)
@@ -394,7 +446,7 @@ class Assembler:
         if math.isfinite(state.mass_deviation):
             row.mass, row.mass_deviation = state.mass, state.mass_deviation
         type = self.layout.type_of(plan.part)
-        if weigh and (why := _wrong_weight(state, body_inertia(type).mass + output_inertia(type).mass)):
+        if weigh and (why := _wrong_weight(state, mass_of(type))):
             await self._put_back(plan, release)
             return why
         return ""
@@ -402,11 +454,16 @@ class Assembler:
     def _hold(self, part: str, state: ConnectorState) -> None:
         grasp = se3(state.offset).inverse()
         self.held = Held(part, grasp)
+        self.planner.load = self.handling.load(part, grasp)
         self.scene.hold(part, self.handling.pieces(part), grasp.inverse())
 
-    def _drop(self, part: str) -> None:
-        self.held = None
+    def forget_held(self) -> None:
+        """Plan without what the gripper has held."""
+        self.held = self.planner.load = None
         self.scene.release()
+
+    def _drop(self, part: str) -> None:
+        self.forget_held()
         self.used.discard(part)
 
     async def _put_back(self, plan: PickPlan, connector: str = "") -> None:
@@ -483,8 +540,7 @@ class Assembler:
     async def _let_go(self, part: str, row: PartResult, tip: Tip, slot: Slot, state: ConnectorState) -> None:
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.1)
-        self.held = None
-        self.scene.release()
+        self.forget_held()
         offset = se3(state.offset)
         frame = tip.frame * offset
         self.used.add(part)
@@ -497,7 +553,7 @@ class Assembler:
         row.shift, row.tilt = float(np.linalg.norm(offset.translation)), tilt_between(pin.SE3.Identity(), offset)
         row.joint_force, row.joint_moment = after.force, after.moment
         if slot.connector in self.layout.type_of(part).connectors:
-            tip.advance(part, slot.connector, frame, self._connector(part, slot.connector))
+            tip.advance(part, slot.connector, frame, self._connector(part, slot.connector), (*slot.turns, 0.0)[0])
 
     async def put_here(self, part: str, frame: pin.SE3) -> None:
         """Let go of the held part, which then is at `frame` in the world until the sensor sees it."""
@@ -540,6 +596,26 @@ class Assembler:
         """Lower what the gripper holds along a path, until it is in contact or at the end."""
         await self.cell.touch(path, GRIPPER, tool_speed=TOUCH_SPEED, contact=CONTACT_FORCE)
         self.at = await self.cell.posture()
+
+    async def take_up(self, mass: float, center: Array) -> None:
+        """Lean against a load until the gripper carries its weight, so that it does not drop when it is let go.
+
+        `mass` in kilograms, `center` of mass in the world. What the gripper holds is attached elsewhere, too, and stays
+        where it is; the joints are sent where the weight would bend them from.
+        """
+        k, group = self.layout.kinematics, self.layout.group
+        local = k.forward(self.at).actInv(center)
+        height = float(center[2])
+        torques = np.array(
+            [(k.forward(self.at + STEP * axis).act(local)[2] - height) / STEP for axis in np.eye(len(self.at))]
+        )
+        stiffness = np.array([group.gains[name].position.p for name in group.joints])
+        bend = GRAVITY * mass * torques / stiffness
+        for _ in range(LEANS):
+            if (await self.cell.connector(GRIPPER)).force >= TAKEN_UP * GRAVITY * mass:
+                return
+            await self.go(Path((self.at, self.at + bend / LEANS)), speed=LEAN_SPEED, contact=True, gentle=True)
+            await self.cell.sleep(LEAN_TIME)
 
     async def _wait_held(self, connector: str) -> ConnectorState:
         """Wait until a connector has attached something, and locked it if it can, or reports why it does not."""
@@ -594,12 +670,28 @@ class Tip:
         self.square = pin.SE3.Identity()
         """The turn about the connector's axis after which a part is square to the base."""
 
-    def advance(self, part: str, connector: str, frame: pin.SE3, output: pin.SE3) -> None:
-        """The next part is joined to this one, whose frame is `frame`."""
-        before = self.frame * self.square
+    def advance(self, part: str, connector: str, frame: pin.SE3, output: pin.SE3, turn: float = 0.0) -> None:
+        """The next part is joined to this one, whose frame is `frame`, and was to be turned by `turn` radians."""
+        wanted = self.frame * self.square * turned("z", turn) * output
         self.connector, self.part, self.frame = f"{part}/{connector}", part, frame * output
-        x = self.frame.rotation.T @ before.rotation[:, 0]
+        x = self.frame.rotation.T @ wanted.rotation[:, 0]
         self.square = turned("z", math.atan2(x[1], x[0]))
+
+
+def slot_goals(layout: Layout, slot: Slot, tip: Tip) -> list[pin.SE3]:
+    """The frames in the world that a part in a place may have: on the connector, square to the base."""
+    type = layout.setup.types[slot.types[0]]
+    turns: Sequence[float] = QUARTERS if is_straight(type) else QUARTERS[:1]
+    if type.kind is PartKind.WHEEL:
+        turns = [math.tau * number / WHEEL_TURNS for number in range(WHEEL_TURNS)]
+    return [tip.frame * tip.square * turned("z", turn) for turn in slot.turns or turns]
+
+
+def is_straight(type: PartType) -> bool:
+    """True if a part has all its axes along its own z: turned about it, it carries the next part as well."""
+    axes = [frame.rotate(Z) for frame in type.connectors.values()]
+    axes += [type.servo.axis] if type.servo is not None else []
+    return all(axis[2] > STRAIGHT for axis in axes)
 
 
 def _wrong_weight(state: ConnectorState, mass: float) -> str:

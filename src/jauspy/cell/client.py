@@ -5,8 +5,9 @@ from __future__ import annotations
 import asyncio
 import math
 from collections import defaultdict, deque
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import AsyncExitStack
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AsyncExitStack, contextmanager
+from contextvars import ContextVar
 from itertools import pairwise
 from typing import Final, Self
 
@@ -15,7 +16,7 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array, averaged, offset_between, se3
 from jauspy.cell.interface import GRIPPER, SeenPart, T
-from jauspy.cell.motion import Path, profile
+from jauspy.cell.motion import GENTLE, Path, profile
 from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError, JausError, RequestError
 from jauspy.ids import JausID
@@ -23,12 +24,11 @@ from jauspy.messages.cell.v1_0 import ReportServoState
 from jauspy.ocu import OCU, Arm, ComponentClient, MotionLimits, Robot
 from jauspy.ocu.cell import PartObservation
 from jauspy.platform.modular.arm import ArmController, ModularArmState, TrajectoryPoint
+from jauspy.platform.modular.cell import ConveyorState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.robot.config import RobotConfig
 
 AUTHORITY: Final = 100
-GENTLE: Final = 0.05
-"""Fraction of the joints' acceleration in motions that speed up slowly."""
 POLL: Final = 0.02
 """Seconds between two queries of the joints at the end of a motion."""
 ARRIVED: Final = 0.0015
@@ -45,6 +45,10 @@ STEADY: Final = 0.5
 """Newtons between two queries, below which a force is steady."""
 SAMPLES: Final = 6
 """Observations of a part that are averaged."""
+SILENT: Final = 1.0
+"""Seconds without an observation from which on the sensor counts as silent."""
+FIRST_TIME: Final = 5.0
+"""Seconds in which the first observation must arrive."""
 WATCH_PERIOD: Final = 0.1
 """Seconds between two queries for a new observation."""
 MOVED: Final = 0.008
@@ -77,11 +81,15 @@ class CellClient:
         self._last_seen: dict[str, str] = {}
         """Types of all parts that were ever seen, by name."""
         self._in_view: frozenset[str] = frozenset()
+        self._moving: set[str] = set()
+        """Parts that were elsewhere in the observation before the last one of them."""
         self._observation_time = 0.0
         self._latest: dict[str, tuple[float, pin.SE3]] = {}
         self._offset = math.inf
         """Seconds that the robot's clock is behind this one, by the observation that came fastest."""
         self.counts: dict[str, int] = defaultdict(int)
+        self._arm_name: ContextVar[str | None] = ContextVar("arm", default=layout.setup.arm or None)
+        """The modular arm that is commanded."""
 
     async def __aenter__(self) -> Self:
         self._robot = await self._ocu.discover(self._config.subsystem)
@@ -96,6 +104,20 @@ class CellClient:
 
     async def __aexit__(self, *_: object) -> None:
         await self._stack.aclose()
+
+    @contextmanager
+    def commanding(self, arm: str) -> Iterator[None]:
+        """In the block, and in tasks that begin in it, another modular arm of the cell is the one that is commanded."""
+        token = self._arm_name.set(arm)
+        try:
+            yield
+        finally:
+            self._arm_name.reset(token)
+
+    @property
+    def subsystem(self) -> int:
+        """The robot's subsystem id."""
+        return self._config.subsystem
 
     # --- time -----------------------------------------------------------------------------------------------------
 
@@ -174,6 +196,25 @@ class CellClient:
                 await _cancel(motion)
         return await self.connector(connector)
 
+    async def full_speed(self) -> None:
+        """Permit the UR10's joints their full speed, for `aim`."""
+        names = self.layout.group.joints
+        rows = zip(names, self.layout.speeds.tolist(), self.layout.accelerations.tolist(), strict=True)
+        await (await self._ur10()).set_motion_limits(
+            {name: MotionLimits(speed, rate, rate) for name, speed, rate in rows}
+        )
+
+    async def aim(self, posture: Array) -> None:
+        """Have the UR10 move towards a posture (rad) at once, from whatever motion it is in; returns before it arrives.
+
+        Repeated with postures close to each other, it follows them.
+        """
+        await (await self._ur10()).begin(dict(zip(self.layout.group.joints, posture.tolist(), strict=True)))
+
+    async def hold(self) -> None:
+        """Stop the UR10 where it is."""
+        await (await self._ur10()).stop()
+
     async def _settled(self, connector: str) -> ConnectorState:
         """The state of a connector, when the force on what it holds no longer changes, or after `SETTLING` seconds."""
         state, until = await self.connector(connector), self.now() + SETTLING
@@ -233,15 +274,26 @@ class CellClient:
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
         """The parts that the sensor has seen, each averaged since it last moved; with `fresh` over new observations.
 
-        A part that is hidden now is where it was seen last; its `age` says how long ago.
+        A part that is hidden now is where it was seen last; its `age` says how long ago. While the sensor is silent,
+        all parts are where they were seen last. Raises `RequestError` if it has never reported any.
         """
         if fresh:
             self._seen.clear()
         while True:
-            if self._in_view and all(len(self._seen.get(name, ())) >= SAMPLES - 2 for name in self._in_view):
+            at_rest = self._in_view - self._moving
+            seen_well = all(len(self._seen.get(name, ())) >= SAMPLES - 2 for name in at_rest)
+            if self._in_view and (seen_well or self.silence() > SILENT):
                 return {name: self._known(name, type) for name, type in self._last_seen.items()}
             self._observed.clear()
-            await asyncio.wait_for(self._observed.wait(), 5.0)
+            try:
+                await asyncio.wait_for(self._observed.wait(), SILENT if self._in_view else FIRST_TIME)
+            except TimeoutError:
+                if not self._in_view:
+                    raise RequestError(f"the part sensor has reported no part for {FIRST_TIME:g} s") from None
+
+    def silence(self) -> float:
+        """Seconds since the last observation, by this client's clock; infinite before the first."""
+        return self.now() - (self._observation_time + self._offset) if self._in_view else math.inf
 
     def _known(self, name: str, type: str) -> SeenPart:
         seen = self._seen.get(name)
@@ -287,27 +339,31 @@ class CellClient:
         """Run the belt at a speed, in m/s."""
         await (await self._control(self._module("CM-CNV"))).conveyor.run(speed)
 
+    async def belt(self) -> ConveyorState:
+        """Speed and travel of the belt."""
+        return await (await self._component(self._module("CM-CNV"))).conveyor.state()
+
     # --- the modular arm ------------------------------------------------------------------------------------------
 
     async def arm(self) -> ModularArmState:
         """The modular arm's joints and motion."""
-        return await (await self._component(self._module("CM-ARM"))).modular_arm.state()
+        return await (await self._component(self._module("CM-ARM", self._arm_name.get()))).modular_arm.state()
 
     async def command_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Have the modular arm begin a motion; NaN leaves a joint as it is, 0 seconds is as fast as limits allow."""
-        await (await self._control(self._module("CM-ARM"))).modular_arm.begin(positions, duration)
+        await (await self._control(self._module("CM-ARM", self._arm_name.get()))).modular_arm.begin(positions, duration)
 
     async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
-        await (await self._control(self._module("CM-ARM"))).modular_arm.move(positions, duration)
+        await (await self._control(self._module("CM-ARM", self._arm_name.get()))).modular_arm.move(positions, duration)
 
     async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
         """Move joints of the modular arm through points, and wait; raises `RequestError` as `move_arm` does."""
-        await (await self._control(self._module("CM-ARM"))).modular_arm.follow(joints, points)
+        await (await self._control(self._module("CM-ARM", self._arm_name.get()))).modular_arm.follow(joints, points)
 
     async def choose_controller(self, controller: ArmController) -> None:
         """Choose how the joints of the modular arm follow."""
-        await (await self._control(self._module("CM-ARM"))).modular_arm.set_controller(controller)
+        await (await self._control(self._module("CM-ARM", self._arm_name.get()))).modular_arm.set_controller(controller)
 
     # --- the car --------------------------------------------------------------------------------------------------
 
@@ -395,6 +451,9 @@ class CellClient:
                 distance, angle = offset_between(seen[-1], pose)
                 if distance > MOVED or angle > 10.0 * MOVED:
                     seen.clear()
+                    self._moving.add(name)
+                else:
+                    self._moving.discard(name)
             seen.append(pose)
         self._last_seen.update(observation.types)
         self._in_view = frozenset(observation.poses)

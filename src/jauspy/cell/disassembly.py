@@ -12,7 +12,7 @@ import pinocchio as pin
 
 from jauspy.cell.assembly import GRASPS, INSERT_SPEED, Assembler, PartResult
 from jauspy.cell.frames import se3_of_pose, shifted
-from jauspy.cell.handling import LIFT
+from jauspy.cell.handling import LIFT, PickPlan
 from jauspy.cell.interface import Cell
 from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout
@@ -54,6 +54,11 @@ class Disassembler:
         self.ur10 = ur10
         self.result = DisassemblyResult()
         self._homes = {part.name: se3_of_pose(part.pose) for part in layout.setup.parts}
+        self._shelves = [
+            *(bin.name for bin in layout.setup.bins),
+            *(part.name for part in layout.setup.parts if part.fixed),
+        ]
+        """Things on which parts may lie: bins and platforms."""
 
     async def run(self, base: str = "platform_1/top") -> DisassemblyResult:
         """Take off all parts, those that carry nothing first. Raises `TaskFailed`, and then keeps what is held."""
@@ -78,14 +83,9 @@ class Disassembler:
         self.result.parts.append(row)
         begun = self.cell.now()
         await ur10.look()
-        places = list(self.places(part))
         owner = item.connector.partition("/")[0]
         for attempt in range(GRASPS):
-            pick = partial(ur10.handling.pick, part, frame, ur10.at, places, supports=[owner], skip=attempt)
-            try:
-                plan = await self.cell.compute(pick)
-            except NoPath as error:
-                raise TaskFailed(f"{part} cannot be taken off {item.connector}: {error}") from error
+            plan, places = await self.cell.compute(partial(self._plan, item, frame, owner, attempt))
             why = await ur10.try_grasp(plan, row, release=item.connector)
             if not why:
                 break
@@ -99,10 +99,28 @@ class Disassembler:
         await self._put_away(part, places, row)
         row.join_time = self.cell.now() - begun
 
-    def places(self, part: str) -> Iterator[pin.SE3]:
-        """Frames in the world where a part can lie in its bin, its own place first; none where others are too close."""
-        scene, pieces, home = self.ur10.scene, self.ur10.handling.pieces(part), self._homes[part]
-        bins = [bin.name for bin in self.layout.setup.bins]
+    def _plan(self, item: Joined, frame: pin.SE3, owner: str, skip: int) -> tuple[PickPlan, list[pin.SE3]]:
+        """How to grasp a part where it stands, and where to put it then. Raises `TaskFailed`."""
+        reasons = []
+        for face in self.layout.grasps(item.part):
+            places = list(self.places(item.part, face))
+            try:
+                plan = self.ur10.handling.pick(
+                    item.part, frame, self.ur10.at, places, supports=[owner], skip=skip, face=face
+                )
+            except NoPath as error:
+                reasons.append(str(error))
+            else:
+                return plan, places
+        raise TaskFailed(f"{item.part} cannot be taken off {item.connector}: {reasons[0]}")
+
+    def places(self, part: str, face: pin.SE3 | None = None) -> Iterator[pin.SE3]:
+        """Frames in the world where a part can lie in its bin, its own place first; none where others are too close.
+
+        The part lies with `face` up, by which the gripper holds it, or as it lay at first.
+        """
+        scene, pieces, usual = self.ur10.scene, self.ur10.handling.pieces(part), self.layout.grasp(part)
+        home = self._homes[part] * usual * (face or usual).inverse()
         length = next(
             (
                 frame.rotation[:, 0]
@@ -116,7 +134,7 @@ class Disassembler:
         try:
             for along in ASIDE:
                 place = shifted(z=ABOVE) * shifted(*(along * length).tolist()) * home
-                with scene.without(*bins):
+                with scene.without(*self._shelves):
                     free = scene.clearance_of(pieces, place).distance >= ROOM
                 if free:
                     yield place
@@ -128,7 +146,6 @@ class Disassembler:
         """Lower the held part into a free place of its bin, or let it lie on the floor."""
         ur10, held = self.ur10, self.ur10.held
         assert held is not None
-        bins = [bin.name for bin in self.layout.setup.bins]
         for place in places:
             lower = partial(
                 ur10.handling.place,
@@ -137,7 +154,7 @@ class Disassembler:
                 ur10.at,
                 [place],
                 along=shifted(z=LIFT),
-                touches=bins,
+                touches=self._shelves,
                 press=DEEPER,
             )
             try:

@@ -10,6 +10,8 @@ from typing import Final, TypeVar
 import pinocchio as pin
 
 from jauspy.cell.frames import Array, shifted, turned
+from jauspy.cell.held_load import HeldLoad, inertia_of
+from jauspy.cell.interface import GRIPPER
 from jauspy.cell.motion import MotionPlanner, NoPath, Path
 from jauspy.cell.scene import Layout, Piece, PlanningScene, pieces_of_part
 
@@ -34,6 +36,8 @@ INSERT: Final = 0.06
 """Metres above a connector at which a part is lowered in a straight line."""
 LINE_MARGIN: Final = 0.003
 """Metres to keep from everything but what is touched, on straight lines."""
+BIN_MARGIN: Final = 0.0015
+"""The same where a part is grasped: one that lies at a bin's wall is not much higher than that."""
 MAX_PLANS: Final = 8
 """Postures for which a whole plan is tried."""
 CONDITION: Final = 0.03
@@ -72,14 +76,27 @@ class Handling:
         self.planner = planner
         self.composites: dict[str, list[Piece]] = {}
         """Shapes of parts to which others are attached, with those of the others, in the frame of the part."""
+        self.members: dict[str, list[tuple[str, pin.SE3]]] = {}
+        """Names of what is attached to such a part, and the frames in its own."""
 
     def pieces(self, part: str) -> list[Piece]:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
-    def grasps(self, part: str) -> list[pin.SE3]:
-        """The poses of the gripper in the frame of a part on its usual face, for all angles about its axis."""
-        return _turned(self.layout.grasp(part))
+    def load(self, part: str, grasp: pin.SE3) -> HeldLoad:
+        """A part in the gripper, with what is attached to it; `grasp` is the gripper in the part's frame."""
+        parts = [(part, pin.SE3.Identity()), *self.members.get(part, ())]
+        frames = [(self.layout.type_of(name), grasp.actInv(frame)) for name, frame in parts]
+        limits = self.layout.setup.limits
+        locked = self.layout.locks(GRIPPER, part)
+        return HeldLoad(inertia_of(frames), limits.latch if locked else limits.gripper.holding)
+
+    def grasps(self, part: str, face: pin.SE3 | None = None) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part, for all angles about its axis.
+
+        `face` is one of `Layout.grasps`, by default the usual one.
+        """
+        return _turned(face or self.layout.grasp(part))
 
     def upper_grasps(self, part: str, pose: pin.SE3) -> list[pin.SE3]:
         """The same on all faces that are up while the part is at `pose`: from beside and below, bins are in the way."""
@@ -96,14 +113,17 @@ class Handling:
         lift: float = LIFT,
         supports: Iterable[str] = (),
         skip: int = 0,
+        face: pin.SE3 | None = None,
     ) -> PickPlan:
         """A way to grasp a part that is at `pose`, such that it can be put to one of `goals` afterwards.
 
-        `supports`: what it lies on or in. `skip` leaves out that many of the solutions.
+        `supports`: what it lies on or in. `face`: where it is grasped, if not on a face that is up. `skip` leaves out
+        that many of the solutions.
         """
         k = self.layout.kinematics
         options: list[tuple[float, pin.SE3, Array]] = []
-        for grasp in (grasps := self.upper_grasps(part, pose)):
+        grasps = self.upper_grasps(part, pose) if face is None else self.grasps(part, face=face)
+        for grasp in grasps:
             over = pose * grasp * shifted(z=-APPROACH)
             options += [
                 (k.distance(posture.positions, start), grasp, posture.positions)
@@ -122,8 +142,8 @@ class Handling:
             _, grasp, posture = option
             approach = self.planner.to_posture(start, posture)
             with self.scene.without(part):
-                near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=LINE_MARGIN)
-                contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=LINE_MARGIN)
+                near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=BIN_MARGIN)
+                contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=BIN_MARGIN)
             try:
                 self.scene.hold(part, pieces, grasp.inverse())
                 with self.scene.without(*supports):

@@ -18,6 +18,7 @@ from jauspy.platform.backend import Backend
 from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
+from jauspy.platform.modular.cell import ModulePower, PowerState
 from jauspy.platform.modular.connector import VacuumConnector
 
 
@@ -64,6 +65,22 @@ class Truth(Protocol):
         ...
 
 
+class Faults(Protocol):
+    """Breaks parts of a simulated cell."""
+
+    def vent(self, connector: str) -> None:
+        """Have a connector, or the gripper, lose what it holds."""
+        ...
+
+    def blind(self, seconds: float) -> None:
+        """Have the part sensor observe nothing for a while."""
+        ...
+
+    def seize(self, servo: str) -> None:
+        """Block the gear of a servo module."""
+        ...
+
+
 @runtime_checkable
 class KnowsTruth(Protocol):
     """A robot of a simulation."""
@@ -71,6 +88,11 @@ class KnowsTruth(Protocol):
     @property
     def truth(self) -> Truth:
         """The true state."""
+        ...
+
+    @property
+    def faults(self) -> Faults:
+        """Breaks parts of the cell."""
         ...
 
     def prepare(self, connector: str, parts: Sequence[str], errors: Mapping[str, Transform] | None = None) -> None:
@@ -110,6 +132,8 @@ class Judge:
             raise ConfigError("this backend does not report the true poses of parts; use the backend `sim`")
         self._truth = robot.truth
         self._robot: Robot = robot
+        self.faults = robot.faults
+        """Breaks parts, for trials."""
         self.prepare = robot.prepare
         """Assembles an arm before a task starts, for tasks that do not include the assembly."""
         self.probe = robot.probe
@@ -142,6 +166,13 @@ class Judge:
     def watch(self, parts: Iterable[str]) -> Watched:
         """Measure these parts at each step from now on; the result is kept up to date."""
         return self._truth.watch(parts)
+
+    def power(self) -> PowerState:
+        """What modules have drawn, and what batteries have left."""
+        meter = ModulePower.of(self._robot)
+        if meter is None:
+            raise ConfigError("this cell does not measure the power of its modules")
+        return meter.state()
 
     def attached(self) -> dict[str, str]:
         """Parts that connectors hold, by connector."""

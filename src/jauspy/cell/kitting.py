@@ -26,7 +26,7 @@ from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout, Piece
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
-from jauspy.platform.modular.parts import PartKind, Shape
+from jauspy.platform.modular.parts import PartKind
 
 MAX_DISTANCE: Final = 0.03
 MAX_ANGLE: Final = 0.1
@@ -109,18 +109,10 @@ class Kitter:
 
     # --- poses ----------------------------------------------------------------------------------------------------
 
-    def thickness(self, part: str) -> float:
-        """Height of a part that lies with its grasp upward, metres."""
-        solid = self.layout.type_of(part).solids[0]
-        if solid.shape is Shape.CYLINDER:
-            return solid.size[2]
-        normal = np.abs(self.layout.grasp(part).rotation[:, 2])
-        return float(normal @ np.array(solid.size))
-
     def goal(self, product: Product, part: str) -> pin.SE3:
         """The frame in the world of a part in its place, with its grasp upward."""
         down = turned("z", product.yaw) * turned("x", math.pi)
-        held = self.tray * shifted(product.x, product.y, self.thickness(part)) * down
+        held = self.tray * shifted(product.x, product.y, self.layout.thickness(part)) * down
         return held * self.layout.grasp(part).inverse()
 
     # --- orders ---------------------------------------------------------------------------------------------------
@@ -171,8 +163,7 @@ class Kitter:
             kit.failures.append(f"{product.type}: {error}")
             if self.ur10.held is not None:
                 await self.cell.enable(GRIPPER, False)
-                self.ur10.held = None
-                self.ur10.scene.release()
+                self.ur10.forget_held()
 
     async def _fetch(self, product: Product, state: dict[str, str]) -> None:
         """The UR10 grasps a product, outside the space of the modular arm if there is one."""
@@ -220,8 +211,7 @@ class Kitter:
         await ur10.press(plan.contact)
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.15)
-        ur10.held = None
-        ur10.scene.release()
+        ur10.forget_held()
         ur10.used.add(part)
         ur10.scene.put(part, ur10.handling.pieces(part), goal)
         await ur10.go(ur10.handling.retreat(ur10.at, 0.1), contact=True)

@@ -15,22 +15,29 @@ from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout, Piece, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
-from jauspy.cell.throw import MARGIN, Load, ThrowPlan, ThrowPlanner
+from jauspy.cell.throw import MARGIN, PERIOD, Load, ThrowPlan, ThrowPlanner, arm_limits, motion
 from jauspy.platform.modular.parts import ConveyorSetup, PartKind, TargetArea
 
 BELT_SPEED: Final = 0.15
 """m/s."""
 HOVER: Final = 0.06
-"""Metres above the box, in which the arm waits for it."""
-PRESS: Final = 0.002
-"""Metres below the top of the box to which the tip is sent."""
-DESCENT: Final = 0.6
-"""Seconds of the descent, at whose end the middle of the box is under the tip."""
-LIFT_TIME: Final = 0.6
+"""Metres above the box to which it is lifted."""
+RUN: Final = 0.08
+LOWERED: Final = 0.008
+"""Metres that the tip moves along the belt before and after it meets the box, and by which it is lowered in each half:
+it moves with the box then, so that nothing shears the cup while its vacuum builds up."""
+PRESSING: Final = 0.2
+"""Seconds from the meeting until the pump runs: the cup lies flat on the box then, which would hang askew otherwise."""
+LEAST_WAY: Final = 0.25
+"""Metres to the meeting from which on there is time for the run-up."""
+LIFT_TIME: Final = 0.8
 ATTEMPTS: Final = 3
 READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
 """Upright, with the elbow bent: between the lift and the throw."""
-SETTLE: Final = 2.0
+WINDUP_REST: Final = 0.8
+"""Seconds in which the joints come closer to the wind-up than a motion's tolerance: a box that is turned by half a
+degree spins about another axis than its own, and lands on a corner."""
+SETTLE: Final = 1.5
 """Seconds after the landing, in which a box comes to rest and the sensor sees it several times."""
 LARGEST_LESSON: Final = 0.05
 """Metres: of a larger error only that much counts, since a box that has tumbled says little about the aim."""
@@ -58,17 +65,17 @@ class LiftResult:
 
 @dataclass(slots=True)
 class Aim:
-    """What earlier throws taught: where boxes come to rest, compared with where their throws were planned to land.
+    """What earlier throws taught: where boxes come to rest, compared with where they were planned to.
 
     The errors that throws have in common (the arm lags behind its setpoints, the cup vents late, a box slides) are
     corrected; those that differ by chance average out. The estimate is Huber's: a box that has tumbled moves it little.
     """
 
     errors: list[Array] = field(default_factory=list)
-    """Metres along x and y from each planned landing to where the box rests."""
+    """Metres along x and y from where each box was planned to rest to where it does."""
 
     def learn(self, planned: Array, rest: Array) -> None:
-        """Take in where a throw was planned to land and where its box came to rest, metres along x and y."""
+        """Take in where a box was planned to rest and where it does, metres along x and y."""
         error = rest - planned
         self.errors.append(error * min(1.0, LARGEST_LESSON / max(1e-9, float(np.linalg.norm(error)))))
 
@@ -133,7 +140,7 @@ class Lifter:
         for box in self.boxes:
             _, pose = self.cell.latest(box)
             ahead = place[1] - float(pose.translation[1])
-            if ahead > 0.1 and abs(float(pose.translation[2]) - self.belt.pose.z) < 0.05:
+            if ahead > LEAST_WAY and abs(float(pose.translation[2]) - self.belt.pose.z) < 0.05:
                 found.append((ahead, box))
         return [box for _, box in sorted(found)]
 
@@ -143,32 +150,46 @@ class Lifter:
         return self.belt.pose.x, float(base[1])
 
     async def _take(self, box: str) -> bool:
-        """Wait above the belt, and take the box as it passes."""
-        _, y = self._place()
+        """Move along with the box, lower and lower, until the cup holds it."""
+        arm, (_, y) = self.arm, self._place()
         _, pose = self.cell.latest(box)
-        x = float(pose.translation[0])
-        top = float(pose.translation[2]) + self.height(box)
-        await self.arm.look(*self.boxes)
-        hover = self.arm.above((x, y, top + HOVER), await self.arm.positions())[0]
-        await self.arm.go(hover)
-        down = self.arm.chain.solve_down((x, y, top - PRESS), hover)
-        if down is None:
-            raise NoPath(f"the arm cannot reach down to {box}")
+        x, top = float(pose.translation[0]), float(pose.translation[2]) + self.height(box)
+        await arm.look(*self.boxes)
+        start = arm.above((x, y - RUN, top + LOWERED), await arm.positions())[0]
+        end = arm.chain.solve_down((x, y + RUN, top - LOWERED), start)
+        raised = arm.chain.solve_down((x, y, top + HOVER), start)
+        if end is None or raised is None:
+            raise NoPath(f"the arm cannot follow {box}")
+        await arm.go(start)
+        duration, before, meeting = self._following(start, end)
         await self.cell.run_conveyor(BELT_SPEED)
         while True:
             seen, pose = self.cell.latest(box)
-            wait = (y - float(pose.translation[1])) / BELT_SPEED - (self.cell.now() - seen) - DESCENT
+            wait = (meeting - float(pose.translation[1])) / BELT_SPEED - (self.cell.now() - seen) - before
             if wait < POLL:
                 break
             await self.cell.sleep(min(wait, 0.2))
-        await self.cell.enable(self.arm.tip, True)
-        await self.cell.command_arm(await self.arm.vector(down), DESCENT)
-        held = await self.arm.wait_attached(self.arm.tip, 2.0 * DESCENT)
-        await self.arm.move(hover, LIFT_TIME)
-        if held == box and (await self.cell.connector(self.arm.tip)).attached_to == box:
+        await self.cell.command_arm(await arm.vector(end), duration)
+        await self.cell.sleep(before + PRESSING)
+        await self.cell.enable(arm.tip, True)
+        held = await arm.wait_attached(arm.tip, duration)
+        await self.cell.run_conveyor(0.0)
+        await arm.move(raised, LIFT_TIME)
+        if held == box and (await self.cell.connector(arm.tip)).attached_to == box:
             return True
-        await self.cell.enable(self.arm.tip, False)
+        await self.cell.enable(arm.tip, False)
         return False
+
+    def _following(self, start: Array, end: Array) -> tuple[float, float, float]:
+        """Seconds of a motion whose largest speed is that of the belt; until it is reached; and y there, metres."""
+        chain, limits = self.arm.chain, arm_limits(self.arm.chain)
+        duration = 4.0 * RUN / BELT_SPEED
+        for _ in range(5):
+            moved = motion(start, end, limits, duration)
+            speeds = [chain.velocity(q, v)[1] for q, v in zip(moved.q, moved.v, strict=True)]
+            duration *= max(speeds) / BELT_SPEED
+        middle = int(np.argmax(speeds))
+        return moved.duration, (middle + 1) * PERIOD, float(chain.forward(moved.q[middle]).translation[1])
 
     def height(self, box: str) -> float:
         """Metres from the bottom of a box to its top."""
@@ -191,6 +212,7 @@ class Lifter:
         plan = await self.cell.compute(lambda: self._plan(planner, np.append(goal, 0.0)))
         self.planned = result.plan = plan
         await arm.go(plan.windup, margin=MARGIN)
+        await self.cell.sleep(WINDUP_REST)
         vector = await arm.vector(plan.follow_through)
         asked = self.cell.now()
         await arm.state()
@@ -213,7 +235,7 @@ class Lifter:
                 return planner.turned(self.planned, aim)
             except NoPath:
                 pass
-        return planner.plan(aim)
+        return planner.plan(aim, self.planned)
 
     async def _learn(self, result: LiftResult) -> None:
         seen = (await self.cell.observe(fresh=True))[result.box].pose
@@ -223,4 +245,4 @@ class Lifter:
         size = self.layout.type_of(result.box).solids[0].size
         if at[2] < max(size) / 2.0 + 0.01:  # one that rests on another box teaches nothing
             assert result.plan is not None
-            self.aim.learn(result.plan.flight.end[:2], at[:2])
+            self.aim.learn(result.plan.flight.rest, at[:2])

@@ -48,11 +48,13 @@ UNITS: Final[dict[str, tuple[str, ...]]] = {
         "drift time",
     ),
     "": ("settled_sooner", "overshoot_ratio"),
+    "%": ("load of",),
     "m/s": ("release_speed", "path speed", "attach speed", "landing speed", "collision speed"),
     "rad/s": ("overshoot", "joint speed"),
     "kg": ("payload",),
     "N": ("car_force", "arm_force", "attach force", "landing force", "collision force"),
     "N m": ("arm_moment",),
+    "J": ("energy",),
 }
 """The unit of figures whose names begin like this; the longest beginning counts. Others are numbers."""
 SMALL: Final = 0.1
@@ -91,11 +93,15 @@ class Measured:
 
 
 def figure_text(name: str, value: float) -> str:
-    """A figure for people: with its unit, small lengths in millimetres, angles in degrees."""
+    """A figure for people: with its unit, small lengths in millimetres, angles in degrees, energy in watt hours."""
     matches = [(len(start), unit) for unit, starts in UNITS.items() for start in starts if name.startswith(start)]
     unit = max(matches)[1] if matches else ""
     if unit == "rad":
         value, unit = math.degrees(value), "degrees"
+    elif unit == "%":
+        value *= 100.0
     elif unit == "m" and abs(value) < SMALL:
         value, unit = 1000.0 * value, "mm"
+    elif unit == "J":
+        value, unit = value / 3600.0, "Wh"
     return f"{value:.3g} {unit}".rstrip()

@@ -84,7 +84,7 @@ a { color: var(--link); } nav ol { columns: 2 20rem; padding-left: 1.4rem; margi
 table { border-collapse: collapse; width: 100%; font-size: 0.9rem; }
 caption { text-align: left; font-weight: 600; padding: 0.3rem 0; } p.note { color: var(--soft); font-size: 0.9rem; }
 th, td { text-align: left; padding: 0.3rem 0.7rem; border-bottom: 1px solid var(--line); vertical-align: top; }
-thead th { background: var(--panel); } tbody th { font-weight: 400; }
+thead th { background: var(--panel); } tbody th { font-weight: 400; min-width: 9rem; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .yes { color: var(--good); font-weight: 600; white-space: nowrap; }
 .no { color: var(--bad); font-weight: 600; white-space: nowrap; }

@@ -21,7 +21,7 @@ from jauspy.cell.frames import Array, se3, se3_of_pose, shifted
 from jauspy.cell.kinematics import ArmKinematics
 from jauspy.errors import ConfigError
 from jauspy.platform.description import GroupSetup, RobotModel
-from jauspy.platform.modular.parts import CellSetup, PartSolid, PartType, Shape
+from jauspy.platform.modular.parts import CellSetup, PartKind, PartSolid, PartType, Shape
 
 FAR: Final = 1.0
 """Metres beyond which a distance is not computed; what is farther off counts as this far."""
@@ -376,9 +376,16 @@ class Layout:
         return self.setup.type_of(part)
 
     def locks(self, connector: str, part: str) -> bool:
-        """True if a connector, named as in `servo_1/output`, locks the flanges of a part mechanically."""
+        """True if a connector, named as in `servo_1/output`, or the gripper, locks a part mechanically.
+
+        The gripper holds bases by a flange, and other parts beside theirs.
+        """
+        if not part or not (kind := self.type_of(part)).latch:
+            return False
         owner, _, own = connector.partition("/")
-        return bool(own and part) and self.type_of(owner).latch and self.type_of(part).latch
+        if not own:
+            return self.setup.gripper_latch and kind.kind is PartKind.BASE
+        return self.type_of(owner).latch
 
     def of_types(self, types: tuple[str, ...]) -> list[str]:
         """The names of the parts of these types: those of the first type first."""
@@ -402,6 +409,14 @@ class Layout:
     def grasps(self, part: str) -> list[pin.SE3]:
         """The gripper's poses in the part's frame on all faces by which it can hold the part, the usual one first."""
         return [se3(grasp) for grasp in self.type_of(part).grasps]
+
+    def thickness(self, part: str) -> float:
+        """Height of a part that lies with its grasp upward, metres."""
+        solid = self.type_of(part).solids[0]
+        if solid.shape is Shape.CYLINDER:
+            return solid.size[2]
+        normal = np.abs(self.grasp(part).rotation[:, 2])
+        return float(normal @ np.array(solid.size))
 
     def grasp(self, part: str) -> pin.SE3:
         """The gripper's pose in the part's frame when it holds the part."""

@@ -73,6 +73,8 @@ class Session:
     layout: Layout
     judge: Judge | None = None
     film: Film | None = None
+    network: VirtualNetwork | None = None
+    """The network of a cell that is simulated here, for further clients."""
 
     @property
     def true(self) -> Judge:
@@ -107,14 +109,16 @@ async def simulated(
     film: Path | None = None,
     camera: str = "overview",
     view: bool = False,
+    robot: str = ROBOT,
     change: Callable[[RobotModel], RobotModel] = lambda model: model,
+    changed: Callable[[RobotConfig], RobotConfig] = lambda config: config,
 ) -> AsyncIterator[Session]:
     """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
 
     `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
-    `change` makes the cell another one, as with a load that is bolted to it.
+    `change` makes the cell another one, as with a load that is bolted to it; `changed` does so with its configuration.
     """
-    config = configured(seed, disturbances or Disturbances())
+    config = changed(configured(seed, disturbances or Disturbances(), robot))
     layout = Layout(change(robot_files.robot_model(config)))
     backend = WatchedBackend(backends.find(config.backend), change)
     async with AsyncExitStack() as stack:
@@ -130,7 +134,7 @@ async def simulated(
             await stack.enter_async_context(recording)
         ocu = await stack.enter_async_context(network.ocu(OCU_ID))
         cell = await stack.enter_async_context(CellClient(ocu, config, layout))
-        yield Session(cell, layout, judge, recording)
+        yield Session(cell, layout, judge, recording, network)
 
 
 @asynccontextmanager

@@ -21,7 +21,11 @@ PRESS: Final = 0.0015
 DEEPER: Final = 0.002
 """Metres below contact to which the end is sent at first, and by which it is sent further down each time."""
 PRESSES: Final = 4
+TOUCH: Final = 0.004
+"""Metres over a connector from which on the end moves slowly: errors of calibrated arms are smaller."""
 LOWERING_TIME: Final = 1.5
+TOUCH_TIME: Final = 1.5
+"""Seconds of the slow motion into contact: at most 7 mm/s."""
 ATTACH_TIME: Final = 0.4
 RAISED: Final = 0.12
 """Metres to which the free end is raised before the arm stands up."""
@@ -116,20 +120,25 @@ class Stepper:
     async def _lower(self, there: pin.SE3, direction: Array, hover: Array, connector: str, part: str) -> None:
         """Lower the free end onto a connector until `connector` holds `part`."""
         chain, start = self.arm.chain, hover
-        for press in range(PRESSES + 1):
-            depth = PRESS + press * DEEPER
+        heights = [TOUCH, *(-PRESS - press * DEEPER for press in range(PRESSES + 1))]
+        for number, height in enumerate(heights):
             goal = pin.SE3(turned("x", np.pi).rotation if direction[2] < 0.0 else np.eye(3), there.translation)
-            goal.translation = there.translation - np.array([0.0, 0.0, depth])
+            goal.translation = there.translation + np.array([0.0, 0.0, height])
             down = chain.solve_from(goal, start)
             if down is None:
                 raise TaskFailed(f"the end of the arm cannot be lowered onto {connector}")
-            if press == 0:
+            start = down
+            if number == 0:
                 await self.arm.move(down, LOWERING_TIME)
+                continue
+            # pressed on the connector, it need not arrive
+            await self.cell.command_arm(await self.arm.vector(down), TOUCH_TIME)
+            await self.cell.sleep(TOUCH_TIME)
+            self.arm.last_goal = down
+            if number == 1:
                 await self.cell.enable(connector, True)
             else:
                 self.result.attempts += 1
-                await self.arm.move(down, ATTACH_TIME)
-            start = down
             if await self.arm.wait_attached(connector, ATTACH_TIME) == part:
                 return
         state = await self.cell.connector(connector)

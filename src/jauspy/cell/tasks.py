@@ -11,6 +11,7 @@ from typing import Any, Final, TypeAlias
 
 import numpy as np
 
+from jauspy.cell.ariac.runner import run_seed
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.car import MOVED, CarTask
 from jauspy.cell.disassembly import Disassembler
@@ -371,7 +372,19 @@ TASKS: Final[dict[str, Task]] = {
 }
 """The tasks that can be run by name."""
 
-FILMED_BY: Final[dict[str, str]] = {"assemble": "platforms", "lift": "target", "step": "platforms", "car": "car"}
+OWN_CELLS: Final[dict[str, Callable[..., Coroutine[Any, Any, Measured]]]] = {"ariac": run_seed}
+"""Tasks that open a cell of their own: the trials in the style of ARIAC, of which a seed chooses one."""
+NAMES: Final = (*TASKS, *OWN_CELLS)
+
+FILMED_BY: Final[dict[str, str]] = {
+    "assemble": "platforms",
+    "take-apart": "platforms",
+    "lift": "target",
+    "throws": "target",
+    "step": "platforms",
+    "car": "car",
+    "demo": "story",
+}
 """The camera of the cell that films a task; others are filmed by the one that sees all of the cell."""
 
 
@@ -388,10 +401,13 @@ async def run_one(
 
     `film` is a file, `view` opens a window. A film that is incomplete changes nothing else of the result.
     """
+    if task in OWN_CELLS:
+        return await OWN_CELLS[task](seed, disturbances, film=film, view=view)
     begun = time.perf_counter()
     camera = FILMED_BY.get(task, "overview")
     async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:
         start = session.cell.now()
+        drawn = session.judge.power().energy if session.judge is not None else 0.0
         probe = session.judge.probe() if session.judge is not None else None
         try:
             found = await (run or TASKS[task])(session, seed)
@@ -399,6 +415,7 @@ async def run_one(
             found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
         if session.judge is not None and probe is not None:
             found.physics, found.written = Physics.of(probe), session.judge.written
+            found.values["energy"] = session.judge.power().energy - drawn
     found.wall = time.perf_counter() - begun
     if session.film is not None:
         found.film_problem = session.film.problem

@@ -12,8 +12,8 @@ corner turns, and goes to the side. Both are part of the search's cost.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from operator import attrgetter
 from typing import Final
 
@@ -21,29 +21,35 @@ import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.frames import Array
-from jauspy.cell.modular_arm import Chain
+from jauspy.cell.modular_arm import BASE, Chain
 from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import CLEAR, Clearance, Piece, PlanningScene
 from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.arm_setpoints import SHAPING_TIME
 from jauspy.platform.modular.assembly import TORQUE_RESERVE, motion_limits
+from jauspy.platform.modular.dynamics import solid_inertia
 from jauspy.platform.modular.holding import CUP, LATCH, SAFETY
 from jauspy.platform.modular.parts import ServoData
 from jauspy.platform.modular.trajectory import Limits, MotionError, PlannedMotion, Setpoint
 
-PERIOD: Final = 0.004
-"""Seconds from one setpoint of the arm's controller to the next."""
+PERIOD: Final = 0.008
+"""Seconds from one sample of a planned motion to the next."""
 MARGIN: Final = 0.02
 """Metres from everything, for the arm, the box that it holds, and the box in flight."""
 DRAWN: Final = 20_000
 STARTS: Final = 12
 STEPS: Final = 150
 RESTARTS: Final = 8
+FIRST_WIDTH: Final = 0.1
+NEAR: Final = 0.03
 """Throws that are drawn at random, those of them that are planned, the most that are tried from the best of these on,
-and how often all that is done."""
-LEANING: Final = 0.045
-"""Radians by which a box leans forward when it lands: from 0.02 to 0.06 it comes to rest within millimetres of the same
-place, in simulations of a box with small errors of attitude and spin; about -0.02 and from 0.1 on within centimetres."""
+how often all that is done, and the width of the first steps from random throws and from an earlier one."""
+LEANING: Final = 0.042
+"""Radians by which a box leans forward when it lands. In simulations of a box whose attitude differs by chance (0.01
+forward, 0.004 to the side), from 0.03 to 0.07 nine of ten come to rest within 14 mm of the same place; below 0.02 and
+beyond 0.2 some tumble, by up to 0.2 m."""
+SLIDE: Final = 0.012
+"""Metres that such a box comes to rest beyond its landing, in the same simulations."""
 STEEPNESS: Final = 0.6
 """Horizontal over vertical speed at the landing that friction takes in the impact: the friction of cardboard."""
 GOOD: Final = 0.1
@@ -52,21 +58,28 @@ SPACIOUS: Final = 0.03
 """Metres of clearance from which on more is no better: a throw that is turned to another aim has some left."""
 AIMING_STEPS: Final = 10
 AIMED: Final = 0.001
-LEVEL: Final = 0.005
+LEVEL: Final = 0.003
 LARGEST_STEP: Final = 0.4
 """Corrections of a motion, at most; the metres from the aim and radians from `LEANING` at which they end; and the
 largest change of the logarithm of its duration, and of a joint (rad), in each."""
-COARSE: Final = 12
-FINE: Final = 2
+COARSE: Final = 6
+FINE: Final = 1
 """Samples of a motion from one to the next at which the release is searched, at first and then."""
+PROBE: Final = 0.02
+"""Radians by which the joint before the last is turned to find what that changes."""
 SHORT: Final = 0.1
 """Metres by which the fastest throw may be too short while its box is not level yet."""
+LIFT_OFF: Final = 1.5
+PARTING: Final = 6
+"""m/s^2 with which the tip moves away from the box at least, and for how many samples from the release on: what the
+cup still touches is pushed, and spins."""
 _DISTANCE: Final = attrgetter("distance")
 BOUNDS: Final = np.array(
-    [(-1.5, 1.0), (-1.5, 1.5), (-1.5, 1.8), (0.0, 1.0), (0.0, 1.0), (0.0, 1.0), (0.2, 1.2), (0.15, 1.0)]
+    [(-0.6, 0.8), (-1.2, 0.5), (-0.7, 0.7), (0.6, 1.0), (0.6, 1.0), (0.5, 1.0), (0.3, 0.9), (0.3, 0.9)]
 )
-"""Ranges of what is searched: radians of the three joints that bend at the release (0 is upright), the fractions of
-their speeds there, and the seconds at these speeds from the wind-up to the release and from there to the end."""
+"""Ranges of what is searched, those of a throw over the shoulder: radians of the three joints that bend at the release
+(0 is upright), the fractions of their speeds there, and the seconds at these speeds from the wind-up to the release and
+from there to the end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,12 +127,21 @@ class Flight:
         return np.array(self.at(self.time).translation)
 
     @property
+    def rest(self) -> Array:
+        """The middle of the box when it has come to rest, if it does not tumble: x and y, metres."""
+        return np.asarray(self.end[:2] + SLIDE * self._forward)
+
+    @property
+    def _forward(self) -> Array:
+        return np.asarray(self.velocity[:2] / np.linalg.norm(self.velocity[:2]))
+
+    @property
     def lean(self) -> tuple[float, float]:
         """Radians at the landing by which the box leans forward along its flight, and to the left of it."""
         rotation = self.at(self.time).rotation
         axis = int(np.argmax(np.abs(rotation[2])))
         up = rotation[:, axis] * math.copysign(1.0, rotation[2, axis])
-        forward = self.velocity[:2] / np.linalg.norm(self.velocity[:2])
+        forward = self._forward
         ahead, left = float(up[:2] @ forward), float(up[1] * forward[0] - up[0] * forward[1])
         return math.atan2(ahead, up[2]), math.atan2(left, up[2])
 
@@ -144,8 +166,15 @@ class ThrowPlan:
     speed_ratio: float
     torque_ratio: float
     """Largest speed and torque of a servo as a fraction of its limit."""
-    utilisation: float
-    """Largest load of a connection over its strength."""
+    loads: Mapping[str, float]
+    """Largest load of each connection over its strength."""
+    row: Array = field(default_factory=lambda: np.zeros(0))
+    """The throw as the search has it; see `BOUNDS`."""
+
+    @property
+    def utilisation(self) -> float:
+        """Largest load of a connection over its strength."""
+        return max(self.loads.values())
 
 
 def motion(start: Array, goal: Array, limits: Limits, duration: float = 0.0) -> SampledMotion:
@@ -165,6 +194,15 @@ def motion(start: Array, goal: Array, limits: Limits, duration: float = 0.0) -> 
     return SampledMotion(
         mean[:, :count], mean[:, count : 2 * count], mean[:, 2 * count :], planned.duration + SHAPING_TIME
     )
+
+
+def _servos(chain: Chain) -> list[ServoData]:
+    return [member.type.servo for member in chain.members if member.type.servo is not None]
+
+
+def arm_limits(chain: Chain) -> Limits:
+    """The limits of planned motions, of all joints of an arm."""
+    return motion_limits(_servos(chain))
 
 
 def fall_time(rise: float, drop: float) -> float:
@@ -213,8 +251,8 @@ class ThrowPlanner:
         self.chain, self.scene, self.load, self.margin = chain, scene, load, margin
         self._pieces = pieces
         """Shapes of the box, in the frame of its middle."""
-        self.servos: list[ServoData] = [member.type.servo for member in chain.members if member.type.servo is not None]
-        self.limits = motion_limits(self.servos)
+        self.servos = _servos(chain)
+        self.limits = arm_limits(chain)
         self._seed = seed
         across = load.frame.rotation
         self._roll = math.remainder(-math.atan2(across[1, 0], across[0, 0]), math.pi)
@@ -225,16 +263,27 @@ class ThrowPlanner:
         frame = chain.model.frames[chain.tool].placement * load.frame
         self._dynamics.appendBodyToJoint(chain.model.njoints - 1, self._box, frame)
         self._data = self._dynamics.createData()
+        first = chain.members[0]
+        self._base = chain.base
+        weight = sum((solid_inertia(solid) for solid in first.type.solids), pin.Inertia.Zero())
+        frame = chain.base * first.offset
+        self._foot = frame.act(weight) * pin.Motion(np.array([0.0, 0.0, GRAVITY]), np.zeros(3))
+        """What the first part, which stands still, weighs on what it stands on."""
 
     # --- planning -------------------------------------------------------------------------------------------------
 
-    def plan(self, aim: Array) -> ThrowPlan:
-        """A throw that lands at `aim`, metres in the world, found by random search and then step by step.
+    def plan(self, aim: Array, like: ThrowPlan | None = None) -> ThrowPlan:
+        """A throw whose box rests at `aim`, metres in the world, found by random search and then step by step.
 
-        Raises `NoPath`, which names what the best one found violates.
+        The search begins at `like`, an earlier throw, if there is one. Raises `NoPath`, which names what the best one
+        found violates.
         """
         random = np.random.default_rng(self._seed)
         best: _Trial | None = None
+        if like is not None:
+            best = self._improved(random, self._tried(like.row, aim), aim, NEAR)
+            if best.plan is not None:
+                return best.plan
         for _ in range(RESTARTS):
             found = self._climb(random, aim)
             best = found if best is None or found.penalty < best.penalty else best
@@ -248,7 +297,11 @@ class ThrowPlanner:
         rows = random.uniform(low, high, (DRAWN, len(low)))
         sketched = sorted((self._sketched(row, aim), number) for number, row in enumerate(rows))[:STARTS]
         best = min((self._tried(rows[number], aim) for _, number in sketched), key=_penalty)
-        width = 0.1
+        return self._improved(random, best, aim, FIRST_WIDTH)
+
+    def _improved(self, random: np.random.Generator, best: _Trial, aim: Array, width: float) -> _Trial:
+        """A throw, improved by random steps of this width at first, a fraction of the ranges."""
+        low, high = BOUNDS.T
         for _ in range(STEPS):
             if best.penalty < GOOD:
                 break
@@ -260,7 +313,7 @@ class ThrowPlanner:
 
     def _sketched(self, row: Array, aim: Array) -> float:
         """The penalty of a throw by the flight from its posture alone, before its motion is planned."""
-        far = float(np.linalg.norm(aim[:2] - self.chain.root[:2]))
+        far = self._far(aim)
         q, speed = self._posture(row, aim)
         speed /= np.max(speed / self.limits.velocity)
         most = self._range(q, speed, aim)
@@ -279,44 +332,42 @@ class ThrowPlanner:
     def aimed(self, windup: Array, goal: Array, aim: Array) -> ThrowPlan:
         """A throw between two postures; raises `_Violation`, a `NoPath`.
 
-        Its duration makes it land at `aim`. The joint before the last is turned so that the box leans by `LEANING`.
+        Its duration makes the box rest at `aim`. The joint before the last is turned so that it leans by `LEANING`.
         """
-        far = float(np.linalg.norm(aim[:2] - self.chain.root[:2]))
+        far = self._far(aim)
         try:
             moved = fastest = motion(windup, goal, self.limits)
         except MotionError as error:
             raise _Violation("beyond the limits", 20.0) from error
         release = self._release(moved, aim)
-        if (short := far - release.range) > SHORT:
-            raise _Violation(f"{short:.2f} m short", 10.0 + short)
-        # Broyden's method: the range is about as the speed, and the box turns with the joint before the last
-        turned = np.zeros(len(windup))
-        slopes = np.diag([-far, self._sense(release.q, aim)])
-        step, before = np.zeros(2), np.zeros(2)
+        # Newton's method for range and lean; the slopes along the duration are improved as by Broyden
+        turned, probe = np.zeros(len(windup)), np.zeros(len(windup))
+        probe[-2] = PROBE
+        slopes = np.diag([-far, 1.0])
+        step, off = np.zeros(2), np.zeros(2)
         for count in range(AIMING_STEPS):
+            if moved is fastest and release.range < far - SHORT * 0.5**count:
+                break
             thrown = flight(self.chain, self.load, release.q, release.v)
-            off = np.array([release.range - far, thrown.lean[0] - LEANING])
+            before, off = off, np.array([release.range - far, thrown.lean[0] - LEANING])
             if abs(off[0]) < AIMED and abs(off[1]) < LEVEL:
                 return self.checked(windup + turned, goal + turned, moved, release.sample, thrown)
-            if count and (square := float(step @ step)) > 0.0:
-                slopes += np.outer(off - before - slopes @ step, step) / square
-            before = off
-            step = np.clip(np.linalg.solve(slopes, -off), -LARGEST_STEP, LARGEST_STEP)
+            if count and abs(step[0]) > 1e-6:
+                slopes[:, 0] = (off - before - slopes[:, 1] * step[1]) / step[0]
+            near = self._release(replace(moved, q=moved.q + probe), aim)
+            lean = flight(self.chain, self.load, near.q, near.v).lean[0]
+            slopes[:, 1] = (near.range - release.range) / PROBE, (lean - thrown.lean[0]) / PROBE
+            step = np.clip(np.linalg.lstsq(slopes, -off, rcond=1e-6)[0], -LARGEST_STEP, LARGEST_STEP)
             step[0] = max(step[0], math.log(fastest.duration / moved.duration))
             turned[-2] += step[1]
             longer = moved.duration * math.exp(step[0])
-            moved = motion(windup, goal, self.limits, longer) if longer > fastest.duration else fastest
-            moved = replace(moved, q=moved.q + turned)
+            fastest = replace(fastest, q=fastest.q + step[1] * probe / PROBE)
+            moved = fastest
+            if longer > fastest.duration:
+                moved = motion(windup + turned, goal + turned, self.limits, longer)
             release = self._release(moved, aim)
-        raise _Violation(f"{abs(off[0]):.2f} m and {abs(off[1]):.2f} rad off", 10.0 + float(np.sum(np.abs(off))))
-
-    def _sense(self, q: Array, aim: Array) -> float:
-        """1 if the joint before the last makes the box lean forward when its position grows, else -1."""
-        jacobian = pin.computeFrameJacobian(
-            self.chain.model, self.chain.data, q, self.chain.tool, pin.LOCAL_WORLD_ALIGNED
-        )
-        x, y, _ = aim - self.chain.root
-        return math.copysign(1.0, float(jacobian[3:, -2] @ np.array([-y, x, 0.0])))
+        short = abs(far - release.range)
+        raise _Violation(f"{short:.3f} m off", 10.0 + short)
 
     def turned(self, plan: ThrowPlan, aim: Array) -> ThrowPlan:
         """The same throw, turned to and timed for another aim; raises `NoPath` if that breaks a limit."""
@@ -324,45 +375,61 @@ class ThrowPlanner:
         windup, goal = plan.windup.copy(), plan.follow_through.copy()
         windup[0] = goal[0] = math.atan2(away[1], away[0])
         windup[-1] = goal[-1] = self._roll
-        return self.aimed(windup, goal, aim)
+        return replace(self.aimed(windup, goal, aim), row=plan.row)
 
     def checked(self, windup: Array, goal: Array, moved: SampledMotion, release: float, thrown: Flight) -> ThrowPlan:
-        """The plan of a motion with its release at a sample, with a fraction; raises `NoPath` if a limit or a margin is broken."""
+        """The plan of a motion released at a sample, with a fraction; raises `NoPath` if a limit is broken."""
         speeds = np.array([servo.max_speed for servo in self.servos])
         speed = float(np.max(np.abs(moved.v) / speeds))
         if speed > 1.0:
             raise _Violation("too fast for a servo", 9.0)
-        torque, load = self.loads(moved, math.ceil(release))
+        torque, loads = self.loads(moved, math.ceil(release))
+        load = max(loads.values())
         excess = max(0.0, torque - TORQUE_RESERVE) + max(0.0, load - 1.0 / SAFETY)
         if excess > 0.0:
             raise _Violation(f"at {torque:.2f} of the torques and {load:.2f} of the strengths", 2.0 + excess)
+        first = math.floor(release)
+        after = zip(*(rows[first : first + PARTING] for rows in (moved.q, moved.v, moved.a)), strict=True)
+        push = max(float(self._cup(*state).linear[2]) for state in after) / self.load.mass
+        if push > -LIFT_OFF:
+            raise _Violation(f"the box would leave the cup at {-push:.1f} m/s^2", 1.0 + 0.05 * (push + LIFT_OFF))
         clearance = self._clearance(moved, math.ceil(release), thrown)
         if clearance.distance < self.margin:
             near = f"{1000.0 * clearance.distance:.0f} mm from {' and '.join(clearance.between) or 'something'}"
             raise _Violation(near, 1.0 + self.margin - clearance.distance)
-        return ThrowPlan(windup, goal, moved.duration, (release + 1.0) * PERIOD, thrown, clearance, speed, torque, load)
+        return ThrowPlan(
+            windup, goal, moved.duration, (release + 1.0) * PERIOD, thrown, clearance, speed, torque, loads
+        )
 
-    def loads(self, moved: SampledMotion, index: int) -> tuple[float, float]:
-        """Largest torque of a servo over its limit, and load of a connection over its strength, in a motion."""
-        torque = load = 0.0
+    def loads(self, moved: SampledMotion, index: int) -> tuple[float, dict[str, float]]:
+        """The largest torque of a servo over its limit in a motion, and the largest load of each connection.
+
+        The loads are fractions of the strengths, by connector; `BASE` is what the arm stands on.
+        """
+        torque = 0.0
         rotor = np.array([servo.rotor_inertia for servo in self.servos])
         damping = np.array([servo.damping for servo in self.servos])
         friction = np.array([servo.friction for servo in self.servos])
         most = np.array([servo.max_torque for servo in self.servos])
         model, data = self._dynamics, self._data
-        for number in range(0, len(moved.q), 2):
+        mounts, cup = self.chain.mounts[:-1], [0.0]
+        wrenches = np.empty((len(moved.q), len(mounts) + 1, 6))
+        for number in range(len(moved.q)):
             q, v, a = moved.q[number], moved.v[number], moved.a[number]
             held = number <= index
             if not held and model is self._dynamics:
                 model, data = self.chain.model, self.chain.data
             torques = pin.rnea(model, data, q, v, a) + rotor * a + damping * v + friction * np.sign(v)
             torque = max(torque, float(np.max(np.abs(torques) / most)))
-            for _, joint, frame in self.chain.mounts[:-1]:
-                wrench = frame.actInv(data.f[joint])
-                load = max(load, LATCH.utilisation(wrench.linear.tolist(), wrench.angular.tolist()))
+            wrenches[number, 0] = self._base.actInv(data.liMi[1].act(data.f[1]) + self._foot)
+            for row, (_, joint, frame) in enumerate(mounts, 1):
+                wrenches[number, row] = frame.actInv(data.f[joint])
             if held:
-                load = max(load, self._cup(q, v, a))
-        return torque, load
+                wrench = self._cup(q, v, a)
+                cup.append(CUP.utilisation(wrench.linear.tolist(), wrench.angular.tolist()))
+        used = np.max(LATCH.utilisations(wrenches[..., :3], wrenches[..., 3:]), axis=0).tolist()
+        names = (BASE, *(name for name, _, _ in self.chain.mounts))
+        return torque, dict(zip(names, (*used, max(cup)), strict=True))
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
@@ -373,13 +440,17 @@ class ThrowPlanner:
             plan = self.aimed(release - row[6] * speed, release + row[7] * speed, aim)
         except _Violation as found:
             return _Trial(row, found.penalty, None, str(found))
-        return _Trial(row, _cost(plan), plan, "")
+        return _Trial(row, _cost(plan), replace(plan, row=row), "")
 
     def _posture(self, row: Array, aim: Array) -> tuple[Array, Array]:
         """Positions (rad) and velocities (rad/s) at the release of a row of `BOUNDS`."""
         away = aim[:2] - self.chain.root[:2]
         positions = np.array([math.atan2(away[1], away[0]), *row[:3], self._roll])
         return positions, np.array([0.0, *row[3:6], 0.0]) * self.limits.velocity
+
+    def _far(self, aim: Array) -> float:
+        """Metres from the arm's base to the landing of a box that rests at `aim`."""
+        return float(np.linalg.norm(aim[:2] - self.chain.root[:2])) - SLIDE
 
     def _range(self, q: Array, v: Array, aim: Array) -> float:
         """Metres from the arm's base to the landing, along the direction of the aim."""
@@ -411,8 +482,8 @@ class ThrowPlanner:
         time = fall_time(float(here.velocity[2]), float(here.start.translation[2]) - self.load.size[2] / 2.0)
         return np.array(here.start.translation[:2] + here.velocity[:2] * time)
 
-    def _cup(self, q: Array, v: Array, a: Array) -> float:
-        """The load of the cup that holds the box, over its strength."""
+    def _cup(self, q: Array, v: Array, a: Array) -> pin.Force:
+        """The force and moment that the tip exerts on the box while it holds it, in the tip's frame."""
         model, data, tool = self._dynamics, self._data, self.chain.tool
         pin.forwardKinematics(model, data, q, v, a)
         pin.updateFramePlacement(model, data, tool)
@@ -421,13 +492,12 @@ class ThrowPlanner:
         up = data.oMf[tool].rotation.T @ np.array([0.0, 0.0, GRAVITY])
         acceleration = pin.Motion(acceleration.linear + up, acceleration.angular)
         box = self.load.frame.act(self._box)
-        wrench = box * acceleration + velocity.cross(box * velocity)
-        return CUP.utilisation(wrench.linear.tolist(), wrench.angular.tolist())
+        return box * acceleration + velocity.cross(box * velocity)
 
     def _clearance(self, moved: SampledMotion, index: int, thrown: Flight) -> Clearance:
         best, held = CLEAR, self.scene.held
         try:
-            for number in range(0, len(moved.q), 4):
+            for number in range(0, len(moved.q), 2):
                 if number > index:
                     self.scene.release()
                 here = self.scene.clearance(moved.q[number], enough=best.distance)

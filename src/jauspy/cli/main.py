@@ -144,6 +144,10 @@ CELL_VERBS: Final = {
         "jauspy.cli.cell.trials:kitting",
         "Fill kitting orders with the UR10 alone and with an arm that it built, scored as in ARIAC 2018.",
     ),
+    "trial": (
+        "jauspy.cli.cell.ariac:trial",
+        "Fill kitting orders of a trial with changes and faults, scored by the rules of ARIAC 2023.",
+    ),
     "design": (
         "jauspy.cli.cell.design:design",
         "Choose modules for a task: the cheapest chain found that reaches all goals.",

@@ -29,6 +29,7 @@ from jauspy.services.cell import motion_command, trajectory_command
 
 MODULAR_ARM: Final = "cell:ModularArm"
 CONNECTOR: Final = "cell:VacuumConnector"
+CONVEYOR: Final = "cell:Conveyor"
 GRACE_TIME: Final = 10.0
 """Seconds that a motion of a modular arm may take in addition to its duration."""
 EASING: Final = 2.0
@@ -276,12 +277,12 @@ def manipulators(robot: Robot) -> dict[str, Manipulator]:
 
 
 def operated(robot: Robot) -> list[str]:
-    """The components that an operator of the console controls: what moves the robot, a modular arm, and its gripper."""
+    """The components that an operator of the console controls: what moves the robot or parts, and its gripper."""
     arms = {component.id.node for component in robot.components if component.find(POSITION_DRIVER)}
     return [
         str(component.id)
         for component in robot.components
-        if any(component.find(name) for name in (*MOVING, MODULAR_ARM))
+        if any(component.find(name) for name in (*MOVING, MODULAR_ARM, CONVEYOR))
         or (component.find(CONNECTOR) and component.id.node in arms)
     ]
 

@@ -16,6 +16,7 @@ from jauspy.console.markup import attributes, call, page_files, plain_text
 from jauspy.console.page_events import FrameCheck, PageEvents
 from jauspy.console.panels.arm import ArmPanel
 from jauspy.console.panels.control import ControlPanel
+from jauspy.console.panels.conveyor import ConveyorPanel
 from jauspy.console.panels.drive import DRIVERS, DrivePanel
 from jauspy.console.panels.fleet import FleetPanel
 from jauspy.console.panels.log import LogPanel
@@ -105,11 +106,13 @@ class _Page:
                 self._control = ControlPanel(console, token, user)
                 self._drive = DrivePanel(console, token, lambda: self._want_tab("World"))
                 self._arm = ArmPanel(console, token)
+                self._conveyor = ConveyorPanel(console, token)
         self._of_robot = (
             self._fleet,
             self._control,
             self._drive,
             self._arm,
+            self._conveyor,
             self._videos,
             self._world,
             self._trajectory,
@@ -120,8 +123,9 @@ class _Page:
 
     def close(self) -> None:
         """Handle the end of the page."""
-        for panel in (self._control, self._drive, self._arm, self._videos, self._world, self._trajectory, self._plots):
-            panel.close()
+        for panel in self._of_robot:
+            if not isinstance(panel, FleetPanel):
+                panel.close()
 
     def _build_bar(self, user: User) -> None:
         ui.label("jauspy").classes("brand")

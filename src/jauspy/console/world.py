@@ -17,6 +17,7 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final
 
 from jauspy.codec.message import Message
+from jauspy.console.held_parts import HeldParts
 from jauspy.console.manipulators import MODULAR_ARM
 from jauspy.console.reports import reports_of
 from jauspy.console.robot_geometry import (
@@ -133,6 +134,8 @@ class World:
         self._geometry: RobotGeometry | None = None
         self._description: RobotDescription | None = None
         self._part_types: Mapping[str, PartType] = {}
+        self._held: HeldParts | None = None
+        """What connectors hold; None for a robot in no cell that is known."""
         self._tables: dict[JausID, JointTable] = {}
         self._loading = asyncio.Lock()
         self._watchers: set[object] = set()
@@ -154,6 +157,8 @@ class World:
                 for cloud_address in self._cloud_addresses
             ]
         if not self._reading_joints:
+            if self._held is not None:
+                self._reading_joints.append(self._start("connectors", self._held.run))
             for component in self._found().components:
                 if component.find(POSITION_SENSOR) or component.find(PAN_TILT_SENSOR):
                     following = self._start(f"joints of {component.id}", partial(self._follow_joints, component))
@@ -219,7 +224,9 @@ class World:
                     self._geometry = described(found.description, found.source)
                     self.positions = found.start | self.positions
                     self._cloud_addresses += [cloud for cloud in found.clouds if cloud not in self._cloud_addresses]
-                    self._part_types = found.cell.types if found.cell is not None else {}
+                    if found.cell is not None:
+                        self._part_types = found.cell.types
+                        self._held = HeldParts(self._ocu, self._robot, found.cell, found.description)
                 else:
                     self._geometry = reported(await self._read_specifications(robot))
                 await self._read_parts(robot)
@@ -399,9 +406,10 @@ class World:
         """The values that change continuously; of the track, the points after the first `sent_track`."""
         assert self._geometry is not None
         new = min(len(self.track), self.track_total - sent_track)
-        pose = self.pose
+        pose, parts = self.pose, self.part_poses
+        poses = parts if self._held is None else self._held.poses(parts, self.positions)
         state: dict[str, Any] = {
-            "joints": positions_of(self._geometry, self._description, self.positions, self.part_poses),
+            "joints": positions_of(self._geometry, self._description, self.positions, poses),
             "track": [[round(coordinate, 2) for coordinate in point] for point in list(self.track)[-new:]]
             if new
             else [],
@@ -421,7 +429,8 @@ class World:
         counted = Counter(self.mapping.counters) if self.mapping is not None else Counter[str]()
         counted.pop("scans", None)
         left_out = ", ".join(f"{count} {reason}" for reason, count in counted.items())
-        return [*self.problems.values(), *([f"not in the map: {left_out}"] if left_out else [])]
+        held = {} if self._held is None else self._held.problems
+        return [*self.problems.values(), *held.values(), *([f"not in the map: {left_out}"] if left_out else [])]
 
     @property
     def map_version(self) -> int:
@@ -471,6 +480,12 @@ def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
             addresses = [cloud.address for cloud in config.clouds]
             return _Known(model.description, f"description of {printable(file)}", start, addresses, model.cell)
     return None
+
+
+def known_cell(name: str, files: Sequence[str]) -> CellSetup | None:
+    """The cell around a robot of this name whose file is on this machine."""
+    found = _known(name, files, set())
+    return None if found is None else found.cell
 
 
 def _is_near(one: Sequence[float], other: Sequence[float]) -> bool:

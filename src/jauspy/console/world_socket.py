@@ -12,11 +12,14 @@ from starlette.responses import FileResponse
 
 from jauspy.console.browser_messages import Refuse, messages, nothing
 from jauspy.console.robot_geometry import RobotGeometry
-from jauspy.console.world import RATE, World
+from jauspy.console.world import RATE, World, known_cell
 from jauspy.errors import JausError
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
+from jauspy.platform.modular.parts import CellSetup
 
+MAX_CELLS: Final = 16
+"""Cells that are kept, by the names of their robots."""
 MAP_INTERVAL: Final = 1.0
 """Seconds between two maps to one browser."""
 CLOUD_INTERVAL: Final = 0.5
@@ -37,10 +40,19 @@ class Worlds:
         self._robots = robots
         self._worlds: dict[int, World] = {}
         self._pages: dict[int, set[str]] = {}
+        self._cells: dict[str, CellSetup | None] = {}
 
     def get(self, subsystem: int) -> World | None:
         """The world of a robot that a browser has opened."""
         return self._worlds.get(subsystem)
+
+    async def cell(self, robot: Robot) -> CellSetup | None:
+        """The cell around a robot whose file is on this machine; it is read once."""
+        if robot.name not in self._cells:
+            self._cells[robot.name] = await asyncio.to_thread(known_cell, robot.name, self.files)
+            while len(self._cells) > MAX_CELLS:
+                del self._cells[next(iter(self._cells))]
+        return self._cells[robot.name]
 
     def opened(self, subsystem: int, token: str) -> World | None:
         """The world of a robot, for the page with this token; None when there is no such robot."""

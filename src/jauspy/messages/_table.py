@@ -24,7 +24,8 @@ TABLE: Final = (
     *entries(
         "jauspy.messages.cell.v1_0.module_power", "urn:jauspy:cell:ModulePower", "1.0",
         (0xDA64, "SetModulePower", "eeec27c5"), (0xEA67, "QueryModulePower", "2e38e77b"),
-        (0xFA67, "ReportModulePower", "9d4d30b2"),
+        (0xEA6B, "QueryModuleEnergy", "2e38e77b"), (0xFA67, "ReportModulePower", "9d4d30b2"),
+        (0xFA6B, "ReportModuleEnergy", "613b6525"),
     ),
     *entries(
         "jauspy.messages.cell.v1_0.part_sensor", "urn:jauspy:cell:PartSensor", "1.0",

@@ -21,9 +21,12 @@ from jauspy.messages.cell.v1_0 import (
     QueryConveyorState,
     QueryModularArmMotionResult,
     QueryModularArmState,
+    QueryModuleEnergy,
+    QueryModulePower,
     QueryPartObservations,
     QueryServoState,
     ReportModularArmMotionResult,
+    ReportModulePower,
     ReportServoState,
     SetConnector,
     SetConveyorSpeed,
@@ -32,7 +35,7 @@ from jauspy.messages.cell.v1_0 import (
 )
 from jauspy.ocu.service import ServiceClient
 from jauspy.platform.modular.arm import ArmController, ModularArmState, MotionResult, TrajectoryPoint
-from jauspy.platform.modular.cell import ConveyorState
+from jauspy.platform.modular.cell import BatteryState, Consumption, ConveyorState, PowerState
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState
 from jauspy.services.cell.modular_arm import trajectory_command
 
@@ -283,7 +286,7 @@ class PartObservation:
 
 
 class PartStation:
-    """The sensor of parts, and the switch of modules' power."""
+    """The sensor of parts, and the switches and meters of modules' power."""
 
     def __init__(self, sensor: ServiceClient, power: ServiceClient) -> None:
         self._sensor = sensor
@@ -303,6 +306,19 @@ class PartStation:
         """Switch the power of modules on or off, by their names."""
         record = SetModulePower.ModulePowerRec
         await self._power.send(SetModulePower([record(name, int(on)) for name in modules]), ack=True)
+
+    async def energy(self) -> PowerState:
+        """What each module draws and has drawn since the start, what batteries have left, and what is switched on."""
+        switches = await self._power.query(QueryModulePower())
+        report = await self._power.query(QueryModuleEnergy())
+        return PowerState(
+            {row.name: row.power == ReportModulePower.Power.SWITCHED_ON for row in switches.module_list},
+            {row.name: Consumption(row.power, row.energy) for row in report.module_list},
+            {
+                row.name: BatteryState(row.charge / 100.0, row.energy, row.voltage, row.current)
+                for row in report.battery_list
+            },
+        )
 
 
 def _frame(row: Any) -> Transform:

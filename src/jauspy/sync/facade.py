@@ -26,7 +26,7 @@ from jauspy.ocu.stills import Photo
 from jauspy.ocu.subscription import EventRequest, R
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.platform.modular.arm import ArmController, ModularArmState, MotionResult, TrajectoryPoint
-from jauspy.platform.modular.cell import ConveyorState
+from jauspy.platform.modular.cell import ConveyorState, PowerState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.protocol.delivery import Delivery
 from jauspy.sync.portal import Facade, OpensPortal, Portal
@@ -893,7 +893,7 @@ class Conveyor(Facade[_Conveyor]):
 
 
 class PartStation(Facade[_PartStation]):
-    """The sensor of parts, and the switch of modules' power."""
+    """The sensor of parts, and the switches and meters of modules' power."""
 
     def observe(self) -> PartObservation:
         """The last observation."""
@@ -902,6 +902,10 @@ class PartStation(Facade[_PartStation]):
     def switch(self, modules: Sequence[str], *, on: bool) -> None:
         """Switch the power of modules on or off, by their names."""
         self._portal.run(self._async.switch(modules, on=on))
+
+    def energy(self) -> PowerState:
+        """What each module draws and has drawn since the start, what batteries have left, and what is switched on."""
+        return self._portal.run(self._async.energy())
 
 
 class Lidar(Facade[_Lidar]):

@@ -1,9 +1,9 @@
-"""Conveyor, part sensor and the switches of the modules' power, in MuJoCo."""
+"""Conveyor and part sensor, in MuJoCo."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 from typing import Final
 
 import mujoco
@@ -14,12 +14,11 @@ from jauspy.geometry.vectors import Rotation, add, product, rotation_about, scal
 from jauspy.platform.modular.cell import (
     Conveyor,
     ConveyorState,
-    ModulePower,
     Observation,
     ObservedPart,
     PartSensor,
 )
-from jauspy.platform.modular.parts import CellSetup, ConveyorSetup, PartKind, PartSensorSetup
+from jauspy.platform.modular.parts import CellSetup, ConveyorSetup, PartSensorSetup
 from jauspy_sim.assembly import TIMESTEP, view
 from jauspy_sim.cell.connectors import to_transform
 from jauspy_sim.cell.part_cameras import PartCameras
@@ -83,6 +82,11 @@ class SimulatedPartSensor(PartSensor):
         self._random = np.random.default_rng((setup.seed, cell.seed))
         self._state = Observation()
         self._due = 0.0
+        self._blind_until = 0.0
+
+    def blind(self, until: float) -> None:
+        """Observe nothing until a time of the robot's clock, in seconds; the last observation stays with its time."""
+        self._blind_until = max(self._blind_until, until)
 
     def state(self) -> Observation:
         """The last observation."""
@@ -93,6 +97,8 @@ class SimulatedPartSensor(PartSensor):
         if now < self._due - TIMESTEP / 2.0:
             return
         self._due = max(self._due, now) + 1.0 / self._setup.rate
+        if now < self._blind_until:
+            return
         data, setup = self._data, self._setup
         noise = self._random.standard_normal((len(self._parts), 9)).tolist()
         parts = []
@@ -117,47 +123,3 @@ def small_turn(vector: Iterable[float]) -> Rotation:
     x, y, z = vector
     angle = math.hypot(x, y, z)
     return rotation_about(scaled((x, y, z), 1.0 / angle) if angle else (0.0, 0.0, 1.0), angle)
-
-
-class SimulatedPower(ModulePower):
-    """Power of modules: bases have it, and modules that are switched on and attached to a base through any chain."""
-
-    def __init__(
-        self,
-        cell: CellSetup,
-        attachments: Callable[[], Iterable[tuple[str, str]]],
-        follow: Callable[[Mapping[str, bool]], None],
-    ) -> None:
-        self._kinds = {part.name: cell.types[part.type].kind for part in cell.parts}
-        self._switches = {
-            part.name: True for part in cell.parts if cell.types[part.type].servo or cell.types[part.type].connectors
-        }
-        self._attachments = attachments
-        self._follow = follow
-        self._state: Mapping[str, bool] = dict(self._switches)
-
-    def state(self) -> Mapping[str, bool]:
-        """The modules that are switched on."""
-        return self._state
-
-    def switch(self, name: str, on: bool) -> None:
-        """Switch a module on or off; an unknown name has no effect."""
-        if self._switches.get(name, on) is not on:
-            self._switches[name] = on
-            self._state = dict(self._switches)
-            self.update()
-
-    def update(self) -> None:
-        """Find the modules with power, after a switch or an attachment has changed."""
-        neighbours: dict[str, list[str]] = {}
-        for one, other in self._attachments():
-            neighbours.setdefault(one, []).append(other)
-            neighbours.setdefault(other, []).append(one)
-        waiting = [name for name, kind in self._kinds.items() if kind is PartKind.BASE]
-        reached = set(waiting)
-        while waiting:
-            for name in neighbours.get(waiting.pop(), ()):
-                if name not in reached:
-                    reached.add(name)
-                    waiting.append(name)
-        self._follow({name: on and name in reached for name, on in self._switches.items()})

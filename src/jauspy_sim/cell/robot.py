@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 import mujoco
@@ -21,11 +22,13 @@ from jauspy_sim.assembly import STEP_TOLERANCE, TIMESTEP, redirect_warnings, vie
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, build_cell
 from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
-from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
+from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor
+from jauspy_sim.cell.faults import Faults
 from jauspy_sim.cell.payload import HeldPayload
+from jauspy_sim.cell.power import SimulatedPower
 from jauspy_sim.cell.probe import Probe
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
-from jauspy_sim.cell.start import disturb, put, put_on_each_other, scatter
+from jauspy_sim.cell.start import disturb, put, put_fixture, put_on_each_other, scatter
 from jauspy_sim.cell.truth import Truth
 from jauspy_sim.cell.writes import Writes
 from jauspy_sim.physics.dynamics import dynamics_of
@@ -87,7 +90,7 @@ class SimulatedCell:
         self._servos = servos_of(cell.model, data, setups, setup.seed)
         self._powered: tuple[SimulatedServo, ...] = ()
         self._attachments = Attachments(cell, data, random)
-        self._power = SimulatedPower(setup, self._pairs, self._set_powered)
+        self._power = SimulatedPower(setup, self._pairs, self._set_powered, self._servos, self._attachments.connectors)
         self._conveyor = SimulatedConveyor(cell.model, data, setup.conveyor) if setup.conveyor else None
         self._sensor = SimulatedPartSensor(cell.model, data, setup, setup.sensor)
         connectors = self._attachments.connectors
@@ -96,8 +99,9 @@ class SimulatedCell:
             if (model := dynamics[name]) is not None and group.tip == setup.gripper:
                 joints = self._groups[name]
                 joints.held = HeldPayload(model, joints.joints, group.sensors, 1.0 / group.rate, connectors[GRIPPER])
-        self._arm = self._make_arm(setup)
+        self._arms = self._make_arms(setup)
         self._truth = Truth(cell, data, self._servos)
+        self._faults = Faults(self._attachments, self._sensor, self._servos, lambda: self.time)
         self._probes: list[Probe] = []
         self._revision = -1
         self._owed = 0.0
@@ -136,6 +140,11 @@ class SimulatedCell:
     def truth(self) -> Truth:
         """The true state; for tests and measurements only."""
         return self._truth
+
+    @property
+    def faults(self) -> Faults:
+        """Breaks parts of the cell, for trials."""
+        return self._faults
 
     @property
     def drive(self) -> FixedBase:
@@ -205,7 +214,13 @@ class SimulatedCell:
         put_on_each_other(self, connector, parts, errors)
 
     def place(self, part: str, pose: Pose) -> None:
-        """Put a free part somewhere, at rest, by writing its position: for what a task does not do itself."""
+        """Put a free part somewhere, at rest, by writing its position: for what a task does not do itself.
+
+        A fixture may be moved, too.
+        """
+        if any(fixture.name == part for fixture in self._setup.fixtures):
+            put_fixture(self, part, Transform.from_pose(pose))
+            return
         put(self, part, Transform.from_pose(pose))
         self._attachments.wake(int(self._model.body(part).id))
 
@@ -252,6 +267,7 @@ class SimulatedCell:
                 probe.step(self.time)
             if self._conveyor is not None:
                 self._conveyor.control()
+            self._power.step(self.time)
             if writes is not None:
                 writes.keep()
             self._sensor.step(self.time)
@@ -288,8 +304,8 @@ class SimulatedCell:
                 self._follow_attachments()
             if self._car is not None:
                 self._car.control(CONTROL_EVERY * TIMESTEP)
-            if self._arm is not None:
-                self._arm.control(self.time, CONTROL_EVERY * TIMESTEP)
+            for arm in self._arms:
+                arm.control(self.time, CONTROL_EVERY * TIMESTEP)
         for group in self._groups.values():
             if not self._steps % group.every:
                 group.control()
@@ -314,22 +330,32 @@ class SimulatedCell:
                 if (tree := model.body_treeid[body]) >= 0:
                     model.tree_sleep_policy[tree] = int(policy.mjSLEEP_NEVER)
 
-    def _make_arm(self, setup: CellSetup) -> AssembledArm | None:
-        """The controller of the modular arm, which needs the libraries of the extra `cell`."""
-        if not setup.arm:
-            return None
-        check_libraries(f"the modular arm {setup.arm!r}", *ARM_LIBRARIES)
+    def _make_arms(self, setup: CellSetup) -> tuple[AssembledArm, ...]:
+        """The controllers of modular arms, which need the libraries of the extra `cell`."""
+        names = [name for name in (setup.arm, setup.second_arm) if name]
+        if not names:
+            return ()
+        check_libraries(f"the modular arm {names[0]!r}", *ARM_LIBRARIES)
         from jauspy.platform.modular.assembled_arm import AssembledArm  # noqa: PLC0415 - needs these libraries
 
-        connectors = tuple(self._attachments.connectors.values())
-        return AssembledArm(
-            setup.arm,
-            setup,
-            self._servos,
-            connectors,
-            revision=lambda: self._attachments.revision,
-            base_pose=lambda name: self._attachments.frame_of(self._model.body(name).id).to_pose(),
-        )
+        arms: list[AssembledArm] = []
+
+        def base_of_other(name: str) -> str:
+            return next((arm.chain.base for arm in arms if arm.name != name), "")
+
+        arms += [
+            AssembledArm(
+                name,
+                setup,
+                self._servos,
+                tuple(self._attachments.connectors.values()),
+                revision=lambda: self._attachments.revision,
+                base_pose=lambda base: self._attachments.frame_of(self._model.body(base).id).to_pose(),
+                other_base=partial(base_of_other, name),
+            )
+            for name in names
+        ]
+        return tuple(arms)
 
     def _pairs(self) -> Iterator[tuple[str, str]]:
         """Pairs of parts that are attached to each other; the gripper does not pass on power."""
@@ -353,5 +379,4 @@ class SimulatedCell:
         yield self._power
         if self._car is not None:
             yield self._car
-        if self._arm is not None:
-            yield self._arm
+        yield from self._arms

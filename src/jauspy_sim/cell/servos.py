@@ -29,11 +29,6 @@ FULL_TORQUE_SPEED: Final = 0.8
 SUPPLY_VOLTAGE: Final = 48.0
 LINE_RESISTANCE: Final = 0.08
 """Ohms of the line to a module."""
-IDLE_CURRENT: Final = 0.05
-"""Amperes of a module's electronics."""
-
-WINDING_RESISTANCE: Final = 6.0
-"""Ohms: heat of the windings is the square of the current times it."""
 THERMAL_RESISTANCE: Final = 3.5
 """Kelvin per watt from the windings to the room."""
 THERMAL_TIME: Final = 240.0
@@ -41,6 +36,9 @@ THERMAL_TIME: Final = 240.0
 ROOM_TEMPERATURE: Final = 25.0
 DERATING_START, DERATING_END = 100.0, 130.0
 """Degrees Celsius between which the torque fades to nothing, to protect the windings."""
+
+SEIZED: Final = 10.0
+"""Friction of a gear that has seized, as a multiple of the largest torque."""
 
 THERMAL_CYCLES: Final = 50
 """Control cycles from one update of the temperature to the next."""
@@ -52,6 +50,7 @@ class SimulatedServo(ServoModule):
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, name: str, setup: ServoData, seed: int = 0) -> None:
         self.name = name
         self.setup = setup
+        self._model = model
         self._qpos, self._qvel, self._qacc, self._applied = map(
             view, (data.qpos, data.qvel, data.qacc, data.qfrc_applied)
         )
@@ -87,6 +86,12 @@ class SimulatedServo(ServoModule):
         self._heat = 0.0
         self._temperature = ROOM_TEMPERATURE
         self._cycles = 0
+        self.energy = 0.0
+        """Joules that it has drawn."""
+        self.supply = SUPPLY_VOLTAGE
+        """Volts of what powers it."""
+        self._worked_at = 0.0
+        """Radians of the motor when its work was last measured."""
         self._powered = False
         self._last = ServoState()
         self._last_reading = ServoReading(powered=False, position=0.0, velocity=0.0, torque=0.0)
@@ -126,6 +131,10 @@ class SimulatedServo(ServoModule):
         """True while it has power."""
         return self._powered
 
+    def seize(self) -> None:
+        """Block the gear, as one does whose bearing has failed: its friction exceeds what the motor can do."""
+        self._model.dof_frictionloss[self._motor_dof] = SEIZED * self.setup.max_torque
+
     @cached_property
     def id(self) -> PartId:
         """Kind and name."""
@@ -149,7 +158,7 @@ class SimulatedServo(ServoModule):
             torque=self.torque,
             current=current,
             temperature=self._temperature,
-            voltage=SUPPLY_VOLTAGE - LINE_RESISTANCE * (IDLE_CURRENT + abs(current)),
+            voltage=self.supply - LINE_RESISTANCE * (self.setup.idle_power / self.supply + abs(current)),
             orientation=orientation,
             angular_velocity=self._imu.angular_velocity((qvel[dof + 3], qvel[dof + 4], qvel[dof + 5])),
             acceleration=self._imu.acceleration(_turned_back(orientation, specific_force)),
@@ -211,6 +220,7 @@ class SimulatedServo(ServoModule):
         self._command = self._feed_forward = 0.0
         self._torque = None
         self._applied[self._motor_dof] = 0.0
+        self._worked_at = self._qpos[self._motor]
         self._start_encoders()
         self._restart()
 
@@ -220,7 +230,8 @@ class SimulatedServo(ServoModule):
         self._output_encoder.sample(self.true_position)
 
     def control(self) -> None:
-        """Set the torque of the motor for the next physics step."""
+        """Set the torque of the motor for the next physics step, and account for the last one."""
+        self._measure_energy()
         velocity = self._motor_encoder.rate
         if (torque := self._torque) is None:
             controller, forward = self._controller, self._feed_forward
@@ -234,6 +245,17 @@ class SimulatedServo(ServoModule):
         if self._cycles == THERMAL_CYCLES:
             self._update_temperature()
 
+    def _measure_energy(self) -> None:
+        """Add what the last step took: losses of the windings, and the work of the motor, which is exact.
+
+        What a motor that brakes gives back is not stored, and not fed to other modules.
+        """
+        setup, angle, torque = self.setup, self._qpos[self._motor], self._command
+        current = torque / setup.torque_constant
+        electric = setup.resistance * current * current * TIMESTEP + torque * (angle - self._worked_at)
+        self.energy += setup.idle_power * TIMESTEP + max(0.0, electric)
+        self._worked_at = angle
+
     def _available(self, torque: float, velocity: float) -> float:
         """The torque that the motor can give at this speed and temperature."""
         setup = self.setup
@@ -246,7 +268,7 @@ class SimulatedServo(ServoModule):
 
     def _update_temperature(self) -> None:
         mean_square = self._heat / self._cycles / self.setup.torque_constant**2
-        warm = ROOM_TEMPERATURE + THERMAL_RESISTANCE * WINDING_RESISTANCE * mean_square
+        warm = ROOM_TEMPERATURE + THERMAL_RESISTANCE * self.setup.resistance * mean_square
         self._temperature += (warm - self._temperature) * self._cycles * TIMESTEP / THERMAL_TIME
         self._heat, self._cycles = 0.0, 0
 

@@ -164,6 +164,16 @@ def put(cell: SimulatedCell, name: str, pose: Transform) -> None:
     mujoco.mj_kinematics(cell.model, cell.data)
 
 
+def put_fixture(cell: SimulatedCell, name: str, pose: Transform) -> None:
+    """Place a fixture in the world. MuJoCo computes where static bodies are only while nothing may sleep."""
+    model, body = cell.model, cell.model.body(name)
+    body.pos, body.quat = pose.position, quaternion(pose.rotation)
+    flags = model.opt.enableflags
+    model.opt.enableflags = flags & ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+    mujoco.mj_kinematics(model, cell.data)
+    model.opt.enableflags = flags
+
+
 def put_on(cell: SimulatedCell, connector: str, name: str, error: Transform = IDENTITY) -> None:
     """Put a part in front of a connector, with its plate in contact, and enable the connector."""
     offset = Transform(position=(0.0, 0.0, GAP)) @ error

@@ -67,20 +67,21 @@ def test_costs_are_cobras(cell: CellSetup) -> None:
 def test_the_search_finds_a_chain_that_the_checker_passes_and_again_with_the_same_seed(
     cell: CellSetup, task: DesignTask, found: Design
 ) -> None:
-    assert check(cell, task, BASE, found.elements, found.positions, load=0.2) == []
+    assert check(cell, task, BASE, found, load=0.2) == []
     again = Search(cell, task, BASE, load=0.2, weights=parse_costs("mass,numJ"), seed=1).run(60, 60.0).best
     assert again == found
 
 
 def test_the_checker_catches_mutants(cell: CellSetup, task: DesignTask, found: Design) -> None:
     def wrong(task: DesignTask = task, load: float = 0.2, **changes: Any) -> str:
-        design = replace(found, **changes)
-        return "; ".join(check(cell, task, BASE, design.elements, design.positions, load=load))
+        return "; ".join(check(cell, task, BASE, replace(found, **changes), load=load))
 
     moved = tuple(tuple(value + 0.1 for value in row) for row in found.positions)
     assert "missed" in wrong(positions=moved)
     assert "do not match the joints" in wrong(positions=tuple(row[:-1] for row in found.positions))
     assert "0 postures" in wrong(positions=())
+    assert "0 durations" in wrong(durations=())
+    assert "too short" in wrong(durations=tuple(0.3 * seconds for seconds in found.durations))
     assert "in the cell" in wrong(elements=found.elements * 8)
     assert "of the limits" in wrong(load=20.0)
     wall = Obstacle("wall", task.goals[0].pose, (0.1, 0.1, 0.1))

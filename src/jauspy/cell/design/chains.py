@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.cell.design.tasks import Obstacle
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY, Vector, Z, add, cross, difference, dot, rotation_about, scaled
-from jauspy.platform.modular.parts import PartType, ServoData, body_inertia, output_inertia
+from jauspy.platform.modular.parts import PartType, ServoData, body_inertia, mass_of, output_inertia
 
 RADIUS: Final = 0.045
 """Metres around the middle line: half the diagonal of the largest housing, 68 mm x 56 mm."""
@@ -89,9 +89,14 @@ def servos(elements: Sequence[Element], types: Mapping[str, PartType]) -> list[S
     return [servo for servo in found if servo is not None]
 
 
-def mass_of(elements: Sequence[Element], types: Mapping[str, PartType]) -> float:
+def placed(elements: Iterable[Element], types: Mapping[str, PartType]) -> list[tuple[Transform, PartType]]:
+    """The parts of a chain, each with its frame in that of the connector that carries it."""
+    return [(Transform(rotation_about(Z, element.turn)), types[element.type]) for element in elements]
+
+
+def total_mass(elements: Sequence[Element], types: Mapping[str, PartType]) -> float:
     """Kilograms of all parts."""
-    return sum(body_inertia(types[e.type]).mass + output_inertia(types[e.type]).mass for e in elements)
+    return sum(mass_of(types[e.type]) for e in elements)
 
 
 def posture(

@@ -16,21 +16,20 @@ from typing import Any, Final
 
 import numpy as np
 
-from jauspy.cell.design.chains import ChainPosture, Element, mass_of, posture, servos
-from jauspy.cell.design.tasks import DesignTask, Goal
+from jauspy.cell.design.chains import ChainPosture, Element, placed, posture, servos, total_mass
+from jauspy.cell.design.kinematics import ChainKinematics
+from jauspy.cell.design.loads import LoadedChain, TimedMotion
+from jauspy.cell.design.tasks import DesignTask
+from jauspy.cell.motion import NoPath
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.vectors import GRAVITY, Z, rotation_about
+from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.holding import CUP, LATCH, SAFETY
 from jauspy.platform.modular.parts import CellSetup, PartKind, PartType
+from jauspy.platform.modular.trajectory import MotionError
 
-MAX_BEND: Final = 2.0
-"""Radians to which an elbow bends: further, what is mounted on it comes near the housing. Inline modules turn once."""
 STARTS: Final = 6
-ITERATIONS: Final = 60
 LINE_STEPS: Final = 12
-ORIENTATION_LENGTH: Final = 0.2
-"""Metres that one radian counts in inverse kinematics."""
 MAX_JOINTS: Final = 7
 COSTS: Final = ("cyc", "qDist", "mass", "numJ")
 """CoBRA's abbreviations: s, rad, kg, and joints."""
@@ -42,23 +41,31 @@ class Design:
 
     elements: tuple[Element, ...]
     positions: tuple[tuple[float, ...], ...]
+    durations: tuple[float, ...]
+    """Seconds of the motion to each goal: the shortest that modules and connectors bear."""
     costs: Mapping[str, float]
     cost: float
     torque: float
-    """Largest torque at rest, as a fraction of the module's."""
+    """Largest torque, at rest and in motion, as a fraction of the module's."""
     moment: float
-    """Largest load of a connector at rest, as a fraction of its strength."""
+    """Largest load of a connector, at rest and in motion, as a fraction of its strength."""
     clearance: float
     """Metres."""
 
 
 @dataclass(slots=True)
 class Found:
-    """What a search has found: the best design, and why the other chains lost."""
+    """What a search has found: designs, and why the other chains lost."""
 
-    best: Design | None = None
+    designs: list[Design] = field(default_factory=list)
+    """Each cheaper than the one before."""
     tried: int = 0
     reasons: Counter[str] = field(default_factory=Counter)
+
+    @property
+    def best(self) -> Design | None:
+        """The cheapest design."""
+        return self.designs[-1] if self.designs else None
 
 
 def parse_costs(text: str) -> dict[str, float]:
@@ -77,18 +84,25 @@ def parse_costs(text: str) -> dict[str, float]:
 
 
 def costs_of(
-    elements: Sequence[Element], types: Mapping[str, PartType], positions: Sequence[Sequence[float]]
+    elements: Sequence[Element],
+    types: Mapping[str, PartType],
+    positions: Sequence[Sequence[float]],
+    durations: Sequence[float] = (),
 ) -> dict[str, float]:
-    """CoBRA's costs, with the goals reached in straight lines of the joints from zero, each at the limits of speed."""
+    """CoBRA's costs, with the goals reached in straight lines of the joints from zero.
+
+    `durations` are those of the motions; without them, bounds: each at the limits of speed all the way.
+    """
     modules = servos(elements, types)
-    time_, way = 0.0, 0.0
+    fastest, way = [], 0.0
     before: Sequence[float] = [0.0] * len(modules)
     for row in positions:
         turns = [abs(b - a) for a, b in zip(before, row, strict=True)]
-        time_ += max(turn / servo.max_speed for turn, servo in zip(turns, modules, strict=True))
+        fastest.append(max(turn / servo.max_speed for turn, servo in zip(turns, modules, strict=True)))
         way += sum(turns)
         before = row
-    return {"cyc": time_, "qDist": way, "mass": mass_of(elements, types), "numJ": float(len(modules))}
+    seconds = sum(durations or fastest)
+    return {"cyc": seconds, "qDist": way, "mass": total_mass(elements, types), "numJ": float(len(modules))}
 
 
 class Search:
@@ -118,7 +132,7 @@ class Search:
             if isinstance(result, str):
                 self.found.reasons[result] += 1
             else:
-                self.found.best = result
+                self.found.designs.append(result)
                 note(f"chain {self.found.tried}: cost {result.cost:.3f}, {len(elements)} parts")
         return self.found
 
@@ -157,10 +171,9 @@ class Search:
             return "not in the bins"
         if not servos(elements, self._types):
             return "no joint"
-        best = self.found.best
-        known = self._weights.get("mass", 0.0) * mass_of(elements, self._types)
+        known = self._weights.get("mass", 0.0) * total_mass(elements, self._types)
         known += self._weights.get("numJ", 0.0) * len(servos(elements, self._types))
-        if best is not None and known >= best.cost:
+        if self._reaches_best(known):
             return "costs more than the best"
         bound = self._bound(elements)
         if bound:
@@ -176,12 +189,12 @@ class Search:
             slack = sum(max(map(abs, limits)) for limits in goal.tolerances.values())
             if math.dist(goal.pose.position, self.mount.position) > reach + slack:
                 return "too short"
-        weight = (mass_of(elements, self._types) + self._load) * GRAVITY
+        weight = (total_mass(elements, self._types) + self._load) * GRAVITY
         held = LATCH.utilisation(self.mount.inverse().rotate((0.0, 0.0, weight)), (0.0, 0.0, 0.0))
         return "too heavy for the base's connector" if held > 1.0 / SAFETY else ""
 
     def _solve(self, elements: tuple[Element, ...]) -> Design | str:
-        kinematics = _Kinematics(self.mount, elements, self._types)
+        kinematics = ChainKinematics(self.mount, placed(elements, self._types))
         rows: list[tuple[float, ...]] = []
         before = np.zeros(len(kinematics.bounds))
         worst = (0.0, 0.0, math.inf)
@@ -208,11 +221,30 @@ class Search:
                     break
             else:
                 return reason
-        costs = costs_of(elements, self._types, rows)
-        cost = sum(weight * costs[name] for name, weight in self._weights.items())
-        if self.found.best is not None and cost >= self.found.best.cost:
+        if self._reaches_best(self._cost(costs_of(elements, self._types, rows))):
             return "costs more than the best"
-        return Design(elements, tuple(rows), costs, cost, *worst)
+        try:
+            motions = self._motions(elements, rows)
+        except NoPath:
+            return "loads in motion"
+        durations = tuple(motion.duration for motion in motions)
+        costs = costs_of(elements, self._types, rows, durations)
+        if self._reaches_best(cost := self._cost(costs)):
+            return "costs more than the best"
+        torque = max(worst[0], *(motion.torque for motion in motions))
+        moment = max(worst[1], *(motion.connector for motion in motions))
+        return Design(elements, tuple(rows), durations, costs, cost, torque, moment, worst[2])
+
+    def _motions(self, elements: Sequence[Element], rows: Sequence[Sequence[float]]) -> list[TimedMotion]:
+        """The shortest bearable motions from upright to each posture in turn; raises `NoPath` when there is none."""
+        chain = LoadedChain.of(self.mount, placed(elements, self._types), self._load)
+        return [chain.shortest(start, goal) for start, goal in _pairs(rows)]
+
+    def _cost(self, costs: Mapping[str, float]) -> float:
+        return sum(weight * costs[name] for name, weight in self._weights.items())
+
+    def _reaches_best(self, cost: float) -> bool:
+        return self.found.best is not None and cost >= self.found.best.cost
 
     def _margins(self, elements: Sequence[Element], positions: Sequence[float]) -> tuple[float, float, float]:
         found = posture(self.mount, elements, self._types, positions, self._load)
@@ -246,19 +278,19 @@ def check(
     cell: CellSetup,
     task: DesignTask,
     base: str,
-    elements: Sequence[Element],
-    positions: Sequence[Sequence[float]],
+    design: Design,
     *,
     load: float,
 ) -> list[str]:
-    """What is wrong with a solution, recomputed at its goals without the search; empty for a valid one."""
+    """What is wrong with a solution, recomputed at its goals and on the way; empty for a valid one."""
+    elements, positions, durations = design.elements, design.positions, design.durations
     wrong = []
     used, stock = Counter(element.type for element in elements), stock_of(cell)
     wrong += [f"{name}: {count} used, {stock[name]} in the cell" for name, count in used.items() if count > stock[name]]
     if wrong:
         return wrong
-    if len(positions) != len(task.goals):
-        return [f"{len(positions)} postures for {len(task.goals)} goals"]
+    if not len(positions) == len(durations) == len(task.goals):
+        return [f"{len(positions)} postures and {len(durations)} durations for {len(task.goals)} goals"]
     for goal, row in zip(task.goals, positions, strict=True):
         if len(row) != len(servos(elements, cell.types)) or not all(map(math.isfinite, row)):
             return [f"goal {goal.name}: its positions do not match the joints"]
@@ -270,76 +302,20 @@ def check(
             wrong.append(f"goal {goal.name}: torque {torque:.2f}, connector {moment:.2f} of the limits")
         if chain.clearance(task.obstacles) <= 0.0:
             wrong.append(f"goal {goal.name}: collision")
+    moving = LoadedChain.of(mount_of(cell, base), placed(elements, cell.types), load)
+    for goal, (start, end), duration in zip(task.goals, _pairs(positions), durations, strict=True):
+        try:
+            loads = moving.timed(start, end, duration)
+        except MotionError as error:
+            wrong.append(f"goal {goal.name}: {error}")
+            continue
+        if not loads.bearable:
+            far = f"torque {loads.torque:.2f}, connector {loads.connector:.2f} of the limits"
+            wrong.append(f"goal {goal.name}: in motion {far}")
     return wrong
 
 
-class _Kinematics:
-    """Forward and inverse kinematics of a chain, with matrices."""
-
-    def __init__(self, mount: Transform, elements: Sequence[Element], types: Mapping[str, PartType]) -> None:
-        self._fixed: list[Any] = []
-        self._axes: list[Any] = []
-        self.bounds: list[float] = []
-        frame = mount
-        for element in elements:
-            part = types[element.type]
-            frame = frame @ Transform(rotation_about(Z, element.turn))
-            if part.servo is not None:
-                self._fixed.append(_matrix(frame @ part.servo.joint))
-                self._axes.append(np.array(part.servo.axis))
-                self.bounds.append(math.pi if abs(part.servo.axis[2]) > 0.9 else MAX_BEND)
-                frame = Transform()
-            frame = frame @ next(iter(part.connectors.values()))
-        self._tip = _matrix(frame)
-
-    def solve(self, goal: Goal, start: Any) -> Any:
-        """Joint positions that meet a goal, by damped least squares from `start`, or None."""
-        target, q = _matrix(goal.pose), np.array(start, dtype=float)
-        oriented = "Theta_R" in goal.tolerances
-        for _ in range(ITERATIONS):
-            tip, jacobian = self._forward(q)
-            if goal.met(_transform(tip)):
-                return q
-            error = target[:3, 3] - tip[:3, 3]
-            if oriented:
-                turn = sum(np.cross(tip[:3, axis], target[:3, axis]) for axis in range(3)) / 2.0
-                error = np.concatenate([error, ORIENTATION_LENGTH * turn])
-            else:
-                jacobian = jacobian[:3]
-            square = jacobian @ jacobian.T + 1e-4 * np.eye(len(error))
-            step = jacobian.T @ np.linalg.solve(square, error)
-            q = np.clip(q + step * min(1.0, 0.5 / max(float(np.abs(step).max()), 1e-9)), *self._range())
-        return None
-
-    def _range(self) -> tuple[Any, Any]:
-        high = np.array(self.bounds)
-        return -high, high
-
-    def _forward(self, q: Any) -> tuple[Any, Any]:
-        frame, joints = np.eye(4), []
-        for fixed, axis, angle in zip(self._fixed, self._axes, q, strict=True):
-            frame = frame @ fixed
-            joints.append((frame[:3, 3], frame[:3, :3] @ axis))
-            frame = frame @ _rotation(axis, angle)
-        tip = frame @ self._tip
-        columns = [[*np.cross(axis, tip[:3, 3] - origin), *(ORIENTATION_LENGTH * axis)] for origin, axis in joints]
-        return tip, np.array(columns).T
-
-
-def _rotation(axis: Any, angle: float) -> Any:
-    x, y, z = axis
-    skew = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    matrix = np.eye(4)
-    matrix[:3, :3] += math.sin(angle) * skew + (1.0 - math.cos(angle)) * skew @ skew
-    return matrix
-
-
-def _matrix(frame: Transform) -> Any:
-    matrix = np.eye(4)
-    matrix[:3, :3], matrix[:3, 3] = frame.rotation, frame.position
-    return matrix
-
-
-def _transform(matrix: Any) -> Transform:
-    a, b, c, _ = matrix.tolist()
-    return Transform((tuple(a[:3]), tuple(b[:3]), tuple(c[:3])), (a[3], b[3], c[3]))
+def _pairs(positions: Sequence[Sequence[float]]) -> list[tuple[Any, Any]]:
+    """Start and end of the motion to each posture, the first one from upright."""
+    rows = [np.zeros(len(positions[0])), *(np.array(row) for row in positions)]
+    return list(itertools.pairwise(rows))

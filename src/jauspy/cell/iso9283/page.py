@@ -12,6 +12,7 @@ import numpy as np
 from jauspy.cell.frames import Array
 from jauspy.cell.iso9283.bench import (
     ARM_CUBE,
+    ARM_TOOL_SPEED,
     REST,
     UR10_CUBE,
     UR10_TOOL_SPEED,
@@ -49,22 +50,17 @@ def write_report(report: Report, plan: Plan, seed: int, directory: Path, page: P
 def html(report: Report, plan: Plan, seed: int, directory: Path) -> str:
     """The page; its plots are in `directory`."""
     modular = (report.assembled, report.reported, *report.calibrated)
+    plots = [
+        Plot(directory / PLACES, "Attained places less the commanded ones, without a load; crosses are means."),
+        Plot(directory / PATHS, "Distance of the mean path from the commanded line, along the line, for each run."),
+        Plot(directory / DRIFT, "AP and RP of P1 over the time of the runs."),
+    ]
     sections = [
         _conditions(plan),
+        Section("Plots", plots=plots if report.drifts else plots[:2]),
         _arm_section("UR10", report.ur10, report.drifts),
         _arm_section("Modular arm", modular, report.drifts),
     ]
-    sections[1].plots.append(
-        Plot(
-            directory / PLACES,
-            "Attained places less the commanded ones, without a load; crosses are means.",
-        )
-    )
-    sections[2].plots.append(
-        Plot(directory / PATHS, "Distance of the mean path from the commanded line, along the line, for each run.")
-    )
-    if report.drifts:
-        sections[2].plots.append(Plot(directory / DRIFT, "AP and RP of P1 over the time of the runs."))
     promise = Promise(
         "Calibration of the misassembled arm",
         f"AP at least {WANTED:g} times better",
@@ -90,12 +86,12 @@ def _conditions(plan: Plan) -> Section:
         (
             "path by",
             "a velocity of the tool (end effector velocity driver)",
-            "postures along the line",
+            "a spline through postures on the line",
         ),
         (
             "whole speed",
             f"joints at their limits; on the path {UR10_TOOL_SPEED:g} m/s",
-            "as fast as the limits of the modules allow",
+            f"as fast as the limits of the modules allow; on the path {ARM_TOOL_SPEED:g} m/s (assumption)",
         ),
         ("rated load", f"{UR10_RATED:g} kg, with the gripper of {GRIPPER_MASS:g} kg", f"{ARM_RATED:g} kg (assumption)"),
         ("cycles", f"{plan.cycles} at poses, {plan.path_cycles} on the path", "the same"),
@@ -127,7 +123,7 @@ def _arm_section(title: str, runs: Sequence[Run], drifts: Iterable[tuple[str, Dr
                     (*_heading("run", "AT", "RT"), "speed, m/s"),
                     *((run.label, *_cells(path.worst), f"{path.speed:.3f}") for run, path in paths),
                 ],
-                "The speed is the mean between the first and the last plane, starts and stops in between included.",
+                "The speed is the mean between the first and the last plane.",
             )
         )
     section.tables.append(
@@ -195,7 +191,7 @@ def plot_accuracy(report: Report, path: Path) -> None:
     """Plot the attained places of the UR10 and of the calibrated arm, less the commanded ones, from above and aside."""
     views = ((0, 1, "x, mm", "y, mm"), (0, 2, "x, mm", "z, mm"))
     runs = (report.ur10[0], report.calibrated[0])
-    with figure(path, columns=4, size=(14.0, 4.4)) as axes:
+    with figure(path, columns=4, size=(14.0, 3.9)) as axes:
         for column, axis in enumerate(axes):
             run, (across, up, x_name, y_name) = runs[column // 2], views[column % 2]
             most = 1.2e3 * max(float(np.max(np.abs(rows))) for rows in run.deviations)

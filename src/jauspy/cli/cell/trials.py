@@ -34,7 +34,7 @@ def with_progress(what: str, total: int, results: Iterable[Measured]) -> Iterato
 def trials(
     *,
     task: Annotated[
-        str, typer.Argument(metavar="TASK", help="What to run: assemble, lift, step, take-apart, car, demo.")
+        str, typer.Argument(metavar="TASK", help="What to run: assemble, lift, step, take-apart, car, demo, ariac.")
     ] = "assemble",
     seeds: Seeds = 100,
     first: Annotated[int, typer.Option("--first", min=0, metavar="N", help="The first seed.")] = 0,
@@ -63,12 +63,13 @@ def trials(
     check_extra()
     from jauspy.cell.report import plot_trials
     from jauspy.cell.session import UNDISTURBED, Disturbances
-    from jauspy.cell.tasks import TASKS
+    from jauspy.cell.tasks import NAMES
     from jauspy.cell.trials import run_trials, summarised
+    from jauspy.cli.cell.ariac import summary_tables
     from jauspy.cli.cell.tables import trials_table
 
-    if task not in TASKS:
-        raise typer.BadParameter(f"{task!r} is not a task; the tasks are: {', '.join(TASKS)}", param_hint="TASK")
+    if task not in NAMES:
+        raise typer.BadParameter(f"{task!r} is not a task; the tasks are: {', '.join(NAMES)}", param_hint="TASK")
     found: list[Measured] = []
     out.mkdir(parents=True, exist_ok=True)
     path = out / f"trials-{task}.json"
@@ -85,6 +86,9 @@ def trials(
         console.print_json(asdict(summary))
     else:
         console.stdout(140).print(trials_table(summary, found))
+        if task == "ariac":
+            for table in summary_tables(found):
+                console.stdout(140).print(table)
     if summary.rate < need:
         raise typer.Exit(1)
 

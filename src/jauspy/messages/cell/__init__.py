@@ -21,7 +21,8 @@ if TYPE_CHECKING:
         SetModularArmOrder as SetModularArmOrder, SetModularArmTrajectory as SetModularArmTrajectory,
     )
     from jauspy.messages.cell.v1_0.module_power import (
-        QueryModulePower as QueryModulePower, ReportModulePower as ReportModulePower,
+        QueryModuleEnergy as QueryModuleEnergy, QueryModulePower as QueryModulePower,
+        ReportModuleEnergy as ReportModuleEnergy, ReportModulePower as ReportModulePower,
         SetModulePower as SetModulePower,
     )
     from jauspy.messages.cell.v1_0.part_sensor import (
@@ -42,7 +43,7 @@ if TYPE_CHECKING:
 __all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.cell.v1_0.conveyor": "QueryConveyorState ReportConveyorState SetConveyorSpeed",
     "jauspy.messages.cell.v1_0.modular_arm": "HoldModularArm MoveModularArm QueryModularArmMotionResult QueryModularArmSpecification QueryModularArmState ReportModularArmMotionResult ReportModularArmSpecification ReportModularArmState SetModularArmController SetModularArmOrder SetModularArmTrajectory",
-    "jauspy.messages.cell.v1_0.module_power": "QueryModulePower ReportModulePower SetModulePower",
+    "jauspy.messages.cell.v1_0.module_power": "QueryModuleEnergy QueryModulePower ReportModuleEnergy ReportModulePower SetModulePower",
     "jauspy.messages.cell.v1_0.part_sensor": "QueryPartObservations ReportPartObservations",
     "jauspy.messages.cell.v1_0.servo_module": "QueryServoGains QueryServoSpecification QueryServoState ReportServoGains ReportServoSpecification ReportServoState SetServoGains SetServoTarget",
     "jauspy.messages.cell.v1_0.vacuum_connector": "QueryConnectorSpecification QueryConnectorState ReportConnectorSpecification ReportConnectorState SetConnector",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final
 
 from jauspy.geometry.poses import AT_REST, ORIGIN, UNACCELERATED, Acceleration, Pose, Twist
@@ -124,8 +124,52 @@ class _PartSensorProxy(PartSensor):
         return state
 
 
+@dataclass(frozen=True, slots=True)
+class Consumption:
+    """Electric power that a module draws."""
+
+    power: float = 0.0
+    """Watts, averaged over the last period of measurement."""
+    energy: float = 0.0
+    """Joules since the start."""
+
+
+@dataclass(frozen=True, slots=True)
+class BatteryState:
+    """A battery at one moment."""
+
+    charge: float = 1.0
+    """Fraction of its capacity."""
+    energy: float = 0.0
+    """Joules that are left."""
+    voltage: float = 0.0
+    """Volts at its terminals."""
+    current: float = 0.0
+    """Amperes that it delivers."""
+
+
+@dataclass(frozen=True, slots=True)
+class PowerState:
+    """Switches, consumption and batteries, each by the name of the part."""
+
+    switches: Mapping[str, bool] = field(default_factory=dict)
+    """Modules that are switched on; initially all are."""
+    consumption: Mapping[str, Consumption] = field(default_factory=dict)
+    """Of each module that can be switched."""
+    batteries: Mapping[str, BatteryState] = field(default_factory=dict)
+
+    @property
+    def energy(self) -> float:
+        """Joules that all modules have drawn since the start."""
+        return sum(module.energy for module in self.consumption.values())
+
+
 class ModulePower(OptionalPart):
-    """Switches of the modules' supplies. A module has power if it is switched on and attached to a base, or is one."""
+    """Switches and meters of the modules' supplies.
+
+    A module has power if it is switched on and attached to a base that is supplied from the mains, or to a battery that
+    is not empty, or is one of these.
+    """
 
     @property
     def id(self) -> PartId:
@@ -133,8 +177,8 @@ class ModulePower(OptionalPart):
         return PartId(ModulePower)
 
     @abstractmethod
-    def state(self) -> Mapping[str, bool]:
-        """The state of each module's switch, by name; initially all are on."""
+    def state(self) -> PowerState:
+        """Switches, consumption and batteries."""
 
     @abstractmethod
     def switch(self, name: str, on: bool) -> None:
@@ -167,9 +211,9 @@ class _ModulePowerProxy(ModulePower):
     def __init__(self, link: RobotLink) -> None:
         self._link = link
 
-    def state(self) -> Mapping[str, bool]:
+    def state(self) -> PowerState:
         state = self._link.snapshot.parts[self.id]
-        assert isinstance(state, Mapping)
+        assert isinstance(state, PowerState)
         return state
 
     def switch(self, name: str, on: bool) -> None:

@@ -50,11 +50,13 @@ class PartKind(Enum):
     """The purpose of a part."""
 
     BASE = "base"
-    """Stands on the ground, a platform or wheels; has its own power supply, and connectors."""
+    """Stands on the ground, a platform or wheels; has connectors, and a battery or else a supply from the mains."""
     SERVO = "servo"
     BRACKET = "bracket"
     TUBE = "tube"
     WHEEL = "wheel"
+    BATTERY = "battery"
+    """Powers what it is attached to."""
     BOX = "box"
     """A load without a connector."""
 
@@ -95,6 +97,8 @@ class Inertia:
     """The rows of the matrix."""
 
 
+HALF_TURN: Final = Transform(((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)))
+"""Half a turn about x: two plates that face each other."""
 POSITION_GAINS: Final = Gains(40.0, 30.0, 2.0, 5.0)
 VELOCITY_GAINS: Final = Gains(4.0, 30.0, 0.0, 5.0)
 
@@ -156,6 +160,10 @@ class ServoData(Table):
     """Inertia of motor and gear, at the output, kg m^2."""
     torque_constant: Positive
     """Newton metres at the output per ampere."""
+    resistance: Positive = 6.0
+    """Ohms of the windings; assumption, since data sheets of the series do not state it."""
+    idle_power: NotNegative = 2.4
+    """Watts of the electronics while the module has power; assumption."""
     axis: Annotated[Position, Converted(_unit)] = (0.0, 0.0, 1.0)
     """Unit vector of the joint's axis in the frame of the part, through `joint`; in the file of any length."""
     joint: FrameOfTable = IDENTITY
@@ -171,6 +179,26 @@ class ServoData(Table):
 
 
 @dataclass(frozen=True, slots=True)
+class BatteryData(Table):
+    """A battery, whose open-circuit voltage falls in a straight line with its charge."""
+
+    capacity: Positive
+    """Watt hours of a full battery."""
+    full_voltage: Positive
+    """Volts without load, fully charged."""
+    empty_voltage: Positive
+    """Volts at which its protection cuts the load off."""
+    resistance: NotNegative = 0.0
+    """Ohms inside; its losses are taken from the charge."""
+    charge: Annotated[float, Interval(ge=0.0, le=1.0)] = 1.0
+    """Fraction of the capacity at the start."""
+
+    def __post_init__(self) -> None:
+        if self.empty_voltage > self.full_voltage:
+            raise ValueError("empty_voltage: must not be above full_voltage")
+
+
+@dataclass(frozen=True, slots=True)
 class PartType(Table):
     """One type of part. A servo's connectors are on its output link; those of other parts on the part itself."""
 
@@ -181,6 +209,8 @@ class PartType(Table):
     """Frames of the vacuum connectors, by name; of a servo in the frame of its output link. Elsewhere they are named
     with the part and a slash, as in `servo_1/output`."""
     servo: ServoData | None = None
+    battery: BatteryData | None = None
+    """Of a battery, or of a base that is not supplied from the mains."""
     grasp: FrameOfTable = IDENTITY
     """Frame of the gripper when it holds the part, in the frame of the part; its z points into the part."""
     further_grasps: tuple[FrameOfTable, ...] = ()
@@ -191,6 +221,10 @@ class PartType(Table):
     def __post_init__(self) -> None:
         if (self.kind is PartKind.SERVO) != (self.servo is not None):
             raise ValueError("servo: parts of the kind servo need this table, and no others have it")
+        if self.kind is PartKind.BATTERY and self.battery is None:
+            raise ValueError("battery: parts of the kind battery need this table")
+        if self.battery is not None and self.kind not in (PartKind.BATTERY, PartKind.BASE):
+            raise ValueError("battery: only parts of the kinds battery and base have this table")
         if self.kind is PartKind.BOX and self.connectors:
             raise ValueError("connectors: a box has none")
         if not sum(solid.mass for solid in self.solids):
@@ -392,6 +426,8 @@ class CellSetup(Table):
     limits: ConnectorLimits = ConnectorLimits()
     gripper: Annotated[str, MaxLen(80)] = ""
     """Link of the URDF with the vacuum gripper, whose z axis points out of it; empty without one."""
+    gripper_latch: bool = False
+    """True if the gripper has a latch as parts do: it locks on their flanges, but not on other faces."""
     pose_error: tuple[NotNegative, NotNegative] = (0.0, 0.0)
     """Largest error of the parts' poses at the start, metres and radians, drawn with `seed`."""
     scatter: bool = False
@@ -403,6 +439,8 @@ class CellSetup(Table):
     seed: Seed = 0
     arm: Literal[""] | Identifier = "arm"
     """Name of the modular arm; empty without one."""
+    second_arm: Literal[""] | Identifier = ""
+    """Name of a second modular arm, which is a chain on a connection of its own; empty without one."""
     contact: ContactReaction = ContactReaction.STOP
     """What the modular arm does when it meets something in its way."""
     car: Literal[""] | Identifier = ""
@@ -410,6 +448,8 @@ class CellSetup(Table):
 
     def __post_init__(self) -> None:
         check_unique("parts", tuple(part.name for part in self.parts))
+        if self.second_arm and self.second_arm in ("", self.arm):
+            raise ValueError(f"second_arm = {self.second_arm!r}: must have another name than arm")
         for number, part in enumerate(self.parts):
             if part.type not in self.types:
                 known = ", ".join(sorted(self.types))
@@ -490,3 +530,8 @@ def _of_point(mass: float, position: Vector) -> Moments:
 
 def _sum(a: Moments, b: Moments) -> Moments:
     return add(a[0], b[0]), add(a[1], b[1]), add(a[2], b[2])
+
+
+def mass_of(part: PartType) -> float:
+    """Kilograms of a whole part."""
+    return body_inertia(part).mass + output_inertia(part).mass

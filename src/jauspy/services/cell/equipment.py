@@ -1,4 +1,4 @@
-"""Conveyor, PartSensor and ModulePower: the belt, the poses of parts, and the power switches of modules.
+"""Conveyor, PartSensor and ModulePower: the belt, the poses of parts, and the power of modules.
 
 The world's z axis is up.
 """
@@ -12,6 +12,7 @@ from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import quaternion
 from jauspy.messages.cell import (
     ReportConveyorState,
+    ReportModuleEnergy,
     ReportModulePower,
     ReportPartObservations,
     SetConveyorSpeed,
@@ -78,14 +79,14 @@ def _observed(part: ObservedPart) -> ReportPartObservations.ObservedPartRec:
 
 
 class ModulePowerService(Service, urn="urn:jauspy:cell:ModulePower"):
-    """The switches of the modules' supplies. They stay as they are when the client in control is lost."""
+    """The switches and meters of modules' supplies. Switches stay as they are when control is lost."""
 
     def __init__(self, power: ModulePower) -> None:
         self._power = power
 
     def set_module_power(self, msg: SetModulePower) -> None:
         """Switch modules on or off; names that are unknown are left out, and counted."""
-        known = self._power.state()
+        known = self._power.state().switches
         for module in msg.module_list:
             if module.name not in known:
                 self.host.count("unknown_module", f"{module}")
@@ -95,5 +96,16 @@ class ModulePowerService(Service, urn="urn:jauspy:cell:ModulePower"):
     def report_module_power(self) -> ReportModulePower:
         """The modules that are switched on."""
         return ReportModulePower(
-            [_Record(sent_text(name), ReportModulePower.Power(on)) for name, on in self._power.state().items()]
+            [_Record(sent_text(name), ReportModulePower.Power(on)) for name, on in self._power.state().switches.items()]
+        )
+
+    def report_module_energy(self) -> ReportModuleEnergy:
+        """What modules draw, and what batteries have left."""
+        state, kind = self._power.state(), ReportModuleEnergy
+        return kind(
+            [kind.ModuleEnergyRec(sent_text(name), row.power, row.energy) for name, row in state.consumption.items()],
+            [
+                kind.BatteryRec(sent_text(name), 100.0 * row.charge, row.energy, row.voltage, row.current)
+                for name, row in state.batteries.items()
+            ],
         )

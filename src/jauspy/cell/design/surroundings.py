@@ -1,0 +1,71 @@
+"""What a task has around the arm: its obstacles as fixtures of the cell, and a load that lies ready."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+from jauspy.cell.design.tasks import DesignTask, Obstacle
+from jauspy.cell.session import Session
+from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Transform
+from jauspy.platform.modular.parts import CellSetup, Fixture, PartKind, PartSolid, PartType, PlacedPart, Shape
+
+LOAD: Final = "load"
+"""The part, and its type, that the arm carries."""
+LOAD_SIDE: Final = 0.07
+"""Metres: side of its square base, so that a plate of 30 mm radius lies on it."""
+LOAD_DENSITY: Final = 2700.0
+"""kg/m^3: aluminium."""
+ASIDE: Final = 50.0
+"""Metres beside the cell, where obstacles of other tasks are."""
+
+
+def furnished(cell: CellSetup, tasks: Sequence[DesignTask], base: str, load: float) -> CellSetup:
+    """The cell with the obstacles of all tasks, those of the first in place, and with a load on another base."""
+    fixtures = [
+        _fixture(name, box, aside=number > 0) for number, task in enumerate(tasks) for name, box in _named(number, task)
+    ]
+    cell = replace(cell, fixtures=(*cell.fixtures, *fixtures))
+    if not load:
+        return cell
+    size = (LOAD_SIDE, LOAD_SIDE, load / LOAD_DENSITY / LOAD_SIDE**2)
+    middle = Transform(position=(0.0, 0.0, size[2] / 2.0))
+    solid = PartSolid(Shape.CUBOID, size, load, middle)
+    top = Transform(((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)), (0.0, 0.0, size[2]))
+    type = PartType(LOAD, PartKind.BOX, (solid,), grasp=top)
+    return replace(
+        cell,
+        types={**cell.types, LOAD: type},
+        parts=(*cell.parts, PlacedPart(LOAD, LOAD, _shelf(cell, base.partition("/")[0]).to_pose())),
+    )
+
+
+def set_up(session: Session, tasks: Sequence[DesignTask], active: int) -> None:
+    """Have the obstacles of one task in place, and those of the others aside, as a person would between tasks."""
+    setup = session.layout.setup
+    fixtures = {fixture.name: fixture for fixture in setup.fixtures}
+    for number, task in enumerate(tasks):
+        for name, box in _named(number, task):
+            fixtures[name] = _fixture(name, box, aside=number != active)
+            session.true.place(name, fixtures[name].pose)
+    session.layout.setup = replace(setup, fixtures=tuple(fixtures.values()))
+
+
+def _named(number: int, task: DesignTask) -> list[tuple[str, Obstacle]]:
+    return [(f"task_{number + 1}_box_{index + 1}", box) for index, box in enumerate(task.obstacles)]
+
+
+def _fixture(name: str, box: Obstacle, *, aside: bool) -> Fixture:
+    pose = box.pose.to_pose()
+    return Fixture(name, (PartSolid(Shape.CUBOID, box.size),), replace(pose, x=pose.x + ASIDE) if aside else pose)
+
+
+def _shelf(cell: CellSetup, base: str) -> Transform:
+    """Where the load is at first: on the first platform that carries no arm."""
+    for part in cell.parts:
+        if part.fixed and part.name != base:
+            kind = cell.types[part.type]
+            return Transform.from_pose(part.pose) @ next(iter(kind.connectors.values()))
+    raise ConfigError(f"there is no platform beside {base} on which a load could be")
