@@ -180,7 +180,9 @@ async def throws(session: Session, seed: int) -> Measured:
         found.rows.append(
             {"throw": number, "box": result.box, "off_x": float(x) - area.pose.x, "off_y": float(y) - area.pose.y}
             | {"error": errors[-1], "clearance": seen.clearance, "contacts": seen.contacts}
-            | {"penetration": seen.penetration, "after": "parts placed by writing positions"}
+            | {"penetration": seen.penetration, "servo_speed": seen.speed}
+            | {"planned_load": result.plan.utilisation if result.plan is not None else math.nan}
+            | {"after": "parts placed by writing positions"}
         )
         for part in session.layout.setup.parts:
             if part.name in lifter.boxes:
@@ -195,6 +197,7 @@ async def throws(session: Session, seed: int) -> Measured:
         "clearance": min(row["clearance"] for row in found.rows),
         "contacts": float(sum(row["contacts"] for row in found.rows)),
         "penetration": max(row["penetration"] for row in found.rows),
+        "servo_speed": max(row["servo_speed"] for row in found.rows),
     }
     found.duration = session.cell.now() - begun
     found.success = max(late) < LARGEST_MISS and not found.values["contacts"]
