@@ -388,7 +388,8 @@ class Assembler:
         await self.go(plan.near, speed=NEAR_SPEED, contact=True)
         backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
         heavy = plan.part in self.handling.composites
-        state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if heavy or release else TOUCH_SPEED)
+        speed = HEAVY_TOUCH_SPEED if heavy or release else TOUCH_SPEED
+        state = await self.touch(plan.contact, GRIPPER, backward, speed=speed)
         if state.attached_to != plan.part:
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)

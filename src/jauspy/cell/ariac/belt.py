@@ -8,14 +8,16 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final
 
+import coal
 import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.assembly import Assembler, PartResult
 from jauspy.cell.client import CellClient
-from jauspy.cell.frames import Array, shifted, turned
+from jauspy.cell.frames import Array, se3_of_pose, shifted, turned
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.motion import NoPath
+from jauspy.cell.scene import Piece
 from jauspy.platform.modular.connector import ConnectorState
 
 STILL: Final = 0.005
@@ -42,7 +44,7 @@ RELIEF: Final = 0.0004
 """Metres by which the gripper is raised at once in contact: it has gone further until that was reported."""
 SEAL_TIME: Final = 1.0
 """Seconds in contact in which the gripper must have attached the part."""
-RAISED: Final = 0.10
+RAISED: Final = 0.16
 """Metres above its place on the belt at which a part is no longer followed."""
 ALIGNED: Final = 0.006
 """Metres along the belt within which the gripper is over the part."""
@@ -58,6 +60,9 @@ TURNS: Final = 8
 """Angles of the gripper about its axis that are tried."""
 SETTLE: Final = 0.3
 """Seconds until the UR10 stands still."""
+FENCE: Final = "what the belt brings"
+FENCE_HEIGHT: Final = 0.13
+"""Metres above a moving belt that parts on it need."""
 HISTORY: Final = 600
 """Reports of the belt that are kept: 12 s."""
 
@@ -118,6 +123,14 @@ class BeltPicker:
         x, y, top = (pose * self._layout.grasp(part)).translation.tolist()
         beside = abs(y - belt.pose.y) > belt.length / 2.0 or abs(x - belt.pose.x) > belt.width / 2.0
         return not beside and abs(float(top) - self._layout.thickness(part) - belt.pose.z) < 0.5 * HOVER
+
+    async def fence(self) -> None:
+        """Keep the UR10 out of the space over a moving belt that parts on it need: they are not where they were."""
+        scene, belt = self._ur10.scene, self._layout.setup.conveyor
+        scene.remove(FENCE)
+        if belt is not None and abs(await self.speed()) > STILL:
+            middle = se3_of_pose(belt.pose) * shifted(z=FENCE_HEIGHT / 2.0)
+            scene.put(FENCE, [Piece(coal.Box(belt.length, belt.width, FENCE_HEIGHT), pin.SE3.Identity())], middle)
 
     async def speed(self) -> float:
         """The belt's present speed, m/s."""
