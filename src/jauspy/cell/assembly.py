@@ -10,6 +10,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -17,8 +18,9 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, tilt_between, turned
 from jauspy.cell.handling import Handling, PickPlan
+from jauspy.cell.held_load import MOST
 from jauspy.cell.interface import GRIPPER, Cell, SeenPart
-from jauspy.cell.motion import MotionPlanner, NoPath, Path
+from jauspy.cell.motion import GENTLE, MotionPlanner, NoPath, Path, profile
 from jauspy.cell.scene import Clearance, Layout, connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
@@ -267,7 +269,15 @@ class Assembler:
         contact: bool = False,
         gentle: bool = False,
     ) -> None:
-        """Move along a path; paths that do not end in contact count for the smallest distance."""
+        """Move along a path; paths that do not end in contact count for the smallest distance.
+
+        It speeds up slowly where what the gripper holds would load it too much otherwise. Raises `NoPath` where it does
+        at any acceleration.
+        """
+        if not gentle and self.load_used(path, speed, 1.0) > MOST:
+            gentle = True
+        if gentle and (used := self.load_used(path, speed, GENTLE)) > MOST:
+            raise NoPath(f"the gripper would use {used:.0%} of its strength on the way, at most {MOST:.0%} is safe")
         if not contact and path.clearance.distance < self.clearance.distance:
             self.clearance = path.clearance
         self.at = path.end
@@ -276,6 +286,23 @@ class Assembler:
         except JausError:
             self.at = await self.cell.posture()
             raise
+
+    def load_used(self, path: Path, speed: float, acceleration: float) -> float:
+        """Largest fraction of the gripper's strength that what it holds uses along a path.
+
+        `speed` and `acceleration` are fractions of the UR10's, as in a motion along it.
+        """
+        load, layout = self.planner.load, self.layout
+        if load is None:
+            return 0.0
+        used = 0.0
+        for start, goal in pairwise(path.points):
+            rates = profile(start, goal, layout.speeds * speed, layout.accelerations * acceleration).accelerations
+            change = np.sign(goal - start) * np.where(goal == start, 0.0, rates)
+            for posture, sign in ((start, 1.0), (goal, -1.0)):
+                tool, jacobian = layout.kinematics.forward(posture), layout.kinematics.jacobian(posture)
+                used = max(used, load.utilisation(tool, sign * jacobian[:3] @ change))
+        return used
 
     async def _make_safe(self) -> None:
         """Leave the UR10 at rest; it keeps holding its part, which would fall otherwise."""

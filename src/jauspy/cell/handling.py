@@ -78,8 +78,6 @@ class Handling:
         """Shapes of parts to which others are attached, with those of the others, in the frame of the part."""
         self.members: dict[str, list[tuple[str, pin.SE3]]] = {}
         """Names of what is attached to such a part, and the frames in its own."""
-        self.faces: dict[str, pin.SE3] = {}
-        """Where parts are grasped that cannot be grasped as their type says: the gripper in the frame of the part."""
 
     def pieces(self, part: str) -> list[Piece]:
         """The shapes of a part, and of what is attached to it."""
@@ -93,18 +91,17 @@ class Handling:
         locked = self.layout.locks(GRIPPER, part)
         return HeldLoad(inertia_of(frames), limits.latch if locked else limits.gripper.holding)
 
-    def grasps(self, part: str, first: float = 0.0, face: pin.SE3 | None = None) -> list[pin.SE3]:
-        """The poses of the gripper in the frame of a part for all angles about its axis, the first one at `first` rad.
+    def grasps(self, part: str, face: pin.SE3 | None = None) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part, for all angles about its axis.
 
-        `face` is one of `Layout.grasps`; by default the one that is chosen in `faces`, or the usual one.
+        `face` is one of `Layout.grasps`, by default the usual one.
         """
-        return _turned(face or self.faces.get(part) or self.layout.grasp(part), first)
+        return _turned(face or self.layout.grasp(part))
 
-    def upper_grasps(self, part: str, pose: pin.SE3, first: float = 0.0) -> list[pin.SE3]:
+    def upper_grasps(self, part: str, pose: pin.SE3) -> list[pin.SE3]:
         """The same on all faces that are up while the part is at `pose`: from beside and below, bins are in the way."""
-        faces = [self.faces[part]] if part in self.faces else self.layout.grasps(part)
-        up = [grasp for grasp in faces if (pose.rotation @ grasp.rotation)[2, 2] < -DOWNWARD]
-        return [found for grasp in up for found in _turned(grasp, first)]
+        up = [grasp for grasp in self.layout.grasps(part) if (pose.rotation @ grasp.rotation)[2, 2] < -DOWNWARD]
+        return [found for grasp in up for found in _turned(grasp)]
 
     def pick(
         self,
@@ -231,8 +228,8 @@ class Handling:
         return any(k.solve(goal * shifted(z=INSERT) * grasp, near, condition=CONDITION) for goal in goals)
 
 
-def _turned(grasp: pin.SE3, first: float = 0.0) -> list[pin.SE3]:
-    return [grasp * turned("z", first + math.tau * number / TURNS) for number in range(TURNS)]
+def _turned(grasp: pin.SE3) -> list[pin.SE3]:
+    return [grasp * turned("z", math.tau * number / TURNS) for number in range(TURNS)]
 
 
 def _first(options: Sequence[Option], plan: Callable[[Option], Plan]) -> Plan:

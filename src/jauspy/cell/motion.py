@@ -20,6 +20,8 @@ from jauspy.cell.kinematics import Posture
 from jauspy.cell.scene import CLEAR, Clearance, PlanningScene
 from jauspy.errors import RequestError
 
+GENTLE: Final = 0.05
+"""Fraction of the joints' acceleration in motions that speed up slowly."""
 STEP: Final = 0.04
 """Radians of the fastest joint between two postures that are checked: at most 5 cm at the end of a UR10."""
 REACH: Final = 0.35

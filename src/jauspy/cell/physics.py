@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Final, Protocol
@@ -28,22 +29,18 @@ class JointLike(Protocol):
 
 
 class PeakLike(Protocol):
-    """The largest load of a connector, as a simulation's probe reports it."""
+    """The largest load of a connector, as a simulation's probe reports it: N and N m in the connector's frame."""
 
     @property
-    def utilisation(self) -> float:
-        """Fraction of the strength."""
-        ...
-
+    def utilisation(self) -> float: ...  # noqa: D102
     @property
-    def time(self) -> float:
-        """Seconds."""
-        ...
-
+    def time(self) -> float: ...  # noqa: D102
     @property
-    def part(self) -> str:
-        """The part that it held."""
-        ...
+    def part(self) -> str: ...  # noqa: D102
+    @property
+    def force(self) -> tuple[float, float, float]: ...  # noqa: D102
+    @property
+    def moment(self) -> tuple[float, float, float]: ...  # noqa: D102
 
 
 class Probe(Protocol):
@@ -53,7 +50,11 @@ class Probe(Protocol):
     landings: Sequence[MeetingLike]
     collisions: Sequence[MeetingLike]
     joints: Mapping[str, JointLike]
-    peaks: Mapping[tuple[str, str], PeakLike]
+
+    @property
+    def peaks(self) -> Mapping[tuple[str, str], PeakLike]:
+        """The largest loads, by connector and kind of connection."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,15 +89,22 @@ class JointFigures:
 
 
 @dataclass(frozen=True, slots=True)
-class LargestLoad:
-    """The largest load of all connections of one kind, in one physics step."""
+class Load:
+    """The largest load of a connector of all steps, by its fraction of the strength that it had then."""
 
-    utilisation: float
-    """Fraction of the strength that there was in that step; above 1 the part came off."""
     connector: str
+    kind: str
+    """Kind of the connection: a gripper, the cup of a connector, or its latch."""
     part: str
+    """What it held."""
+    utilisation: float
+    """Fraction of the strength."""
     time: float
     """Seconds of the robot's time."""
+    force: float
+    """Newtons."""
+    moment: float
+    """Newton metres."""
 
 
 @dataclass(slots=True)
@@ -111,8 +119,8 @@ class Physics:
     """Contacts of the UR10 that no grasp explains."""
     joints: dict[str, JointFigures] = field(default_factory=dict)
     """The UR10's, by name."""
-    loads: dict[str, LargestLoad] = field(default_factory=dict)
-    """By kind of connection: `gripper` (its cup), `cup`, `latch`."""
+    loads: list[Load] = field(default_factory=list)
+    """The largest one of each connector and kind of connection."""
 
     @classmethod
     def of(cls, probe: Probe) -> Physics:
@@ -125,7 +133,18 @@ class Physics:
                 name: JointFigures(joint.speed, joint.torque, joint.error, joint.end_error, joint.ends)
                 for name, joint in probe.joints.items()
             },
-            _largest(probe.peaks),
+            [
+                Load(
+                    connector,
+                    kind,
+                    peak.part,
+                    peak.utilisation,
+                    peak.time,
+                    math.hypot(*peak.force),
+                    math.hypot(*peak.moment),
+                )
+                for (connector, kind), peak in probe.peaks.items()
+            ],
         )
 
     def figures(self) -> dict[str, float]:
@@ -135,20 +154,20 @@ class Physics:
             if meetings:
                 found[f"{name} speed"] = max(meeting.speed for meeting in meetings)
                 found[f"{name} force"] = max(meeting.force for meeting in meetings)
-        found |= {f"{kind} utilisation": load.utilisation for kind, load in self.loads.items()}
+        found |= {f"load of the {kind}": load.utilisation for kind, load in self.largest_loads().items()}
         if self.joints:
             found["tracking error"] = max(joint.error for joint in self.joints.values())
             found["end error"] = max(joint.end_error for joint in self.joints.values())
             found["joint speed"] = max(joint.speed for joint in self.joints.values())
         return found
 
-
-def _largest(peaks: Mapping[tuple[str, str], PeakLike]) -> dict[str, LargestLoad]:
-    found: dict[str, LargestLoad] = {}
-    for (connector, kind), peak in peaks.items():
-        if kind not in found or peak.utilisation > found[kind].utilisation:
-            found[kind] = LargestLoad(peak.utilisation, connector, peak.part, peak.time)
-    return found
+    def largest_loads(self) -> dict[str, Load]:
+        """The largest load of each kind of connection."""
+        found: dict[str, Load] = {}
+        for load in self.loads:
+            if load.kind not in found or load.utilisation > found[load.kind].utilisation:
+                found[load.kind] = load
+        return found
 
 
 GENTLE_SPEED: Final = 0.02

@@ -376,7 +376,15 @@ OWN_CELLS: Final[dict[str, Callable[..., Coroutine[Any, Any, Measured]]]] = {"ar
 """Tasks that open a cell of their own: the trials in the style of ARIAC, of which a seed chooses one."""
 NAMES: Final = (*TASKS, *OWN_CELLS)
 
-FILMED_BY: Final[dict[str, str]] = {"assemble": "platforms", "lift": "target", "step": "platforms", "car": "car"}
+FILMED_BY: Final[dict[str, str]] = {
+    "assemble": "platforms",
+    "take-apart": "platforms",
+    "lift": "target",
+    "throws": "target",
+    "step": "platforms",
+    "car": "car",
+    "demo": "story",
+}
 """The camera of the cell that films a task; others are filmed by the one that sees all of the cell."""
 
 

@@ -284,7 +284,7 @@ class Attachments:
                 continue
             if -DEPTH <= gap <= LIP and distance <= limits.max_distance and angle <= limits.max_angle:
                 leak = connector.cup.leak(gap, angle)
-                if not self._fails(connector, face) and self._seals(connector, face, leak):
+                if self._seals(connector, face, leak) and not self._fails(connector, face):
                     self._touch(connector, face, leak)
                 return
             if distance < best:
@@ -533,8 +533,6 @@ def _faces(cell: CellModel) -> Iterable[Face]:
             yield Face(part.name, carried, frame @ HALF_TURN, latch=kind.latch)
         for grasp in kind.grasps:
             yield Face(part.name, body, grasp)
-        if kind.back is not None:
-            yield Face(part.name, body, kind.back)
 
 
 def _box_faces(part: str, kind: PartType, body: int) -> Iterable[Face]:

@@ -31,8 +31,9 @@ Array = NDArray[np.float64]
 
 
 class AssembledArm(ModularArm):
-    """Moves the longest chain of servo modules that a base carries.
+    """Moves the longest chain of servo modules that a base carries, beside the one of another arm.
 
+    In a cell with a second arm, each keeps the connection that carries it; `other_base` returns that of the other one.
     The backend calls `control` at a fixed rate (250 to 500 Hz), all in the robot's thread. It reads the states of
     connectors again only when `revision` has changed, which counts attachments and releases of the whole cell.
     `base_pose` returns the pose of a base in the world, given its name; without it, bases stand where `cell` says.
@@ -47,8 +48,10 @@ class AssembledArm(ModularArm):
         *,
         revision: Callable[[], int],
         base_pose: Callable[[str], Pose] | None = None,
+        other_base: Callable[[], str] = str,
     ) -> None:
         self.name = name
+        self._other_base = other_base
         self._cell = cell
         self._servos = servos
         self._connectors = connectors
@@ -170,7 +173,8 @@ class AssembledArm(ModularArm):
     def _follow_attachments(self) -> None:
         """Adopt the arm that is assembled now."""
         connected = attachments((connector.name, connector.state()) for connector in self._connectors)
-        chain = find_chain(self._cell, connected, self.chain.base)
+        keeps = bool(self._cell.second_arm)
+        chain = find_chain(self._cell, connected, self.chain.base, self._other_base(), keeps=keeps)
         if chain == self.chain:
             return
         before = self.chain.joints
