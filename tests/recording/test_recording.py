@@ -28,6 +28,7 @@ from jauspy.messages.core import ReportServices, ReportStatus
 from jauspy.messages.mobility import ReportLocalPose
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
+from jauspy.recording.mcap_capture import open_capture_file
 from jauspy.recording.recorder import Limits, Recorder
 from jauspy.recording.run_files import DATAGRAMS, McapFile, PcapngFile, create
 
@@ -65,6 +66,29 @@ def test_an_mcap_file_has_each_datagram_as_it_was(mcap_file: Path) -> None:
     packets = [message for topic, _, message in mcap_messages(mcap_file) if topic == DATAGRAMS]
     assert [dpkt.ip.IP(packet.data).data.data for packet in packets] == [row.payload for row in RUN]
     assert [packet.log_time for packet in packets] == [round(row.time * 1e9) for row in RUN]
+
+
+def test_an_mcap_file_is_a_capture(mcap_file: Path) -> None:
+    with mcap_file.open("rb") as file:
+        found = list(open_capture_file(file, name="run"))
+    assert [(row.source, row.destination, row.payload) for row in found] == [row[2:] for row in RUN]
+    assert [row.time for row in found] == pytest.approx([row.time for row in RUN])
+    assert run("decode", mcap_file, "--filter", "x > 37").stdout.count("ReportLocalPose") == 2
+    assert (
+        run("echo", "--capture", mcap_file, "--filter", "x > 37", "--field", "x").stdout.count("ReportLocalPose") == 2
+    )
+
+
+def test_a_damaged_mcap_file_is_read_up_to_the_damage(mcap_file: Path) -> None:
+    whole = mcap_file.read_bytes()
+    for end in range(9, len(whole), 997):
+        mcap_file.write_bytes(whole[:end])
+        result = CliRunner().invoke(app, ["decode", str(mcap_file), "--json"])
+        assert "damaged or cut off" in result.stderr
+        assert result.exit_code == 1
+    chunk = whole.rindex(b"\x28\xb5\x2f\xfd") + 60  # behind the magic number of zstd
+    mcap_file.write_bytes(whole[:chunk] + bytes([whole[chunk] ^ 0x5A]) + whole[chunk + 1 :])
+    assert "damaged" in CliRunner().invoke(app, ["decode", str(mcap_file)]).stderr
 
 
 def test_each_message_of_an_mcap_file_fits_its_schema(mcap_file: Path) -> None:
@@ -161,6 +185,7 @@ KILLED = """
 import itertools, sys, time
 from pathlib import Path
 from jauspy.messages import registry
+from jauspy.recording.mcap_capture import open_capture_file
 from jauspy.recording.recorder import Recorder
 from tests.recording.test_recording import datagram
 recorder = Recorder(Path(sys.argv[1]), registry)
