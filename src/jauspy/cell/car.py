@@ -225,6 +225,10 @@ class CarTask:
             self.car, held.grasp, ur10.at, goals, along=shifted(z=0.06), touches=["conveyor"], press=DEEPER
         )
         await ur10.go(place.transfer, speed=CARRY_SPEED, gentle=True)
+        state = await self.cell.connector(GRIPPER)
+        if state.attached_to != self.car:
+            ur10.forget_held()
+            raise TaskFailed(f"the car was dropped on the way to the belt: {state.last_error or 'nothing is held'}")
         await ur10.go(place.insert, speed=0.1, contact=True, gentle=True)
         await ur10.press(place.contact)
         await self._release(self.car, place.goal)
