@@ -39,10 +39,8 @@ class Traffic:
 
 
 @contextmanager
-def traffic(
-    file: Path | None, root: Path, definitions: Definitions, only: str | None, seconds: float | None = None
-) -> Iterator[Traffic]:
-    """The traffic of a file, or of the node manager of a local root for some time; Ctrl-C ends it without an error."""
+def open_capture(file: Path | None, root: Path, seconds: float | None = None) -> Iterator[CaptureReader]:
+    """A capture file, or what the node manager of a local root routes for some time; Ctrl-C ends it in order."""
     with ExitStack() as stack:
         if file is None:
             capture: CaptureReader = stack.enter_context(closing(LiveCapture(root, seconds)))
@@ -53,9 +51,18 @@ def traffic(
                 raise ConfigError(f"{file} cannot be read: {error.strerror}") from None
             capture = CaptureReader(opened, name=str(file))
         with suppress(KeyboardInterrupt):
-            yield Traffic(capture, definitions, only)
+            yield capture
         if capture.lost:
             console.note(f"{capture.lost} packets were lost, because they were not read in time")
+
+
+@contextmanager
+def traffic(
+    file: Path | None, root: Path, definitions: Definitions, only: str | None, seconds: float | None = None
+) -> Iterator[Traffic]:
+    """The messages of `open_capture` that fit a filter."""
+    with open_capture(file, root, seconds) as capture:
+        yield Traffic(capture, definitions, only)
 
 
 def combined(source: str | None, message: str | None, only: str | None) -> str | None:
