@@ -343,7 +343,7 @@ class CarTask:
             with scene.without(grasped):
                 put = planner.line(above, tool)
             back = ur10.handling.retreat(put.end, AWAY)
-            if back.clearance.distance < 0.0:
+            if back.clearance.distance < -2.0 * PRESS:  # it begins in contact
                 raise NoPath(f"the gripper could not get away: {' and '.join(back.clearance.between)} would touch")
             planner.to_posture(back.end, PARKED)
         finally:
