@@ -47,10 +47,10 @@ NEAR: Final = 0.03
 """Throws that are drawn at random, those of them that are planned, the most that are tried from the best of these on,
 how often all that is done, and the width of the first steps from random throws and from an earlier one."""
 LEANING: Final = 0.03
-"""Radians by which a box leans forward when it lands. In simulations of a box with its shorter side along the throw,
-whose attitude differs by chance (0.01 forward, 0.002 to the side), from 0.02 to 0.05 nine of ten come to rest within
-6 mm of the same place; level, and beyond 0.08, one of ten tumbles by 0.1 m."""
-SLIDE: Final = 0.008
+"""Radians by which a box leans forward when it lands. In simulations of boxes with their shorter side ahead, whose
+attitude differs by chance (`tools/landings.py`), from 0.02 to 0.07 nine of ten come to rest within 9 mm of the same
+place; level, and leaning back, one of ten tumbles by 0.1 m."""
+SLIDE: Final = 0.004
 """Metres that such a box comes to rest beyond its landing, in the same simulations."""
 STEEPNESS: Final = 0.6
 """Horizontal over vertical speed at the landing that friction takes in the impact: the friction of cardboard."""
