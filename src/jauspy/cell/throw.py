@@ -259,6 +259,9 @@ class ThrowPlanner:
         shorter = load.frame.rotation[:, int(load.size[1] < load.size[0])]
         self._roll = math.remainder(-math.atan2(shorter[1], shorter[0]), math.pi)
         """Position of the last joint that has the box's shorter side along the throw, however it was taken."""
+        upright = chain.forward(np.append(np.zeros(chain.model.nq - 1), self._roll)) * load.frame
+        self._beside = float((upright.translation - chain.root)[1])
+        """Metres by which the box is to the left of the plane in which the arm bends."""
         self._dynamics = chain.model.copy()
         x, y, z = load.size
         self._box = pin.Inertia.FromBox(load.mass, x, y, z)
@@ -373,9 +376,8 @@ class ThrowPlanner:
 
     def turned(self, plan: ThrowPlan, aim: Array) -> ThrowPlan:
         """The same throw, turned to and timed for another aim; raises `NoPath` if that breaks a limit."""
-        away = aim[:2] - self.chain.root[:2]
         windup, goal = plan.windup.copy(), plan.follow_through.copy()
-        windup[0] = goal[0] = math.atan2(away[1], away[0])
+        windup[0] = goal[0] = self._heading(aim)
         windup[-1] = goal[-1] = self._roll
         return replace(self.aimed(windup, goal, aim), row=plan.row)
 
@@ -446,9 +448,13 @@ class ThrowPlanner:
 
     def _posture(self, row: Array, aim: Array) -> tuple[Array, Array]:
         """Positions (rad) and velocities (rad/s) at the release of a row of `BOUNDS`."""
-        away = aim[:2] - self.chain.root[:2]
-        positions = np.array([math.atan2(away[1], away[0]), *row[:3], self._roll])
+        positions = np.array([self._heading(aim), *row[:3], self._roll])
         return positions, np.array([0.0, *row[3:6], 0.0]) * self.limits.velocity
+
+    def _heading(self, aim: Array) -> float:
+        """Position of the first joint, radians, at which the box flies over `aim`."""
+        x, y, _ = aim - self.chain.root
+        return math.atan2(y, x) - math.asin(self._beside / math.hypot(x, y))
 
     def _far(self, aim: Array) -> float:
         """Metres from the arm's base to the landing of a box that rests at `aim`."""
