@@ -435,6 +435,9 @@ class Assembler:
             await self.cell.enable(release, False)
             await self.cell.sleep(RELEASE_TIME)
         self._hold(plan.part, state)
+        if heavy and self.planner.load is not None:
+            load = self.planner.load.inertia
+            await self.take_up(load.mass, self.layout.kinematics.forward(self.at).act(load.lever))
         await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True, gentle=heavy)
         await self.cell.sleep(0.15)
         state = await self.cell.connector(GRIPPER)
@@ -598,10 +601,11 @@ class Assembler:
         self.at = await self.cell.posture()
 
     async def take_up(self, mass: float, center: Array) -> None:
-        """Lean against a load until the gripper carries its weight, so that it does not drop when it is let go.
+        """Lean against a load until the gripper carries its weight, so that it neither drops nor tilts when it is free.
 
-        `mass` in kilograms, `center` of mass in the world. What the gripper holds is attached elsewhere, too, and stays
-        where it is; the joints are sent where the weight would bend them from.
+        `mass` in kilograms, `center` of mass in the world. What the gripper holds stands or is attached elsewhere, and
+        stays where it is; the joints are sent where the weight would bend them from. The UR10 has not found out the
+        load yet: it learns while it moves.
         """
         k, group = self.layout.kinematics, self.layout.group
         local = k.forward(self.at).actInv(center)

@@ -14,13 +14,14 @@ from jauspy.cell.assembly import GRASPS, HEAVY_TOUCH_SPEED, NEAR_SPEED, PARKED, 
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
 from jauspy.cell.handling import LINE_MARGIN, PRESS, SLOW
+from jauspy.cell.held_load import inertia_of
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath, Path
 from jauspy.cell.scene import Layout, Piece, connector_frame, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.standing import standing_on
-from jauspy.platform.modular.parts import PartKind, body_inertia, mass_of
+from jauspy.platform.modular.parts import PartKind
 
 CORNERS: Final = ("front_left", "rear_left", "front_right", "rear_right")
 TURNER: Final = Slot("wheel servo", ("x5_1_inline",))
@@ -271,16 +272,6 @@ class CarTask:
             frame = frame * connector_frame(member.type, member.connector, by_name.get(member.name, 0.0))
         return found
 
-    def _weight_of_arm(self) -> tuple[float, Array]:
-        """Mass of the arm, kg, and its centre of mass in the world, as it stands."""
-        frames = self._arm_frames(self.arm.last_goal)
-        mass, moment = 0.0, np.zeros(3)
-        for member in self.arm.members:
-            body = body_inertia(member.type)
-            part = mass_of(member.type)
-            mass, moment = mass + part, moment + part * frames[member.name].act(np.array(body.center))
-        return mass, moment / mass
-
     def _plan_carry(self, grasped: str, root: str, frames: dict[str, pin.SE3], top: pin.SE3) -> CarryPlan:
         """Paths to the bracket, up, and sideways to above the car's connector; the arm stays upright on them."""
         ur10 = self.ur10
@@ -371,7 +362,9 @@ class CarTask:
             await ur10.go(Path((ur10.at, *plan.near.points[::-1])), speed=0.1, contact=True)
         else:
             raise TaskFailed(f"the gripper does not hold {grasped}: {'; '.join(self.result.failed_grasps)}")
-        await ur10.take_up(*self._weight_of_arm())
+        frames = self._arm_frames(arm.last_goal)
+        load = inertia_of([(member.type, frames[member.name]) for member in arm.members])
+        await ur10.take_up(load.mass, load.lever)
         for part in arm.parts:
             await self.cell.leave(part)
         await self.cell.enable(base, False)

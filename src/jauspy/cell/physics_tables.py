@@ -40,7 +40,7 @@ def gentle(found: Measured) -> list[Promise]:
             heaviest is None or heaviest.utilisation < 1.0,
         ),
         Promise(
-            f"{found.task}: attachments below {_mm(GENTLE_SPEED)} mm/s and {GENTLE_FORCE:g} N",
+            f"{found.task}: attachments below {1e3 * GENTLE_SPEED:g} mm/s and {GENTLE_FORCE:g} N",
             "all",
             attached,
             len(soft) == len(physics.attaches),

@@ -44,11 +44,11 @@ FIRST_WIDTH: Final = 0.1
 NEAR: Final = 0.03
 """Throws that are drawn at random, those of them that are planned, the most that are tried from the best of these on,
 how often all that is done, and the width of the first steps from random throws and from an earlier one."""
-LEANING: Final = 0.042
-"""Radians by which a box leans forward when it lands. In simulations of a box whose attitude differs by chance (0.01
-forward, 0.004 to the side), from 0.03 to 0.07 nine of ten come to rest within 14 mm of the same place; below 0.02 and
-beyond 0.2 some tumble, by up to 0.2 m."""
-SLIDE: Final = 0.012
+LEANING: Final = 0.03
+"""Radians by which a box leans forward when it lands. In simulations of a box with its shorter side along the throw,
+whose attitude differs by chance (0.01 forward, 0.002 to the side), from 0.02 to 0.05 nine of ten come to rest within
+6 mm of the same place; level, and beyond 0.08, one of ten tumbles by 0.1 m."""
+SLIDE: Final = 0.008
 """Metres that such a box comes to rest beyond its landing, in the same simulations."""
 STEEPNESS: Final = 0.6
 """Horizontal over vertical speed at the landing that friction takes in the impact: the friction of cardboard."""
@@ -254,9 +254,9 @@ class ThrowPlanner:
         self.servos = _servos(chain)
         self.limits = arm_limits(chain)
         self._seed = seed
-        across = load.frame.rotation
-        self._roll = math.remainder(-math.atan2(across[1, 0], across[0, 0]), math.pi)
-        """Position of the last joint that has the box level along the throw, however it was taken."""
+        shorter = load.frame.rotation[:, int(load.size[1] < load.size[0])]
+        self._roll = math.remainder(-math.atan2(shorter[1], shorter[0]), math.pi)
+        """Position of the last joint that has the box's shorter side along the throw, however it was taken."""
         self._dynamics = chain.model.copy()
         x, y, z = load.size
         self._box = pin.Inertia.FromBox(load.mass, x, y, z)

@@ -227,6 +227,11 @@ class Packer(Assembler):
                 return found[0]
         return None
 
+    async def look(self, *, fresh: bool = False) -> None:
+        """Same as for an assembly, with the space that parts on a moving belt need."""
+        await super().look(fresh=fresh)
+        await self.belt.fence()
+
     async def _see(self, part: str) -> bool:
         """Same as for an assembly; while the sensor is silent, parts are where they were seen last."""
         if self.client.silence() > SILENT:
@@ -284,6 +289,7 @@ class Packer(Assembler):
         held, place = self.held, PLACES[tray]
         if held is None:
             raise TaskFailed(f"{part} is not in the gripper")
+        await self.look()
         goals = self.tray_goals(part, place, quadrant)
         plan = await self.cell.compute(
             partial(
