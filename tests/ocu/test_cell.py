@@ -87,6 +87,20 @@ async def test_motions_end_with_their_own_result_and_reason(cell):
             await moving
 
 
+async def test_blocked_arm_is_reported_within_a_fraction_of_a_second(cell):
+    memory, robot = cell
+    arm, clock = robot.component(ARM).modular_arm, asyncio.get_running_loop().time
+    words = "Blocked: servo_1, 6 N m, 0.31 rad short; the arm holds where it is"
+    async with robot.control(str(ARM)):
+        moving = asyncio.create_task(arm.move([1.0, 1.0], 9.0))
+        await asyncio.sleep(0.5)
+        memory.arm.block(words)
+        blocked = clock()
+        with pytest.raises(RequestError, match=f"^{words}"):
+            await moving
+        assert clock() - blocked < 0.5
+
+
 async def test_state_of_an_earlier_motion_is_not_taken_for_a_new_one(cell, monkeypatch):
     """The robot's thread takes the motion late, and its state meanwhile is that of a motion that has succeeded."""
     memory, robot = cell

@@ -16,7 +16,7 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array, averaged, offset_between, se3
 from jauspy.cell.interface import GRIPPER, SeenPart, T
-from jauspy.cell.motion import Path, profile
+from jauspy.cell.motion import GENTLE, Path, profile
 from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError, JausError, RequestError
 from jauspy.ids import JausID
@@ -29,8 +29,6 @@ from jauspy.platform.modular.connector import ConnectorState
 from jauspy.robot.config import RobotConfig
 
 AUTHORITY: Final = 100
-GENTLE: Final = 0.05
-"""Fraction of the joints' acceleration in motions that speed up slowly."""
 POLL: Final = 0.02
 """Seconds between two queries of the joints at the end of a motion."""
 ARRIVED: Final = 0.0015

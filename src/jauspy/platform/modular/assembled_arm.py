@@ -159,7 +159,7 @@ class AssembledArm(ModularArm):
         contact.update(self._measured, dt)
         if reaction is ContactReaction.IGNORE or not self._setpoints.moving or self.chain.held_by:
             return
-        if touched := contact.touched():
+        if touched := contact.touched(seeks=self._seeks):
             way = np.array(self._setpoints.targets) - self._measured.q
             rows = [
                 f"{self.chain.joints[joint]}, {abs(contact.external[joint]):.0f} N m, {abs(way[joint]):.2f} rad short"
@@ -169,6 +169,12 @@ class AssembledArm(ModularArm):
             end = "the arm gives way" if gives_way else "the arm holds where it is"
             self._setpoints.block(f"Blocked: {'; '.join(rows)}; {end}", self._measured, gives_way=gives_way)
             self._torques.restart(self._assembly.model.gravity(self._measured.q))
+
+    def _seeks(self) -> bool:
+        """True if a connector of the arm, or of a base that is bolted down, is switched on and holds nothing."""
+        owners = {*self.chain.parts, *(part.name for part in self._cell.parts if part.fixed)}
+        states = [connector.state() for connector in self._connectors if connector.name.partition("/")[0] in owners]
+        return any(state.enabled and not state.attached_to for state in states)
 
     def _follow_attachments(self) -> None:
         """Adopt the arm that is assembled now."""
