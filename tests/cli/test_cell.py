@@ -17,6 +17,7 @@ pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_ty
 pytest.importorskip("matplotlib", reason="needs the extra `plot`")
 
 from jauspy.cell import swing, tasks, trials
+from jauspy.cell.design import build, rehearsal
 from jauspy.cell.iso9283 import measurement, page
 from jauspy.cell.measurements import Measured
 from jauspy.cell.session import Session
@@ -221,3 +222,38 @@ def test_films_and_windows_are_of_cells_that_are_simulated_here(given: dict[str,
     found = runner.invoke(app, ["cell", task, "--connect", "127.0.0.1:3990", "--view"])
     assert found.exit_code == 2
     assert "leave out --connect" in found.output
+
+
+def test_films_of_designs_need_something_built(tmp_path: Path) -> None:
+    task = Path(__file__).parents[2] / "docs" / "tasks" / "one_point.json"
+    result = runner.invoke(app, ["cell", "design", str(task), "--record", str(tmp_path / "film.mp4")])
+    assert result.exit_code == 2
+    assert "add --build" in result.output + result.stderr
+
+
+def test_a_design_is_built_and_compared_with_what_was_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+
+    async def build_all(designs: Any, base: str, robot: str, **given: Any) -> list[Measured]:
+        asked.extend([task.name for task, _ in designs] + [base, robot, str(given["load"])])
+        failed = Measured(0, designs[-1][0].name, failure="not built: joint 1")
+        figures = dict.fromkeys(("cyc", "designed_cyc", "numJ", "mass", "energy_in_use", "largest_error"), 1.0)
+        figures |= dict.fromkeys(("goals_reached", "goals", "clearance", "build_time"), 1.0)
+        return [Measured(0, designs[0][0].name, success=True, values=figures), failed]
+
+    monkeypatch.setattr(build, "build_all", build_all)
+    monkeypatch.setattr(rehearsal, "first_buildable", lambda layout, found, *rest: found.best)
+    tasks = Path(__file__).parents[2] / "docs" / "tasks"
+    names = ("one_point", "far")
+    files = [str(tasks / f"{name}.json") for name in names]
+    out = tmp_path / "designs.json"
+    result = runner.invoke(
+        app, ["cell", "design", *files, "--build", "--load", "0.2", "--candidates", "40", "-o", str(out)]
+    )
+    assert asked == [*names, "platform_1/top", "cell", "0.2"]
+    assert result.exit_code == 1, "the second was not built"
+    written = json.loads(out.read_text())
+    assert [found["task"] for found in written] == list(names)
+    assert [found["built"]["success"] for found in written] == [True, False]
+    assert "not built: joint 1" in result.output
+    assert "1 of 1" in result.output
