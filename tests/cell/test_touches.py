@@ -27,11 +27,11 @@ async def first_part(session: Session, seed: int) -> Measured:
 
 
 def attached(task: str, seed: int = 1) -> list[Meeting]:
-    """All attachments of a run of a task that succeeds, but for parts that were put in place by writing positions."""
+    """All attachments of a run of a task that succeeds."""
     found = asyncio.run(run_one(task, seed))
     assert found.success, found.failure
     assert found.physics is not None
-    return [meeting for meeting in found.physics.attaches if meeting.second not in found.written[:8]]
+    return found.physics.attaches
 
 
 def of_first_part() -> list[Meeting]:
