@@ -122,7 +122,8 @@ class ConnectorLoads:
         pull = np.maximum(0.0, -wrenches[:, 2])
         shear, bending = np.hypot(wrenches[:, 0], wrenches[:, 1]), np.hypot(wrenches[:, 3], wrenches[:, 4])
         sliding = np.hypot(shear, wrenches[:, 5] / self._radius) / self._friction
-        found: Array = (pull + np.maximum(bending / self._radius, sliding)) / self._force
+        clamping = self._force + np.maximum(0.0, wrenches[:, 2])
+        found: Array = (pull + np.maximum(bending / self._radius, sliding)) / clamping
         return found
 
     def load(self, number: int, wrenches: Array) -> Load:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.joints import ControlMode
+from jauspy.platform.modular.holding import Holding
 from jauspy_sim.cell.assembly import GRIPPER, CellModel
 from jauspy_sim.cell.connectors import Attachments, Face, SimulatedConnector
 from jauspy_sim.physics.joints import SimulatedJoints
@@ -177,7 +178,8 @@ class Probe:
             # the rows of the rotation are those of half the angle, in the frame of what is held
             moment = -0.5 * axes.T @ (data.xmat[face.body].reshape(3, 3) @ forces[own[3:]])
             strength, share = connector.strength()
-            used = strength.utilisation(force.tolist(), moment.tolist()) / share
+            present = Holding(max(share, 1e-9) * strength.force, strength.radius, strength.friction)
+            used = present.utilisation(force.tolist(), moment.tolist())
             if not connector.state().attached_to:
                 continue  # it is still evacuated, and may slide
             kind = "latch" if not connector.until_locked else "cup" if connector.part else "gripper"

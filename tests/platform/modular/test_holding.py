@@ -28,6 +28,12 @@ def test_pressing_plates_together_is_no_load() -> None:
     assert CUP.utilisation((0.0, 0.0, 10.0 * CUP.force), NOTHING) == 0.0
 
 
+def test_what_presses_plates_together_clamps_them_like_the_vacuum() -> None:
+    shear = 0.5 * CUP.force * CUP.friction
+    assert CUP.utilisation((shear, 0.0, 0.0), NOTHING) == pytest.approx(0.5)
+    assert CUP.utilisation((shear, 0.0, CUP.force), NOTHING) == pytest.approx(0.25)
+
+
 def test_loads_combine() -> None:
     """Friction carries shear and torsion together; tipping and sliding need the same force, the pull comes on top."""
     force, radius = CUP.force, CUP.radius

@@ -5,11 +5,11 @@ frame, whose z points out of it: a force along -z pulls the part towards the pla
 
 A load uses the fraction
 
-    u = (pull + max(bending / radius, hypot(shear, torsion / radius) / friction)) / force
+    u = (pull + max(bending / radius, hypot(shear, torsion / radius) / friction)) / (force + press)
 
 of a connection: what pulls is carried by the force with which the plates are clamped, a bending moment tips the part
 about the rim, and shear and torsion are carried by friction there. Above 1 it comes apart. A force that presses the
-plates together loads nothing.
+plates together is no pull: it adds to the force that clamps them.
 """
 
 from __future__ import annotations
@@ -57,12 +57,12 @@ class Holding(Table):
         """Fraction of the strength that a load uses."""
         fx, fy, fz = force
         mx, my, mz = moment
-        return self.combined(max(0.0, -fz), math.hypot(fx, fy), math.hypot(mx, my), abs(mz))
+        return self.combined(-fz, math.hypot(fx, fy), math.hypot(mx, my), abs(mz))
 
     def combined(self, pull: float, shear: float, bending: float, torsion: float) -> float:
-        """Fraction of the strength that a load uses, of its components' magnitudes."""
+        """Fraction of the strength that a load uses, of its components' magnitudes; a pull below zero presses."""
         sliding = math.hypot(shear, torsion / self.radius) / self.friction
-        return (pull + max(bending / self.radius, sliding)) / self.force
+        return (max(0.0, pull) + max(bending / self.radius, sliding)) / (self.force + max(0.0, -pull))
 
     def utilisations(self, forces: NDArray[Any], moments: NDArray[Any]) -> NDArray[Any]:
         """Same as `utilisation` for many loads; shapes (..., 3), result (...)."""
@@ -72,7 +72,8 @@ class Holding(Table):
         shear = np.hypot(forces[..., 0], forces[..., 1])
         bending = np.hypot(moments[..., 0], moments[..., 1])
         sliding = np.hypot(shear, moments[..., 2] / self.radius) / self.friction
-        result: NDArray[Any] = (pull + np.maximum(bending / self.radius, sliding)) / self.force
+        clamping = self.force + np.maximum(0.0, forces[..., 2])
+        result: NDArray[Any] = (pull + np.maximum(bending / self.radius, sliding)) / clamping
         return result
 
 
