@@ -154,7 +154,7 @@ def test_a_part_that_nobody_turns_over_costs_its_point_and_the_bonus(
     assert run(flipped).values["score"] == 7.0
 
     monkeypatch.setattr(Packer, "_upright", lambda self, part: abs(UPRIGHT(self, part)))
-    monkeypatch.setattr(Layout, "grasp", lambda self, part: se3(self.type_of(part).back or self.type_of(part).grasp))
+    monkeypatch.setattr(Layout, "grasp", lambda self, part: se3(self.type_of(part).grasps[1]))
     found = run(flipped)
     assert (found.values["score"], found.values["turned_over"]) == (5.0, 0.0), "the director still sees its true pose"
 

@@ -10,6 +10,8 @@ from typing import Final, TypeVar
 import pinocchio as pin
 
 from jauspy.cell.frames import Array, shifted, turned
+from jauspy.cell.held_load import HeldLoad, inertia_of
+from jauspy.cell.interface import GRIPPER
 from jauspy.cell.motion import MotionPlanner, NoPath, Path
 from jauspy.cell.scene import Layout, Piece, PlanningScene, pieces_of_part
 
@@ -74,25 +76,32 @@ class Handling:
         self.planner = planner
         self.composites: dict[str, list[Piece]] = {}
         """Shapes of parts to which others are attached, with those of the others, in the frame of the part."""
-        self.faces: dict[str, pin.SE3] = {}
-        """Where parts are grasped that cannot be grasped as their type says: the gripper in the frame of the part."""
+        self.members: dict[str, list[tuple[str, pin.SE3]]] = {}
+        """Names of what is attached to such a part, and the frames in its own."""
 
     def pieces(self, part: str) -> list[Piece]:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
-    def grasps(self, part: str, first: float = 0.0, face: pin.SE3 | None = None) -> list[pin.SE3]:
-        """The poses of the gripper in the frame of a part for all angles about its axis, the first one at `first` rad.
+    def load(self, part: str, grasp: pin.SE3) -> HeldLoad:
+        """A part in the gripper, with what is attached to it; `grasp` is the gripper in the part's frame."""
+        parts = [(part, pin.SE3.Identity()), *self.members.get(part, ())]
+        frames = [(self.layout.type_of(name), grasp.actInv(frame)) for name, frame in parts]
+        limits = self.layout.setup.limits
+        locked = self.layout.locks(GRIPPER, part)
+        return HeldLoad(inertia_of(frames), limits.latch if locked else limits.gripper.holding)
 
-        `face` is one of `Layout.grasps`; by default the one that is chosen in `faces`, or the usual one.
+    def grasps(self, part: str, face: pin.SE3 | None = None) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part, for all angles about its axis.
+
+        `face` is one of `Layout.grasps`, by default the usual one.
         """
-        return _turned(face or self.faces.get(part) or self.layout.grasp(part), first)
+        return _turned(face or self.layout.grasp(part))
 
-    def upper_grasps(self, part: str, pose: pin.SE3, first: float = 0.0) -> list[pin.SE3]:
+    def upper_grasps(self, part: str, pose: pin.SE3) -> list[pin.SE3]:
         """The same on all faces that are up while the part is at `pose`: from beside and below, bins are in the way."""
-        faces = [self.faces[part]] if part in self.faces else self.layout.grasps(part)
-        up = [grasp for grasp in faces if (pose.rotation @ grasp.rotation)[2, 2] < -DOWNWARD]
-        return [found for grasp in up for found in _turned(grasp, first)]
+        up = [grasp for grasp in self.layout.grasps(part) if (pose.rotation @ grasp.rotation)[2, 2] < -DOWNWARD]
+        return [found for grasp in up for found in _turned(grasp)]
 
     def pick(
         self,
@@ -219,8 +228,8 @@ class Handling:
         return any(k.solve(goal * shifted(z=INSERT) * grasp, near, condition=CONDITION) for goal in goals)
 
 
-def _turned(grasp: pin.SE3, first: float = 0.0) -> list[pin.SE3]:
-    return [grasp * turned("z", first + math.tau * number / TURNS) for number in range(TURNS)]
+def _turned(grasp: pin.SE3) -> list[pin.SE3]:
+    return [grasp * turned("z", math.tau * number / TURNS) for number in range(TURNS)]
 
 
 def _first(options: Sequence[Option], plan: Callable[[Option], Plan]) -> Plan:

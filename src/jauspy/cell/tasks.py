@@ -47,7 +47,7 @@ async def ur10_of(session: Session, seed: int = 0) -> Assembler:
     """The UR10 where it is, which knows what stands on the bases; raises `TaskFailed` if its gripper holds a part."""
     cell, layout = session.cell, session.layout
     if held := (await cell.connector(GRIPPER)).attached_to:
-        raise TaskFailed(f"the gripper holds {held}; `jauspy up cell` again, or have it put down")
+        raise TaskFailed(f"the gripper holds {held}, and no task has put it there; release it first")
     ur10 = Assembler(cell, layout, seed=seed)
     ur10.at = await cell.posture()
     ur10.know(await all_frames(cell, layout))
@@ -62,7 +62,9 @@ async def prepared(session: Session, parts: Sequence[str] = FIVE_JOINTS, *, head
     joints.
     """
     cell, layout = session.cell, session.layout
-    if session.judge is not None and not await standing_on(cell, layout, BASE):
+    if not await standing_on(cell, layout, BASE):
+        if session.judge is None:
+            raise TaskFailed(f"no arm stands on {BASE}; `jauspy cell assemble` builds one")
         session.judge.prepare(BASE, parts, {parts[0]: Transform(rotation_about(Z, heading))})
         await cell.sleep(SETTLE)
     await (await ur10_of(session)).park()
@@ -379,7 +381,15 @@ OWN_CELLS: Final[dict[str, Callable[..., Coroutine[Any, Any, Measured]]]] = {"ar
 """Tasks that open a cell of their own: the trials in the style of ARIAC, of which a seed chooses one."""
 NAMES: Final = (*TASKS, *OWN_CELLS)
 
-FILMED_BY: Final[dict[str, str]] = {"assemble": "platforms", "lift": "target", "step": "platforms", "car": "car"}
+FILMED_BY: Final[dict[str, str]] = {
+    "assemble": "platforms",
+    "take-apart": "platforms",
+    "lift": "target",
+    "throws": "target",
+    "step": "platforms",
+    "car": "car",
+    "demo": "story",
+}
 """The camera of the cell that films a task; others are filmed by the one that sees all of the cell."""
 
 

@@ -21,7 +21,7 @@ import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.frames import Array
-from jauspy.cell.modular_arm import Chain
+from jauspy.cell.modular_arm import BASE, Chain
 from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import CLEAR, Clearance, Piece, PlanningScene
 from jauspy.geometry.vectors import GRAVITY
@@ -32,8 +32,6 @@ from jauspy.platform.modular.holding import CUP, LATCH, SAFETY
 from jauspy.platform.modular.parts import ServoData
 from jauspy.platform.modular.trajectory import Limits, MotionError, PlannedMotion, Setpoint
 
-BASE: Final = "base"
-"""Name of the connection between the arm and what it stands on."""
 PERIOD: Final = 0.008
 """Seconds from one sample of a planned motion to the next."""
 MARGIN: Final = 0.02

@@ -8,14 +8,16 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Final
 
+import coal
 import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.assembly import Assembler, PartResult
 from jauspy.cell.client import CellClient
-from jauspy.cell.frames import Array, shifted, turned
+from jauspy.cell.frames import Array, se3_of_pose, shifted, turned
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.motion import NoPath
+from jauspy.cell.scene import Piece
 from jauspy.platform.modular.connector import ConnectorState
 
 STILL: Final = 0.005
@@ -26,15 +28,23 @@ LEAVES: Final = -0.12
 """y from which on a part is not followed any more, metres."""
 HOVER: Final = 0.06
 """Metres above a part in which the gripper waits for it."""
-SLOW: Final = 0.006
+SLOW: Final = 0.003
 """Metres above a part from which on the gripper is lowered slowly."""
 DEEPEST: Final = -0.003
 """Metres above the seen top of a part at which the gripper is no longer lowered."""
 FAST_RATE: Final = 0.08
-SLOW_RATE: Final = 0.008
+SLOW_RATE: Final = 0.002
 RAISE_RATE: Final = 0.10
 """m/s at which the gripper is lowered and raised while it follows a part."""
-RAISED: Final = 0.10
+RAISE_ACCELERATION: Final = 0.3
+"""m/s^2."""
+IN_CONTACT: Final = 3000.0
+"""Pascals of vacuum that a cup reports only in contact."""
+RELIEF: Final = 0.0004
+"""Metres by which the gripper is raised at once in contact: it has gone further until that was reported."""
+SEAL_TIME: Final = 1.0
+"""Seconds in contact in which the gripper must have attached the part."""
+RAISED: Final = 0.16
 """Metres above its place on the belt at which a part is no longer followed."""
 ALIGNED: Final = 0.006
 """Metres along the belt within which the gripper is over the part."""
@@ -48,6 +58,11 @@ TRAVEL_TIME: Final = 2.0
 """Seconds in which the UR10 is above the place where it meets a part."""
 TURNS: Final = 8
 """Angles of the gripper about its axis that are tried."""
+SETTLE: Final = 0.3
+"""Seconds until the UR10 stands still."""
+FENCE: Final = "what the belt brings"
+FENCE_HEIGHT: Final = 0.13
+"""Metres above a moving belt that parts on it need."""
 HISTORY: Final = 600
 """Reports of the belt that are kept: 12 s."""
 
@@ -109,6 +124,14 @@ class BeltPicker:
         beside = abs(y - belt.pose.y) > belt.length / 2.0 or abs(x - belt.pose.x) > belt.width / 2.0
         return not beside and abs(float(top) - self._layout.thickness(part) - belt.pose.z) < 0.5 * HOVER
 
+    async def fence(self) -> None:
+        """Keep the UR10 out of the space over a moving belt that parts on it need: they are not where they were."""
+        scene, belt = self._ur10.scene, self._layout.setup.conveyor
+        scene.remove(FENCE)
+        if belt is not None and abs(await self.speed()) > STILL:
+            middle = se3_of_pose(belt.pose) * shifted(z=FENCE_HEIGHT / 2.0)
+            scene.put(FENCE, [Piece(coal.Box(belt.length, belt.width, FENCE_HEIGHT), pin.SE3.Identity())], middle)
+
     async def speed(self) -> float:
         """The belt's present speed, m/s."""
         await self._read()
@@ -116,7 +139,7 @@ class BeltPicker:
 
     def coming(self, parts: Iterable[str]) -> list[str]:
         """The parts that can still be met on the belt, the first to leave it first."""
-        found = [(self._y(part), part) for part in parts]
+        found = [(self._y(part, TRAVEL_TIME), part) for part in parts]
         return [part for y, part in sorted(found, reverse=True) if y < WINDOW[1]]
 
     async def pick(self, part: str, row: PartResult) -> str:
@@ -131,6 +154,7 @@ class BeltPicker:
             await self._cell.enable(GRIPPER, False)
         await self._raise(chase)
         await self._cell.hold()
+        await self._cell.sleep(SETTLE)
         self._ur10.at = await self._cell.posture()
         state = await self._cell.connector(GRIPPER)
         if state.attached_to != part:
@@ -186,15 +210,21 @@ class BeltPicker:
         return chase
 
     async def _lower(self, chase: _Chase) -> ConnectorState:
-        """Follow the part, and lower the gripper until it has attached it, or the part is gone."""
-        state = await self._cell.connector(GRIPPER)
-        while not state.attached_to and chase.height > DEEPEST:
+        """Follow the part, and lower the gripper until its cup is in contact; follow on until it has attached the part.
+
+        The belt is stiff, and so is the UR10: pressed further, the box would be held against the belt's friction.
+        """
+        state, touched = await self._cell.connector(GRIPPER), math.inf
+        while not state.attached_to and chase.height > DEEPEST and self._cell.now() < touched + SEAL_TIME:
             await self._read()
             y = self._y(chase.part, LEAD)
             if y > LEAVES:
                 break
             here = self._layout.kinematics.forward(await self._cell.posture())
-            if abs(float(here.translation[1]) - y) < ALIGNED:
+            if state.vacuum > IN_CONTACT:
+                chase.height += RELIEF if math.isinf(touched) else 0.0
+                touched = min(touched, self._cell.now())
+            elif abs(float(here.translation[1]) - y) < ALIGNED:
                 chase.height -= PERIOD * (FAST_RATE if chase.height > SLOW else SLOW_RATE)
             await self._step(chase, y)
             state = await self._cell.connector(GRIPPER)
@@ -202,9 +232,11 @@ class BeltPicker:
 
     async def _raise(self, chase: _Chase) -> None:
         """Lift the gripper, with or without the part, and follow the belt meanwhile so that nothing is dragged."""
+        rate = 0.0
         while chase.height < RAISED:
             await self._read()
-            chase.height += PERIOD * RAISE_RATE
+            rate = min(RAISE_RATE, rate + PERIOD * RAISE_ACCELERATION)
+            chase.height += PERIOD * rate
             await self._step(chase, min(LEAVES, self._y(chase.part, LEAD)))
 
     async def _step(self, chase: _Chase, y: float) -> None:

@@ -19,12 +19,11 @@ import pinocchio as pin
 from jauspy.cell.ariac.belt import STILL, BeltPicker
 from jauspy.cell.ariac.board import OpenOrder, OrderBoard
 from jauspy.cell.ariac.workcell import PLACES, QUALITY_CONTROL, TrayPlace
-from jauspy.cell.assembly import INSERT_SPEED, LIFT_SPEED, NEAR_SPEED, Assembler, PartResult, Slot, Tip
+from jauspy.cell.assembly import INSERT_SPEED, Assembler, PartResult, Slot, Tip
 from jauspy.cell.client import SILENT, CellClient
-from jauspy.cell.frames import se3, se3_of_pose, shifted, turned
+from jauspy.cell.frames import se3_of_pose, shifted, turned
 from jauspy.cell.handling import APPROACH, CONDITION, TURNS
 from jauspy.cell.interface import GRIPPER
-from jauspy.cell.motion import Path
 from jauspy.cell.scene import Layout, connector_frame
 from jauspy.cell.schedule import TaskFailed
 from jauspy.errors import JausError
@@ -153,23 +152,17 @@ class Packer(Assembler):
         await self._clear_base()
 
     async def _clear_base(self) -> None:
-        """Take a part off the base that could not be taken off before, by either face, and put it down."""
+        """Take a part off the base that could not be taken off before, by any face, and put it down."""
         part = (await self.cell.connector(self._base)).attached_to
-        if not part:
-            return
-        back = self.layout.type_of(part).back
-        for face in (None, back):
-            if face is not None:
-                self.handling.faces[part] = se3(face)
-            try:
-                await self._take_off(part, [])
-                await self.put_down(part)
-            except JausError as error:
-                self.log.lines.append(f"{part} stays on {self._base}: {error}")
-            else:
-                return
-            finally:
-                self.handling.faces.pop(part, None)
+        if part:
+            for face in self.layout.grasps(part):
+                try:
+                    await self._take_off(part, [], face=face)
+                    await self.put_down(part)
+                except JausError as error:
+                    self.log.lines.append(f"{part} stays on {self._base}: {error}")
+                else:
+                    return
 
     async def _supply(self, order: OpenOrder, quadrant: int, type: str) -> None:
         """Fetch a product, and put it where it is wanted by then."""
@@ -201,10 +194,13 @@ class Packer(Assembler):
         for name in self.layout.of_types((type,)):
             if name not in self.seen or name in self.rejected or name in self.used or not self._is_known(name):
                 continue
-            upright = self._upright(name)
-            if upright > MIN_UPRIGHT or (upright < -MIN_UPRIGHT and self.layout.type_of(name).back is not None):
+            if not self._lies_wrongly(name) or self.layout.type_of(name).further_grasps:
                 found.append(name)
-        return sorted(found, key=lambda name: (name in self._dropped, self._upright(name) < 0.0))
+        return sorted(found, key=lambda name: (name in self._dropped, self._lies_wrongly(name)))
+
+    def _lies_wrongly(self, part: str) -> bool:
+        """True if a part is to be turned over before it is laid on a tray."""
+        return self._upright(part) < MIN_UPRIGHT
 
     def _upright(self, part: str) -> float:
         """The cosine between the world's z axis and the normal of the face at which a part is grasped, as seen."""
@@ -231,6 +227,11 @@ class Packer(Assembler):
                 return found[0]
         return None
 
+    async def look(self, *, fresh: bool = False) -> None:
+        """Same as for an assembly, with the space that parts on a moving belt need."""
+        await super().look(fresh=fresh)
+        await self.belt.fence()
+
     async def _see(self, part: str) -> bool:
         """Same as for an assembly; while the sensor is silent, parts are where they were seen last."""
         if self.client.silence() > SILENT:
@@ -246,7 +247,7 @@ class Packer(Assembler):
             if part is None:
                 break
             kind = self.layout.type_of(part)
-            flipped, tested = self._upright(part) < 0.0, kind.kind is PartKind.SERVO
+            flipped, tested = self._lies_wrongly(part), kind.kind is PartKind.SERVO
             row = PartResult(type, part)
             if self._is_on_belt(part) and abs(await self.belt.speed()) > STILL:
                 if not (why := await self.belt.pick(part, row)):
@@ -254,16 +255,11 @@ class Packer(Assembler):
                 reasons.append(f"{part}: {why}")
                 continue
             goals = self.tray_goals(part, place, quadrant)
-            if flipped and kind.back is not None:
-                self.handling.faces[part] = se3(kind.back)
             via_base = flipped or tested
-            try:
-                stands = await self.cell.compute(partial(self._base_goals, part, goals)) if via_base else []
-                grasped = await self._grasp(part, row, stands or goals)
-                if grasped and via_base:
-                    await self._stand(part, row, stands)
-            finally:
-                self.handling.faces.pop(part, None)
+            stands = await self.cell.compute(partial(self._base_goals, part, goals)) if via_base else []
+            grasped = await self._grasp(part, row, stands or goals)
+            if grasped and via_base:
+                await self._stand(part, row, stands)
             reasons += row.attempts
             if not grasped:
                 self.rejected.add(part)
@@ -293,6 +289,7 @@ class Packer(Assembler):
         held, place = self.held, PLACES[tray]
         if held is None:
             raise TaskFailed(f"{part} is not in the gripper")
+        await self.look()
         goals = self.tray_goals(part, place, quadrant)
         plan = await self.cell.compute(
             partial(
@@ -381,29 +378,23 @@ class Packer(Assembler):
                 self._dropped[part] = self.cell.now()
             raise TaskFailed(f"{part} does not stand on {self._base}: {'; '.join(row.attempts)}")
 
-    async def _take_off(self, part: str, goals: Sequence[pin.SE3]) -> None:
-        """Grasp a part that stands on the base as its type says, and take it off."""
-        pose = self.scene.poses[part]
+    async def _take_off(self, part: str, goals: Sequence[pin.SE3], face: pin.SE3 | None = None) -> None:
+        """Grasp a part that stands on the base, by its usual face or another one, and take it off."""
+        pose, row = self.scene.poses[part], PartResult(self._base, part)
+        face = face or self.layout.grasp(part)
         for attempt in range(ATTEMPTS):
-            pick = partial(self.handling.pick, part, pose, self.at, goals, skip=attempt)
-            plan = await self.cell.compute(pick)
-            await self.go(plan.approach)
-            await self.cell.enable(GRIPPER, True)
-            await self.go(plan.near, speed=NEAR_SPEED, contact=True)
-            backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
-            state = await self.touch(plan.contact, GRIPPER, backward)
-            if state.attached_to == part:
-                break
-            await self.cell.enable(GRIPPER, False)
-            await self.go(self.handling.retreat(self.at), contact=True)
-        else:
-            raise TaskFailed(f"{part} could not be taken off {self._base}: {state.last_error}")
-        await self.cell.enable(self._base, False)
-        await self.cell.sleep(RELEASE_TIME)
-        self.used.discard(part)
-        self._hold(part, state)
-        await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True)
-        await self._check_held(part)
+            pick = partial(
+                self.handling.pick, part, pose, self.at, goals, supports=[QUALITY_CONTROL], skip=attempt, face=face
+            )
+            why = await self.try_grasp(await self.cell.compute(pick), row, release=self._base)
+            if not why:
+                self.used.discard(part)
+                return
+            row.attempts.append(why)
+            if (await self.cell.connector(self._base)).attached_to != part:
+                self._dropped[part] = self.cell.now()
+                raise Dropped(f"{part} was lost when it was taken off {self._base}: {why}")
+        raise TaskFailed(f"{part} could not be taken off {self._base}: {'; '.join(row.attempts)}")
 
     async def _passes(self, part: str) -> bool:
         """True if a servo module on the base turns to and fro as commanded."""

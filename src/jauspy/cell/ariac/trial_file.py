@@ -225,7 +225,7 @@ def check(trial: Trial, cell: CellSetup) -> None:
             _check_type(f"{key}.part_place_condition.type", condition.part_place_condition.type, cell)
     fit = {
         "missing_parts": [part.name for part in cell.parts if not part.fixed],
-        "flipped_parts": [part.name for part in cell.parts if cell.types[part.type].back is not None],
+        "flipped_parts": [part.name for part in cell.parts if cell.types[part.type].further_grasps],
         "faulty_parts": [part.name for part in cell.parts if cell.types[part.type].kind is PartKind.SERVO],
     }
     for key, permitted in fit.items():

@@ -40,6 +40,7 @@ POST: Final = PartType(
     ),
     {"top": Transform(position=(0.0, 0.0, 0.26))},
     grasp=Transform(position=(0.0, 0.0, 0.26)) @ HALF_TURN,
+    latch=True,
 )
 """The type of that base: no wider than a part, so that the gripper can hold all parts on it from the sides."""
 TRAY_SIZE: Final = (0.44, 0.60, 0.22)
