@@ -26,6 +26,9 @@ RUN: Final = 0.08
 LOWERED: Final = 0.008
 """Metres that the tip moves along the belt before and after it meets the box, and by which it is lowered in each half:
 it moves with the box then, so that nothing shears the cup while its vacuum builds up."""
+LATENCY: Final = 0.09
+"""Seconds by which boxes were ahead of the tip that met them without it: positions arrive late, and motions begin late.
+"""
 PRESSING: Final = 0.2
 """Seconds from the meeting until the pump runs: the cup lies flat on the box then, which would hang askew otherwise."""
 LEAST_WAY: Final = 0.25
@@ -165,7 +168,7 @@ class Lifter:
         await self.cell.run_conveyor(BELT_SPEED)
         while True:
             seen, pose = self.cell.latest(box)
-            wait = (meeting - float(pose.translation[1])) / BELT_SPEED - (self.cell.now() - seen) - before
+            wait = (meeting - float(pose.translation[1])) / BELT_SPEED - (self.cell.now() - seen) - before - LATENCY
             if wait < POLL:
                 break
             await self.cell.sleep(min(wait, 0.2))
