@@ -20,6 +20,7 @@ from jauspy.platform.modular.arm import (
 from jauspy.platform.modular.arm_setpoints import ArmSetpoints
 from jauspy.platform.modular.assembly import ArmAssembly, carried_over
 from jauspy.platform.modular.connector import VacuumConnector
+from jauspy.platform.modular.contact import NEAR
 from jauspy.platform.modular.control_laws import JointMeasurements
 from jauspy.platform.modular.graph import ArmChain, attachments, find_chain
 from jauspy.platform.modular.parts import CellSetup, ContactReaction
@@ -171,7 +172,12 @@ class AssembledArm(ModularArm):
             self._torques.restart(self._assembly.model.gravity(self._measured.q))
 
     def _seeks(self) -> bool:
-        """True if a connector of the arm, or of a base that is bolted down, is switched on and holds nothing."""
+        """True if the arm is to touch something.
+
+        It is close to its target, or a connector of the arm or of a base that is bolted down seeks a part.
+        """
+        if float(np.abs(np.array(self._setpoints.targets) - self._measured.q).max(initial=0.0)) < NEAR:
+            return True
         owners = {*self.chain.parts, *(part.name for part in self._cell.parts if part.fixed)}
         states = [connector.state() for connector in self._connectors if connector.name.partition("/")[0] in owners]
         return any(state.enabled and not state.attached_to for state in states)

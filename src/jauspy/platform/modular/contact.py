@@ -40,7 +40,11 @@ SEEKING: Final = 4.0
 A box that moves on the belt at 0.25 m/s pushes the connector that comes down on it with 0.16 of a module's torque.
 """
 
-SUSPICION: Final = 0.5
+NEAR: Final = 0.015
+"""Radians of all joints from their targets up to which an arm presses onto something rather than meets it in its way;
+nor is a joint blocked so close to its target (ADR 131)."""
+
+SUSPICION: Final = 0.7
 """Part of that threshold from which on a payload is no longer estimated: the contact would count as one."""
 
 PAYLOAD_TIME: Final = 0.6
@@ -74,7 +78,7 @@ class ContactObserver:
 
     @property
     def suspects(self) -> bool:
-        """True from half of the torque of a contact on, unless the mass of a new box is still unknown."""
+        """True from most of the torque of a contact on, unless the mass of a new box is still unknown."""
         return not self._unsettled and bool((np.abs(self.external) > SUSPICION * self._thresholds).any())
 
     def touched(self, *, seeks: Callable[[], bool]) -> Sequence[int]:
