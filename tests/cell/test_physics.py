@@ -26,12 +26,27 @@ class Probe:
     landings: list[Meeting] = field(default_factory=list)
     collisions: list[Meeting] = field(default_factory=list)
     joints: dict[str, JointFigures] = field(default_factory=dict)
+    peaks: dict[tuple[str, str], Peak] = field(default_factory=dict)
 
 
-def physics(*speeds: float, collisions: int = 0) -> Physics:
+@dataclass
+class Peak:
+    utilisation: float
+    part: str = "servo_1"
+    time: float = 3.0
+    force: tuple[float, float, float] = (0.0, 3.0, 4.0)
+    moment: tuple[float, float, float] = (0.3, 0.4, 0.0)
+
+
+def physics(*speeds: float, collisions: int = 0, load: float = 0.6) -> Physics:
     meetings = [Meeting(1.0, "gripper", "box_1", speed, 10.0) for speed in speeds]
     hits = [Meeting(2.0, EVIL, "bin_1", 0.1, 30.0 + number) for number in range(collisions)]
-    return Physics.of(Probe(meetings, [], hits, {"elbow": JointFigures(3.0, 50.0, 0.002, 0.0005, 7)}))
+    peaks = {
+        ("platform_1/top", "latch"): Peak(load),
+        ("servo_1/output", "latch"): Peak(0.1),
+        ("gripper", "gripper"): Peak(0.2),
+    }
+    return Physics.of(Probe(meetings, [], hits, {"elbow": JointFigures(3.0, 50.0, 0.002, 0.0005, 7)}, peaks))
 
 
 def run(seed: int, *speeds: float, **fields: Any) -> Measured:
@@ -45,11 +60,13 @@ def test_the_largest_of_each_figure_counts() -> None:
     assert figures["collision force"] == 31.0
     assert figures["tracking error"] == 0.002
     assert "landing speed" not in figures, "nothing was put down"
+    assert (figures["load of the latch"], figures["load of the gripper"]) == (0.6, 0.2)
 
 
 def test_gentle_runs_keep_their_promises_and_others_say_what_happened() -> None:
     assert all(promise.kept for promise in gentle(run(1, 0.004, 0.02)))
-    hard, touched = gentle(run(1, 0.004, 0.111, collisions=2))
+    loaded, hard, touched = gentle(run(1, 0.004, 0.111, collisions=2))
+    assert loaded.measured == "platform_1/top (latch) with servo_1: at most 60 % of its strength"
     assert (hard.kept, hard.measured) == (False, "1 of 2, at most 111.0 mm/s and 10 N")
     assert not touched.kept
     assert touched.measured.endswith("on bin_1: 31 N")
@@ -59,7 +76,17 @@ def test_a_strong_attachment_is_not_gentle() -> None:
     found = run(1, 0.004)
     assert found.physics is not None
     found.physics.attaches.append(Meeting(1.0, "gripper", "box_1", 0.001, 763.0))
-    assert not gentle(found)[0].kept
+    assert [promise.kept for promise in gentle(found)] == [True, False, True]
+
+
+def test_an_overloaded_connector_breaks_its_promise() -> None:
+    assert [promise.kept for promise in gentle(run(1, 0.004, load=1.02))] == [False, True, True]
+
+
+def test_loads_are_listed_by_connector() -> None:
+    (table,) = (table for table in physics_tables(physics(0.004)) if "load of each" in table.caption)
+    assert table.rows[1] == ("platform_1/top", "latch", "servo_1", "60", "5.0", "0.50", "3.0")
+    assert len(table.rows) == 4
 
 
 def test_names_of_parts_are_text_on_the_page() -> None:

@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -16,8 +17,11 @@ pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_ty
 pytest.importorskip("matplotlib", reason="needs the extra `plot`")
 
 from jauspy.cell import swing, tasks, trials
+from jauspy.cell.design import build, rehearsal
 from jauspy.cell.iso9283 import measurement, page
 from jauspy.cell.measurements import Measured
+from jauspy.cell.session import Session
+from jauspy.cell.story import Stage
 from jauspy.cli.main import app
 
 FIGURES = {"score": 12.0, "order_time": 30.0, "build_time": 55.0, "largest_error": 0.001, "most_points": 12.0} | {
@@ -82,7 +86,7 @@ def test_a_task_that_fails_says_why(given: dict[str, bool]) -> None:
     assert "the box is lost" in found.output
 
 
-@pytest.mark.parametrize("task", ["assemble", "lift", "step", "car"])
+@pytest.mark.parametrize("task", ["assemble", "lift", "step", "take-apart", "car", "demo"])
 def test_an_incomplete_film_is_said_once(given: dict[str, bool], monkeypatch: pytest.MonkeyPatch, task: str) -> None:
     async def run_one(task: str, seed: int, *_: Any, **__: Any) -> Measured:
         return Measured(seed, task, success=True, film_problem="the film x.mp4 is incomplete")
@@ -160,7 +164,96 @@ def test_stories_that_were_run_before_are_on_the_page(given: dict[str, bool], tm
     assert "is no file of results" in " ".join(found.output.split())
 
 
-def test_films_and_windows_are_of_cells_that_are_simulated_here(given: dict[str, bool]) -> None:
-    found = runner.invoke(app, ["cell", "assemble", "--connect", "127.0.0.1:3990", "--view"])
+@pytest.fixture
+def story(monkeypatch: pytest.MonkeyPatch) -> list[Stage]:
+    """The stages of `demo`, which may be changed; they run without a cell."""
+    stages = [stage("assemble", "The UR10 builds an arm"), stage("car", "The car drives off")]
+    monkeypatch.setattr(tasks, "STAGES", stages)
+
+    async def run_one(task: str, seed: int, *_: Any, run: Any, **__: Any) -> Measured:
+        session: Any = SimpleNamespace(judge=None, cell=SimpleNamespace(now=lambda: 0.0))
+        return await run(session, seed)
+
+    monkeypatch.setattr(tasks, "run_one", run_one)
+    return stages
+
+
+def stage(name: str, title: str, failure: str = "") -> Stage:
+    async def run(_session: Session, seed: int) -> Measured:
+        return Measured(seed, name, not failure, failure, 12.0, values={"clearance": 0.004})
+
+    return Stage(name, title, run)
+
+
+def test_a_story_is_printed_as_it_goes(story: list[Stage]) -> None:
+    found = runner.invoke(app, ["cell", "demo", "--seed", "3"])
+    assert found.exit_code == 0, found.output
+    lines = [line.strip() for line in found.output.splitlines()]
+    assert lines.index("The UR10 builds an arm …") < lines.index("assemble: done in 12.0 s; clearance 4 mm")
+    assert "the whole story succeeded: 0.0 s of the cell's time" in lines
+
+
+def test_a_stage_that_fails_is_named(story: list[Stage]) -> None:
+    story[1] = stage("car", "The car drives off", "it stands still")
+    found = runner.invoke(app, ["cell", "demo"])
+    assert found.exit_code == 1
+    assert "car: FAILED (it stands still) in 12.0 s; clearance 4 mm" in found.output
+    assert "demo: car: it stands still" in found.output
+
+
+def test_a_story_as_json_is_json_alone(story: list[Stage]) -> None:
+    found = runner.invoke(app, ["cell", "demo", "--json"])
+    assert found.exit_code == 0
+    assert json.loads(found.stdout)["values"] == {"assemble.clearance": 0.004, "car.clearance": 0.004, "stages": 2.0}
+
+
+def test_what_was_put_in_place_is_printed(given: dict[str, bool], monkeypatch: pytest.MonkeyPatch) -> None:
+    async def run_one(task: str, seed: int, *_: Any, **__: Any) -> Measured:
+        return Measured(seed, task, success=True, written=("servo_1", "bracket_1"))
+
+    monkeypatch.setattr(tasks, "run_one", run_one)
+    found = runner.invoke(app, ["cell", "lift"])
+    assert "put in place by writing positions" in found.stdout
+    assert "servo_1, bracket_1" in found.stdout
+
+
+@pytest.mark.parametrize("task", ["assemble", "lift", "step", "take-apart", "car", "demo"])
+def test_films_and_windows_are_of_cells_that_are_simulated_here(given: dict[str, bool], task: str) -> None:
+    found = runner.invoke(app, ["cell", task, "--connect", "127.0.0.1:3990", "--view"])
     assert found.exit_code == 2
     assert "leave out --connect" in found.output
+
+
+def test_films_of_designs_need_something_built(tmp_path: Path) -> None:
+    task = Path(__file__).parents[2] / "docs" / "tasks" / "one_point.json"
+    result = runner.invoke(app, ["cell", "design", str(task), "--record", str(tmp_path / "film.mp4")])
+    assert result.exit_code == 2
+    assert "add --build" in result.output + result.stderr
+
+
+def test_a_design_is_built_and_compared_with_what_was_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+
+    async def build_all(designs: Any, base: str, robot: str, **given: Any) -> list[Measured]:
+        asked.extend([task.name for task, _ in designs] + [base, robot, str(given["load"])])
+        failed = Measured(0, designs[-1][0].name, failure="not built: joint 1")
+        figures = dict.fromkeys(("cyc", "designed_cyc", "numJ", "mass", "energy_in_use", "largest_error"), 1.0)
+        figures |= dict.fromkeys(("goals_reached", "goals", "clearance", "build_time"), 1.0)
+        return [Measured(0, designs[0][0].name, success=True, values=figures), failed]
+
+    monkeypatch.setattr(build, "build_all", build_all)
+    monkeypatch.setattr(rehearsal, "first_buildable", lambda layout, found, *rest: found.best)
+    tasks = Path(__file__).parents[2] / "docs" / "tasks"
+    names = ("one_point", "far")
+    files = [str(tasks / f"{name}.json") for name in names]
+    out = tmp_path / "designs.json"
+    result = runner.invoke(
+        app, ["cell", "design", *files, "--build", "--load", "0.2", "--candidates", "40", "-o", str(out)]
+    )
+    assert asked == [*names, "platform_1/top", "cell", "0.2"]
+    assert result.exit_code == 1, "the second was not built"
+    written = json.loads(out.read_text())
+    assert [found["task"] for found in written] == list(names)
+    assert [found["built"]["success"] for found in written] == [True, False]
+    assert "not built: joint 1" in result.output
+    assert "1 of 1" in result.output

@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 from jauspy.cli.main import GROUPS, app, load_verb
 
 PRINT_NOTHING_TO_READ = {
+    "record": "writes files",
     "up": "runs until Ctrl-C",
     "send": "has no answer",
     "teleop": "is operated with keys",

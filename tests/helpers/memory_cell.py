@@ -231,6 +231,11 @@ class MemoryArm(ModularArm):
             self._targets = {name: value for name, value in rows if not math.isnan(value)}
             self._left = points[-1].time or 1.0
 
+    def block(self, reason: str) -> None:
+        """Meet something."""
+        self._left, self._targets = 0.0, {}
+        self._error, self._result = reason, MotionResult.BLOCKED
+
     def _refuse(self, reason: str) -> None:
         self._left, self._targets = 0.0, {}
         self._error, self._result = f"motion refused: {reason}", MotionResult.REFUSED

@@ -49,6 +49,8 @@ async def test_modular_arm_moves_and_says_what_it_refuses(cell):
         await arm.move([math.nan, 0.75])
         assert (await arm.state()).positions == pytest.approx((0.5, 0.75), abs=1e-3)
         with pytest.raises(RequestError, match=r"^1 positions for 2 joints \(servo_1, servo_2\)"):
+            await arm.move([math.nan])
+        with pytest.raises(RequestError, match=r"refused to move: motion refused: \[1\] positions for 2 joints"):
             await arm.move([0.1])
         with pytest.raises(RequestError, match=r"refused to move: motion refused: \[2\] positions"):
             await arm.move([0.1, 0.1], -1.0)
@@ -85,6 +87,20 @@ async def test_motions_end_with_their_own_result_and_reason(cell):
         memory.power.switch("servo_2", on=False)
         with pytest.raises(RequestError, match=r"did not complete the motion: .* no report of servo_2"):
             await moving
+
+
+async def test_blocked_arm_is_reported_within_a_fraction_of_a_second(cell):
+    memory, robot = cell
+    arm, clock = robot.component(ARM).modular_arm, asyncio.get_running_loop().time
+    words = "Blocked: servo_1, 6 N m, 0.31 rad short; the arm holds where it is"
+    async with robot.control(str(ARM)):
+        moving = asyncio.create_task(arm.move([1.0, 1.0], 9.0))
+        await asyncio.sleep(0.5)
+        memory.arm.block(words)
+        blocked = clock()
+        with pytest.raises(RequestError, match=f"^{words}"):
+            await moving
+        assert clock() - blocked < 0.5
 
 
 async def test_state_of_an_earlier_motion_is_not_taken_for_a_new_one(cell, monkeypatch):

@@ -543,6 +543,24 @@ def command_results(bench: Bench, request: int, command: Message) -> list[int]:
     return [each.command_result for each in heard if isinstance(each, CommandEvent)]
 
 
+def test_a_blocked_motion_is_reported_and_counted(arm):
+    arm.control()
+    words = "Blocked: servo_1, 6 N m, 0.31 rad short; the arm holds where it is"
+    sent = m.SetModularArmTrajectory
+    point = sent.TrajectoryPointSeq(sent.PointTimeRec(5.0), [sent.JointValuesRec(1.0)])
+    command = sent(sent.ModularArmTrajectoryRec(7), [sent.JointNameRec("servo_1")], [point])
+    heard = [*arm.tell(CreateCommandEvent(1, 10, command)), *arm.run(0.5)]
+    assert not [each for each in heard if isinstance(each, CommandEvent)]
+    arm.robot.arm.block(words)
+    heard = arm.run(0.2)
+    results = [each.command_result for each in heard if isinstance(each, CommandEvent)]
+    assert results == [CommandEvent.CommandResult.UNSUCCESSFUL]
+    report = m.ReportModularArmMotionResult
+    assert arm.ask(m.QueryModularArmMotionResult(7)) == report(7, report.Result.BLOCKED, words)
+    assert arm_state(arm).modular_arm_motion_rec.error == words
+    assert arm.count("blocked") == 1
+
+
 def test_holding_ends_a_motion(arm):
     arm.control()
     arm.tell(move(5.0, 5.0, duration=10.0))

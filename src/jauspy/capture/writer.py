@@ -32,24 +32,23 @@ def preamble() -> bytes:
 
 def packet(source: Endpoint, destination: Endpoint, payload: bytes, nanoseconds: int) -> bytes:
     """The packet block of one datagram; `nanoseconds` since 1970."""
+    data = ip_packet(source, destination, payload)
+    padding = -len(data) % 4
+    total = 32 + len(data) + padding
+    head = _BLOCK.pack(6, total, 0, nanoseconds >> 32, nanoseconds & 0xFFFFFFFF, len(data), len(data))
+    return b"".join((head, data, bytes(padding), _LENGTH.pack(total)))
+
+
+def ip_packet(source: Endpoint, destination: Endpoint, payload: bytes) -> bytes:
+    """The IPv4 packet of one datagram."""
     payload = payload[:_MAX_PAYLOAD]
     size = 28 + len(payload)
     sender, receiver, base = _addresses(source[0], destination[0])
     checksum = base + size
     checksum = (checksum & 0xFFFF) + (checksum >> 16)
     checksum = ~((checksum & 0xFFFF) + (checksum >> 16)) & 0xFFFF
-    padding = -size % 4
-    total = 32 + size + padding
-    return b"".join(
-        (
-            _BLOCK.pack(6, total, 0, nanoseconds >> 32, nanoseconds & 0xFFFFFFFF, size, size),
-            _IP.pack(0x45, 0, size, 0, 0, 64, 17, checksum, sender, receiver),
-            _UDP.pack(source[1], destination[1], 8 + len(payload), 0),
-            payload,
-            bytes(padding),
-            _LENGTH.pack(total),
-        )
-    )
+    head = _IP.pack(0x45, 0, size, 0, 0, 64, 17, checksum, sender, receiver)
+    return head + _UDP.pack(source[1], destination[1], 8 + len(payload), 0) + payload
 
 
 def statistics(lost: int, nanoseconds: int) -> bytes:

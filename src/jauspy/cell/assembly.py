@@ -10,6 +10,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -17,8 +18,9 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, tilt_between, turned
 from jauspy.cell.handling import Handling, PickPlan
+from jauspy.cell.held_load import MOST
 from jauspy.cell.interface import GRIPPER, Cell, SeenPart
-from jauspy.cell.motion import MotionPlanner, NoPath, Path
+from jauspy.cell.motion import GENTLE, MotionPlanner, NoPath, Path, profile
 from jauspy.cell.scene import Clearance, Layout, connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
@@ -81,6 +83,8 @@ WHEEL_TURNS: Final = 12
 BACK: Final = 0.02
 BACK_STEPS: Final = 4
 """Metres, and how often, that the gripper moves back from what it has released until there is room around it."""
+EVACUATED_TIME: Final = 0.15
+"""Seconds after an attachment in which the gripper's pump reaches the full vacuum."""
 RELEASE_TIME: Final = 0.2
 """Seconds until a connector has let go."""
 POLL: Final = 0.02
@@ -265,7 +269,15 @@ class Assembler:
         contact: bool = False,
         gentle: bool = False,
     ) -> None:
-        """Move along a path; paths that do not end in contact count for the smallest distance."""
+        """Move along a path; paths that do not end in contact count for the smallest distance.
+
+        It speeds up slowly where what the gripper holds would load it too much otherwise. Raises `NoPath` where it does
+        at any acceleration.
+        """
+        if not gentle and self.load_used(path, speed, 1.0) > MOST:
+            gentle = True
+        if gentle and (used := self.load_used(path, speed, GENTLE)) > MOST:
+            raise NoPath(f"the gripper would use {used:.0%} of its strength on the way, at most {MOST:.0%} is safe")
         if not contact and path.clearance.distance < self.clearance.distance:
             self.clearance = path.clearance
         self.at = path.end
@@ -274,6 +286,23 @@ class Assembler:
         except JausError:
             self.at = await self.cell.posture()
             raise
+
+    def load_used(self, path: Path, speed: float, acceleration: float) -> float:
+        """Largest fraction of the gripper's strength that what it holds uses along a path.
+
+        `speed` and `acceleration` are fractions of the UR10's, as in a motion along it.
+        """
+        load, layout = self.planner.load, self.layout
+        if load is None:
+            return 0.0
+        used = 0.0
+        for start, goal in pairwise(path.points):
+            rates = profile(start, goal, layout.speeds * speed, layout.accelerations * acceleration).accelerations
+            change = np.sign(goal - start) * np.where(goal == start, 0.0, rates)
+            for posture, sign in ((start, 1.0), (goal, -1.0)):
+                tool, jacobian = layout.kinematics.forward(posture), layout.kinematics.jacobian(posture)
+                used = max(used, load.utilisation(tool, sign * jacobian[:3] @ change))
+        return used
 
     async def _make_safe(self) -> None:
         """Leave the UR10 at rest; it keeps holding its part, which would fall otherwise."""
@@ -388,17 +417,27 @@ class Assembler:
         await self.go(plan.near, speed=NEAR_SPEED, contact=True)
         backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
         heavy = plan.part in self.handling.composites
-        speed = HEAVY_TOUCH_SPEED if heavy or release else TOUCH_SPEED
-        state = await self.touch(plan.contact, GRIPPER, backward, speed=speed)
-        if state.attached_to != plan.part:
-            await self.cell.enable(GRIPPER, False)
-            await self.go(self.handling.retreat(self.at), contact=True)
-            return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}"
         if release:
             await self.cell.leave(plan.part)
+        stiff = heavy or bool(release)
+        state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if stiff else TOUCH_SPEED)
+        if state.attached_to != plan.part or (self.layout.locks(GRIPPER, plan.part) and not state.latched):
+            await self.cell.enable(GRIPPER, False)
+            await self.go(self.handling.retreat(self.at), contact=True)
+            return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}, or has not locked it"
+        if release:
+            await self.cell.sleep(EVACUATED_TIME)
+            state = await self.cell.connector(GRIPPER)
+            if state.attached_to != plan.part:
+                await self.cell.enable(GRIPPER, False)
+                await self.go(self.handling.retreat(self.at), contact=True)
+                return f"the gripper lost it{_because(state)}"
             await self.cell.enable(release, False)
             await self.cell.sleep(RELEASE_TIME)
         self._hold(plan.part, state)
+        if heavy and self.planner.load is not None:
+            load = self.planner.load.inertia
+            await self.take_up(load.mass, self.layout.kinematics.forward(self.at).act(load.lever))
         await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True, gentle=heavy)
         await self.cell.sleep(0.15)
         state = await self.cell.connector(GRIPPER)
@@ -418,11 +457,16 @@ class Assembler:
     def _hold(self, part: str, state: ConnectorState) -> None:
         grasp = se3(state.offset).inverse()
         self.held = Held(part, grasp)
+        self.planner.load = self.handling.load(part, grasp)
         self.scene.hold(part, self.handling.pieces(part), grasp.inverse())
 
-    def _drop(self, part: str) -> None:
-        self.held = None
+    def forget_held(self) -> None:
+        """Plan without what the gripper has held."""
+        self.held = self.planner.load = None
         self.scene.release()
+
+    def _drop(self, part: str) -> None:
+        self.forget_held()
         self.used.discard(part)
 
     async def _put_back(self, plan: PickPlan, connector: str = "") -> None:
@@ -499,8 +543,7 @@ class Assembler:
     async def _let_go(self, part: str, row: PartResult, tip: Tip, slot: Slot, state: ConnectorState) -> None:
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.1)
-        self.held = None
-        self.scene.release()
+        self.forget_held()
         offset = se3(state.offset)
         frame = tip.frame * offset
         self.used.add(part)
@@ -558,10 +601,11 @@ class Assembler:
         self.at = await self.cell.posture()
 
     async def take_up(self, mass: float, center: Array) -> None:
-        """Lean against a load until the gripper carries its weight, so that it does not drop when it is let go.
+        """Lean against a load until the gripper carries its weight, so that it neither drops nor tilts when it is free.
 
-        `mass` in kilograms, `center` of mass in the world. What the gripper holds is attached elsewhere, too, and stays
-        where it is; the joints are sent where the weight would bend them from.
+        `mass` in kilograms, `center` of mass in the world. What the gripper holds stands or is attached elsewhere, and
+        stays where it is; the joints are sent where the weight would bend them from. The UR10 has not found out the
+        load yet: it learns while it moves.
         """
         k, group = self.layout.kinematics, self.layout.group
         local = k.forward(self.at).actInv(center)

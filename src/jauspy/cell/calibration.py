@@ -1,7 +1,7 @@
 """Kinematic calibration of a modular arm from measured poses of its tip, by least squares over pinocchio's kinematics.
 
-What is found: an offset of each joint's zero, the pose of each part on its connector (two modules that sit 2 mm or
-1.5 degrees off, or turned by a quarter), and how far all connectors give way under moments.
+What is found: an offset of each joint's zero, the pose of each part on its connector (modules that sit off a little or
+by 1.5 degrees, or turned by a quarter), and how far all connectors give way under moments.
 """
 
 from __future__ import annotations

@@ -14,20 +14,21 @@ from jauspy.cell.assembly import GRASPS, HEAVY_TOUCH_SPEED, NEAR_SPEED, PARKED, 
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
 from jauspy.cell.handling import LINE_MARGIN, PRESS, SLOW
+from jauspy.cell.held_load import inertia_of
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath, Path
 from jauspy.cell.scene import Layout, Piece, connector_frame, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.standing import standing_on
-from jauspy.platform.modular.parts import PartKind, body_inertia, mass_of
+from jauspy.platform.modular.parts import PartKind
 
 CORNERS: Final = ("front_left", "rear_left", "front_right", "rear_right")
 TURNER: Final = Slot("wheel servo", ("x5_1_inline",))
 WHEEL: Final = Slot("wheel", ("wheel",), "")
 CARRY_SPEED: Final = 0.25
 """Fraction of the UR10's speed with the car in the gripper."""
-ARM_SPEED: Final = 0.12
+ARM_SPEED: Final = 0.08
 """The same with the arm, whose joints have no power then and are held by friction only."""
 BESIDE: Final = (0.015, 0.12)
 """Metres from the middle of the belt towards the UR10, and from the line of the arm against the belt's direction, at
@@ -152,10 +153,10 @@ class CarTask:
         scene, handling = self.ur10.scene, self.ur10.handling
         at = scene.poses[root]
         pieces = list(pieces_of_part(self.layout.type_of(root)))
-        for name in members:
-            offset = at.actInv(scene.poses[name])
+        frames = [(name, at.actInv(scene.poses[name])) for name in members]
+        for name, offset in frames:
             pieces += [Piece(piece.shape, offset * piece.frame) for piece in scene.pieces(name)]
-        handling.composites[root] = pieces
+        handling.composites[root], handling.members[root] = pieces, frames
         for name in members:
             scene.remove(name)
         self.ur10.carried |= set(members)
@@ -225,6 +226,10 @@ class CarTask:
             self.car, held.grasp, ur10.at, goals, along=shifted(z=0.06), touches=["conveyor"], press=DEEPER
         )
         await ur10.go(place.transfer, speed=CARRY_SPEED, gentle=True)
+        state = await self.cell.connector(GRIPPER)
+        if state.attached_to != self.car:
+            ur10.forget_held()
+            raise TaskFailed(f"the car was dropped on the way to the belt: {state.last_error or 'nothing is held'}")
         await ur10.go(place.insert, speed=0.1, contact=True, gentle=True)
         await ur10.press(place.contact)
         await self._release(self.car, place.goal)
@@ -234,8 +239,7 @@ class CarTask:
         ur10 = self.ur10
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.3)
-        ur10.held = None
-        ur10.scene.release()
+        ur10.forget_held()
         ur10.scene.put(part, ur10.handling.pieces(part), pose)
 
     async def _load_arm(self) -> None:
@@ -271,16 +275,6 @@ class CarTask:
             found[member.name] = frame
             frame = frame * connector_frame(member.type, member.connector, by_name.get(member.name, 0.0))
         return found
-
-    def _weight_of_arm(self) -> tuple[float, Array]:
-        """Mass of the arm, kg, and its centre of mass in the world, as it stands."""
-        frames = self._arm_frames(self.arm.last_goal)
-        mass, moment = 0.0, np.zeros(3)
-        for member in self.arm.members:
-            body = body_inertia(member.type)
-            part = mass_of(member.type)
-            mass, moment = mass + part, moment + part * frames[member.name].act(np.array(body.center))
-        return mass, moment / mass
 
     def _plan_carry(self, grasped: str, root: str, frames: dict[str, pin.SE3], top: pin.SE3) -> CarryPlan:
         """Paths to the bracket, up, and sideways to above the car's connector; the arm stays upright on them."""
@@ -349,7 +343,7 @@ class CarTask:
             with scene.without(grasped):
                 put = planner.line(above, tool)
             back = ur10.handling.retreat(put.end, AWAY)
-            if back.clearance.distance < 0.0:
+            if back.clearance.distance < -2.0 * PRESS:  # it begins in contact
                 raise NoPath(f"the gripper could not get away: {' and '.join(back.clearance.between)} would touch")
             planner.to_posture(back.end, PARKED)
         finally:
@@ -372,7 +366,9 @@ class CarTask:
             await ur10.go(Path((ur10.at, *plan.near.points[::-1])), speed=0.1, contact=True)
         else:
             raise TaskFailed(f"the gripper does not hold {grasped}: {'; '.join(self.result.failed_grasps)}")
-        await ur10.take_up(*self._weight_of_arm())
+        frames = self._arm_frames(arm.last_goal)
+        load = inertia_of([(member.type, frames[member.name]) for member in arm.members])
+        await ur10.take_up(load.mass, load.lever)
         for part in arm.parts:
             await self.cell.leave(part)
         await self.cell.enable(base, False)

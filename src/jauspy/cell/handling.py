@@ -10,6 +10,8 @@ from typing import Final, TypeVar
 import pinocchio as pin
 
 from jauspy.cell.frames import Array, shifted, turned
+from jauspy.cell.held_load import HeldLoad, inertia_of
+from jauspy.cell.interface import GRIPPER
 from jauspy.cell.motion import MotionPlanner, NoPath, Path
 from jauspy.cell.scene import Layout, Piece, PlanningScene, pieces_of_part
 
@@ -74,10 +76,20 @@ class Handling:
         self.planner = planner
         self.composites: dict[str, list[Piece]] = {}
         """Shapes of parts to which others are attached, with those of the others, in the frame of the part."""
+        self.members: dict[str, list[tuple[str, pin.SE3]]] = {}
+        """Names of what is attached to such a part, and the frames in its own."""
 
     def pieces(self, part: str) -> list[Piece]:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
+
+    def load(self, part: str, grasp: pin.SE3) -> HeldLoad:
+        """A part in the gripper, with what is attached to it; `grasp` is the gripper in the part's frame."""
+        parts = [(part, pin.SE3.Identity()), *self.members.get(part, ())]
+        frames = [(self.layout.type_of(name), grasp.actInv(frame)) for name, frame in parts]
+        limits = self.layout.setup.limits
+        locked = self.layout.locks(GRIPPER, part)
+        return HeldLoad(inertia_of(frames), limits.latch if locked else limits.gripper.holding)
 
     def grasps(self, part: str, face: pin.SE3 | None = None) -> list[pin.SE3]:
         """The poses of the gripper in the frame of a part, for all angles about its axis.

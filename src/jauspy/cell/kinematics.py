@@ -165,6 +165,11 @@ class ArmKinematics:
         pin.framesForwardKinematics(self.model, self.data, positions)
         return self.data.oMf[self.tool].copy()
 
+    def jacobian(self, positions: Array) -> Array:
+        """Linear and angular velocity of the tool in the world by those of the joints, shape (6, joints)."""
+        axes = pin.LOCAL_WORLD_ALIGNED
+        return np.asarray(pin.computeFrameJacobian(self.model, self.data, positions, self.tool, axes))
+
     def condition(self, positions: Array) -> float:
         """The smallest singular value of the Jacobian; 0 in a singularity."""
         jacobian = pin.computeFrameJacobian(self.model, self.data, positions, self.tool, pin.LOCAL)

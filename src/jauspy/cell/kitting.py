@@ -213,8 +213,7 @@ class Kitter:
             kit.failures.append(f"{product.type}: {error}")
             if self.ur10.held is not None:
                 await self.cell.enable(GRIPPER, False)
-                self.ur10.held = None
-                self.ur10.scene.release()
+                self.ur10.forget_held()
 
     async def _fetch(self, product: Product, state: dict[str, str]) -> None:
         """The UR10 grasps a product, outside the space of the modular arm if there is one."""
@@ -262,8 +261,7 @@ class Kitter:
         await ur10.press(plan.contact)
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.15)
-        ur10.held = None
-        ur10.scene.release()
+        ur10.forget_held()
         ur10.used.add(part)
         ur10.scene.put(part, ur10.handling.pieces(part), goal)
         await ur10.go(ur10.handling.retreat(ur10.at, 0.1), contact=True)

@@ -26,7 +26,7 @@ RUN: Final = 0.08
 LOWERED: Final = 0.008
 """Metres that the tip moves along the belt before and after it meets the box, and by which it is lowered in each half:
 it moves with the box then, so that nothing shears the cup while its vacuum builds up."""
-PRESSING: Final = 0.1
+PRESSING: Final = 0.2
 """Seconds from the meeting until the pump runs: the cup lies flat on the box then, which would hang askew otherwise."""
 LEAST_WAY: Final = 0.25
 """Metres to the meeting from which on there is time for the run-up."""
@@ -34,7 +34,10 @@ LIFT_TIME: Final = 0.8
 ATTEMPTS: Final = 3
 READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
 """Upright, with the elbow bent: between the lift and the throw."""
-SETTLE: Final = 2.0
+WINDUP_REST: Final = 0.8
+"""Seconds in which the joints come closer to the wind-up than a motion's tolerance: a box that is turned by half a
+degree spins about another axis than its own, and lands on a corner."""
+SETTLE: Final = 1.5
 """Seconds after the landing, in which a box comes to rest and the sensor sees it several times."""
 LARGEST_LESSON: Final = 0.05
 """Metres: of a larger error only that much counts, since a box that has tumbled says little about the aim."""
@@ -62,17 +65,17 @@ class LiftResult:
 
 @dataclass(slots=True)
 class Aim:
-    """What earlier throws taught: where boxes come to rest, compared with where their throws were planned to land.
+    """What earlier throws taught: where boxes come to rest, compared with where they were planned to.
 
     The errors that throws have in common (the arm lags behind its setpoints, the cup vents late, a box slides) are
     corrected; those that differ by chance average out. The estimate is Huber's: a box that has tumbled moves it little.
     """
 
     errors: list[Array] = field(default_factory=list)
-    """Metres along x and y from each planned landing to where the box rests."""
+    """Metres along x and y from where each box was planned to rest to where it does."""
 
     def learn(self, planned: Array, rest: Array) -> None:
-        """Take in where a throw was planned to land and where its box came to rest, metres along x and y."""
+        """Take in where a box was planned to rest and where it does, metres along x and y."""
         error = rest - planned
         self.errors.append(error * min(1.0, LARGEST_LESSON / max(1e-9, float(np.linalg.norm(error)))))
 
@@ -209,6 +212,7 @@ class Lifter:
         plan = await self.cell.compute(lambda: self._plan(planner, np.append(goal, 0.0)))
         self.planned = result.plan = plan
         await arm.go(plan.windup, margin=MARGIN)
+        await self.cell.sleep(WINDUP_REST)
         vector = await arm.vector(plan.follow_through)
         asked = self.cell.now()
         await arm.state()
@@ -241,4 +245,4 @@ class Lifter:
         size = self.layout.type_of(result.box).solids[0].size
         if at[2] < max(size) / 2.0 + 0.01:  # one that rests on another box teaches nothing
             assert result.plan is not None
-            self.aim.learn(result.plan.flight.end[:2], at[:2])
+            self.aim.learn(result.plan.flight.rest, at[:2])

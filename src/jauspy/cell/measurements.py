@@ -31,6 +31,11 @@ UNITS: Final[dict[str, tuple[str, ...]]] = {
         "largest_error",
         "off_x",
         "off_y",
+        "planned_clearance",
+        "miss",
+        "penetration",
+        "first_error",
+        "mean_error",
         "placement",
         "driven",
         "overshoot of",
@@ -49,6 +54,7 @@ UNITS: Final[dict[str, tuple[str, ...]]] = {
         "drift time",
     ),
     "": ("settled_sooner", "overshoot_ratio"),
+    "%": ("load of",),
     "m/s": ("release_speed", "path speed", "attach speed", "landing speed", "collision speed"),
     "rad/s": ("overshoot", "joint speed"),
     "kg": ("payload",),
@@ -98,6 +104,8 @@ def figure_text(name: str, value: float) -> str:
     unit = max(matches)[1] if matches else ""
     if unit == "rad":
         value, unit = math.degrees(value), "degrees"
+    elif unit == "%":
+        value *= 100.0
     elif unit == "m" and abs(value) < SMALL:
         value, unit = 1000.0 * value, "mm"
     elif unit == "J":

@@ -12,9 +12,11 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
+from jauspy.cell.arm_loads import Used, largest_load, sampled_states, smooth_states
 from jauspy.cell.assembly import PARKED
 from jauspy.cell.client import CellClient
-from jauspy.cell.frames import Array, se3
+from jauspy.cell.frames import Array, se3, turned
+from jauspy.cell.held_load import MOST
 from jauspy.cell.motion import STEP, MotionPlanner, NoPath, Path
 from jauspy.cell.scene import (
     Clearance,
@@ -47,8 +49,12 @@ MIN_TIME: Final = 0.6
 ACCELERATION: Final = 5.0
 """rad/s^2 of the joints on smooth paths."""
 SLOWER: Final = 1.3
-"""Factor of the times of a smooth motion for which the arm is too weak."""
+"""Factor of the times of a motion for which the arm, or its connections, are too weak."""
 SLOWER_ROUNDS: Final = 4
+SLOWEST_ROUNDS: Final = 12
+"""How often a motion is slowed down so that its connections hold."""
+RESTING: Final = 1e3
+"""Seconds of a motion whose accelerations load nothing."""
 POLL: Final = 0.02
 
 
@@ -177,6 +183,10 @@ class ArmOperator:
         points = smoothed(path.points, speeds, accelerations, is_free)
         for _ in range(SLOWER_ROUNDS if points else 0):
             assert points is not None
+            rows = [path.points[0], *(np.array(point.positions) for point in points)]
+            if self.used(sampled_states([0.0, *(point.time for point in points)], rows)).fraction > MOST:
+                points = [TrajectoryPoint(point.time * SLOWER, point.positions) for point in points]
+                continue
             try:
                 self.last_goal = path.end
                 await self.cell.follow_arm(self.chain.joints, points)
@@ -192,9 +202,30 @@ class ArmOperator:
         return max(MIN_TIME, smooth_duration(start, goal, self.chain.speeds * share))
 
     async def move(self, goal: Array, duration: float) -> None:
-        """Move straight in joint space for `duration` seconds, unchecked, and wait until the arm is there."""
+        """Move straight in joint space, and wait until the arm is there; obstacles are not checked.
+
+        It takes `duration` seconds, or more where the connections of the arm would be loaded too much. Raises `NoPath`
+        where they are at any speed.
+        """
+        duration = self.held_duration(await self.positions(), goal, duration)
         self.last_goal = goal
         await self.cell.move_arm(await self.vector(goal), duration)
+
+    def held_duration(self, start: Array, goal: Array, duration: float) -> float:
+        """Seconds of a motion, at least `duration`, in which no connection is loaded beyond what is safe."""
+        at_rest = self.used(smooth_states(start, goal, RESTING))
+        if at_rest.fraction > MOST:
+            raise NoPath(f"the arm cannot move there: even at rest {at_rest}")
+        for _ in range(SLOWEST_ROUNDS):
+            used = self.used(smooth_states(start, goal, duration))
+            if used.fraction <= MOST:
+                return duration
+            duration *= SLOWER
+        raise NoPath(f"the arm cannot move there in {duration / SLOWER:.1f} s: {used}")
+
+    def used(self, states: Iterable[tuple[Array, Array, Array]]) -> Used:
+        """The most loaded connection of the arm along states of its joints (rad, rad/s, rad/s^2)."""
+        return largest_load(self.chain, states, self.layout.setup.limits.latch)
 
     async def vector(self, goal: Array) -> list[float]:
         """Positions in the order in which the arm's controller counts its joints."""
@@ -242,6 +273,11 @@ BENDS: Final = (-1.9, -1.1, -0.4, 0.4, 1.1, 1.9)
 """Starts of the joints in the middle, in radians."""
 
 
+BASE: Final = "base"
+"""What the connector under an arm is called among its connections."""
+AROUND: Final = turned("x", math.pi)
+
+
 @dataclass(frozen=True, slots=True)
 class Member:
     """One part of a chain."""
@@ -267,6 +303,11 @@ class Chain:
         """Shapes of the parts, each with the number of the joint that moves it."""
         self.mounts: list[tuple[str, int, pin.SE3]] = []
         """Connectors of the parts: name, number of the joint that moves it, and its frame in that of the joint."""
+        self.bodies: list[tuple[int, pin.Inertia]] = []
+        """Masses from the base to the tip: number of the joint that moves them, and inertia in its frame."""
+        self.connections: list[tuple[str, int, pin.SE3, int]] = []
+        """Connectors that hold what is beyond them: name, number of the joint that moves it, its frame in that of the
+        joint with z towards the tip, and the index of the first of the bodies beyond."""
         joint, frame = self._build(base)
         self.tool = self.model.addFrame(pin.Frame("tip", joint, 0, frame, pin.FrameType.OP_FRAME))
         self.data = self.model.createData()
@@ -276,8 +317,10 @@ class Chain:
 
     def _build(self, base: pin.SE3) -> tuple[int, pin.SE3]:
         """Make the model; returns the last joint, and the frame of the tip after it."""
-        joint, frame = 0, base
+        joint, frame, held_by = 0, base, BASE
         for member in self.members:
+            self.connections.append((held_by, joint, frame, len(self.bodies)))
+            held_by = f"{member.name}/{member.connector}"
             frame = frame * member.offset
             self._add_links(member.name, pieces_of(member.type.solids, frame), joint)
             self._add_mass(member.type.solids, joint, frame)
@@ -293,11 +336,12 @@ class Chain:
             if member.connector not in member.type.connectors:
                 raise ConfigError(f"{member.name} has no connector {member.connector!r}")
             frame = frame * se3(member.type.connectors[member.connector])
-            self.mounts.append((f"{member.name}/{member.connector}", joint, frame))
+            self.mounts.append((held_by, joint, frame))
         return joint, frame
 
     def _add_mass(self, solids: Iterable[PartSolid], joint: int, frame: pin.SE3) -> None:
         for solid in solids:
+            self.bodies.append((joint, frame.act(solid_inertia(solid))))
             if joint:
                 self.model.appendBodyToJoint(joint, solid_inertia(solid), frame)
 
@@ -390,14 +434,18 @@ class HangingChain(Chain):
     def _build(self, base: pin.SE3) -> tuple[int, pin.SE3]:
         joint, frame = 0, base
         for member in reversed(self.members):
+            held_by = f"{member.name}/{member.connector}"
+            self.connections.append((held_by, joint, frame * AROUND, len(self.bodies)))
             frame = frame * se3(member.type.connectors[member.connector]).inverse()
             if member.type.servo is not None:
                 servo = member.type.servo
+                self._add_mass(servo.output, joint, frame)
                 self._add_links(member.name, pieces_of(servo.output, frame), joint)
                 axis = se3(servo.joint).rotation.T @ np.array(servo.axis)
                 joint = self.model.addJoint(joint, pin.JointModelRevoluteUnaligned(-axis), frame, member.name)
                 self.joints.append(member.name)
                 frame = se3(servo.joint).inverse()
             self._add_links(member.name, pieces_of(member.type.solids, frame), joint)
+            self._add_mass(member.type.solids, joint, frame)
             frame = frame * member.offset.inverse()
         return joint, frame

@@ -15,14 +15,19 @@ import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.frames import Array, offset_between
+from jauspy.cell.held_load import MOST, HeldLoad
 from jauspy.cell.kinematics import Posture
 from jauspy.cell.scene import CLEAR, Clearance, PlanningScene
 from jauspy.errors import RequestError
 
+GENTLE: Final = 0.05
+"""Fraction of the joints' acceleration in motions that speed up slowly."""
 STEP: Final = 0.04
 """Radians of the fastest joint between two postures that are checked: at most 5 cm at the end of a UR10."""
 REACH: Final = 0.35
 """Radians of one extension of a tree."""
+LEAST_PROGRESS: Final = 0.02
+"""Radians by which an extension must come closer to what it goes to."""
 MAX_NODES: Final = 900
 """Nodes of both trees together."""
 SHORTCUTS: Final = 60
@@ -115,6 +120,10 @@ class MotionPlanner:
         """Metres to keep from everything, except at the end of an approach."""
         self._nodes = nodes
         self._random = np.random.default_rng(seed)
+        self.load: HeldLoad | None = None
+        """What the tool holds. Motions to postures then use no more than `MOST` of what holds it, at rest."""
+        self._hanging: Array = np.zeros(3)
+        """Direction of the tool at the goal of a detour."""
         k = kinematics
         self._lower, self._upper = np.maximum(k.lower, -math.tau), np.minimum(k.upper, math.tau)
 
@@ -125,10 +134,13 @@ class MotionPlanner:
         margin = self._margin_at(start, self.margin if margin is None else margin)
         if not self.scene.is_free(goal, margin):
             raise NoPath(f"the posture is not free: {self._reason(goal)}")
+        self._check_held(start, goal)
         straight = self.scene.along((start, goal), STEP)
-        if straight.distance >= margin:
+        if straight.distance >= margin and self._is_held(start, goal):
             return Path((start, goal), straight)
         points = self._connect(start, goal, margin)
+        if points is None and straight.distance >= margin:
+            raise NoPath(f"no way was found on which the load stays below {MOST:.0%} of what holds it")
         if points is None:
             between = " and ".join(straight.between)
             raise NoPath(f"no way around {between} was found with {self._nodes} postures, {1000 * margin:.0f} mm off")
@@ -146,7 +158,7 @@ class MotionPlanner:
             raise NoPath(f"no posture is free: {reason}")
         for goal in free:
             found = self.scene.along((start, goal), STEP, enough=least)
-            if found.distance >= least:
+            if found.distance >= least and self._is_held(start, goal):
                 return Path((start, goal), self.scene.along((start, goal), STEP))
         failures = []
         for goal in free[:CANDIDATES]:
@@ -190,11 +202,44 @@ class MotionPlanner:
         return _named(self.scene.explain(posture))
 
     def _is_free(self, a: Array, b: Array, margin: float) -> bool:
+        if not self._is_held(a, b):
+            return False
         count = max(1, math.ceil(float(np.max(np.abs(b - a))) / STEP))
         return all(self.scene.is_free(a + (b - a) * (number / count), margin) for number in range(1, count + 1))
 
+    def _used(self, posture: Array) -> float:
+        return self.load.utilisation(self.kinematics.forward(posture)) if self.load is not None else 0.0
+
+    def _is_held(self, a: Array, b: Array) -> bool:
+        """True if the load hangs safely all along a straight joint motion."""
+        if self.load is None or self.load.worst <= MOST:
+            return True
+        count = max(1, math.ceil(float(np.max(np.abs(b - a))) / STEP))
+        return all(self._used(a + (b - a) * (number / count)) <= MOST for number in range(1, count + 1))
+
+    def _check_held(self, start: Array, goal: Array) -> None:
+        for name, posture in (("start", start), ("end", goal)):
+            if (used := self._used(posture)) > MOST:
+                raise NoPath(
+                    f"at the {name} of the motion the load uses {used:.0%} of what holds it, at most {MOST:.0%} is safe"
+                )
+
+    def _as_held(self, posture: Array) -> Array | None:
+        """The posture, or one near it in which the tool hangs as at the start, if the load would not be safe in it."""
+        if self._used(posture) <= MOST:
+            return posture
+        tool = self.kinematics.forward(posture)
+        z, wanted = tool.rotation[:, 2], self._hanging
+        axis = np.cross(z, wanted)
+        sine, cosine = float(np.linalg.norm(axis)), float(z @ wanted)
+        if sine < 1e-9:
+            return None
+        turn = pin.exp3(axis / sine * math.atan2(sine, cosine))
+        return self.kinematics.solve_from(pin.SE3(turn @ tool.rotation, tool.translation), posture)
+
     def _connect(self, start: Array, goal: Array, margin: float) -> list[Array] | None:
         trees = [_Tree(start), _Tree(goal)]
+        self._hanging = self.kinematics.forward(goal).rotation[:, 2].copy()
         low = np.maximum(self._lower, np.minimum(start, goal) - 1.6)
         high = np.minimum(self._upper, np.maximum(start, goal) + 1.6)
         turn = 0
@@ -225,6 +270,15 @@ class MotionPlanner:
         if far < 1e-9:
             return near
         point = target if far <= REACH else tree.points[near] + way * (REACH / far)
+        if self.load is not None and point is not target:
+            held = self._as_held(point)
+            if held is None or float(np.max(np.abs(held - tree.points[near]))) > 2.0 * REACH:
+                return None
+            if np.any(held < self._lower) or np.any(held > self._upper):
+                return None
+            point = held
+            if float(np.max(np.abs(target - point))) > far - LEAST_PROGRESS:
+                return None
         return tree.add(point, near) if self._is_free(tree.points[near], point, margin) else None
 
     def _shortened(self, points: list[Array], margin: float) -> list[Array]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Final, Protocol
@@ -27,6 +28,21 @@ class JointLike(Protocol):
     ends: int
 
 
+class PeakLike(Protocol):
+    """The largest load of a connector, as a simulation's probe reports it: N and N m in the connector's frame."""
+
+    @property
+    def utilisation(self) -> float: ...  # noqa: D102
+    @property
+    def time(self) -> float: ...  # noqa: D102
+    @property
+    def part(self) -> str: ...  # noqa: D102
+    @property
+    def force(self) -> tuple[float, float, float]: ...  # noqa: D102
+    @property
+    def moment(self) -> tuple[float, float, float]: ...  # noqa: D102
+
+
 class Probe(Protocol):
     """What a simulation measures at each step since the probe was made."""
 
@@ -34,6 +50,11 @@ class Probe(Protocol):
     landings: Sequence[MeetingLike]
     collisions: Sequence[MeetingLike]
     joints: Mapping[str, JointLike]
+
+    @property
+    def peaks(self) -> Mapping[tuple[str, str], PeakLike]:
+        """The largest loads, by connector and kind of connection."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +88,25 @@ class JointFigures:
     """Number of motions that ended."""
 
 
+@dataclass(frozen=True, slots=True)
+class Load:
+    """The largest load of a connector of all steps, by its fraction of the strength that it had then."""
+
+    connector: str
+    kind: str
+    """Kind of the connection: a gripper, the cup of a connector, or its latch."""
+    part: str
+    """What it held."""
+    utilisation: float
+    """Fraction of the strength."""
+    time: float
+    """Seconds of the robot's time."""
+    force: float
+    """Newtons."""
+    moment: float
+    """Newton metres."""
+
+
 @dataclass(slots=True)
 class Physics:
     """What happened in one run."""
@@ -79,6 +119,8 @@ class Physics:
     """Contacts of the UR10 that no grasp explains."""
     joints: dict[str, JointFigures] = field(default_factory=dict)
     """The UR10's, by name."""
+    loads: list[Load] = field(default_factory=list)
+    """The largest one of each connector and kind of connection."""
 
     @classmethod
     def of(cls, probe: Probe) -> Physics:
@@ -91,6 +133,18 @@ class Physics:
                 name: JointFigures(joint.speed, joint.torque, joint.error, joint.end_error, joint.ends)
                 for name, joint in probe.joints.items()
             },
+            [
+                Load(
+                    connector,
+                    kind,
+                    peak.part,
+                    peak.utilisation,
+                    peak.time,
+                    math.hypot(*peak.force),
+                    math.hypot(*peak.moment),
+                )
+                for (connector, kind), peak in probe.peaks.items()
+            ],
         )
 
     def figures(self) -> dict[str, float]:
@@ -100,10 +154,19 @@ class Physics:
             if meetings:
                 found[f"{name} speed"] = max(meeting.speed for meeting in meetings)
                 found[f"{name} force"] = max(meeting.force for meeting in meetings)
+        found |= {f"load of the {kind}": load.utilisation for kind, load in self.largest_loads().items()}
         if self.joints:
             found["tracking error"] = max(joint.error for joint in self.joints.values())
             found["end error"] = max(joint.end_error for joint in self.joints.values())
             found["joint speed"] = max(joint.speed for joint in self.joints.values())
+        return found
+
+    def largest_loads(self) -> dict[str, Load]:
+        """The largest load of each kind of connection."""
+        found: dict[str, Load] = {}
+        for load in self.loads:
+            if load.kind not in found or load.utilisation > found[load.kind].utilisation:
+                found[load.kind] = load
         return found
 
 

@@ -27,9 +27,20 @@ def gentle(found: Measured) -> list[Promise]:
     if physics.collisions:
         worst = max(physics.collisions, key=lambda meeting: meeting.force)
         touched = f"{len(physics.collisions)}, the hardest {worst.first} on {worst.second}: {worst.force:.0f} N"
+    heaviest = max(physics.loads, key=lambda load: load.utilisation, default=None)
+    strong = "no connector held anything"
+    if heaviest is not None:
+        share = f"{100.0 * heaviest.utilisation:.0f} % of its strength"
+        strong = f"{heaviest.connector} ({heaviest.kind}) with {heaviest.part}: at most {share}"
     return [
         Promise(
-            f"{found.task}: attachments below {_mm(GENTLE_SPEED)} mm/s and {GENTLE_FORCE:g} N",
+            f"{found.task}: loads of connectors",
+            "below their strength",
+            strong,
+            heaviest is None or heaviest.utilisation < 1.0,
+        ),
+        Promise(
+            f"{found.task}: attachments below {1e3 * GENTLE_SPEED:g} mm/s and {GENTLE_FORCE:g} N",
             "all",
             attached,
             len(soft) == len(physics.attaches),
@@ -66,6 +77,8 @@ def physics_tables(physics: Physics) -> list[Table]:
             for name, joint in physics.joints.items()
         ]
         tables.append(Table("Measured by the simulation: joints of the UR10", rows))
+    if physics.loads:
+        tables.append(_loads(physics))
     for name, first, meetings in (
         ("attachments", "connector", physics.attaches),
         ("contacts of what the UR10 carried", "carried", physics.landings),
@@ -97,6 +110,27 @@ def trials_tables(runs: Sequence[Measured]) -> list[Table]:
         Table("Measured by the simulation, over all seeds", summary),
         Table("Measured by the simulation, by seed", rows[: MOST_ROWS + 1], _rest(len(rows) - 1), folded=True),
     ]
+
+
+def _loads(physics: Physics) -> Table:
+    """The largest load of each connector, the heaviest first."""
+    rows: list[Sequence[str]] = [
+        ("connector", "connection", "held", "of its strength, %", "force, N", "moment, N m", "at, s")
+    ]
+    heaviest = sorted(physics.loads, key=lambda load: -load.utilisation)
+    rows += [
+        (
+            load.connector,
+            load.kind,
+            load.part,
+            f"{100.0 * load.utilisation:.0f}",
+            f"{load.force:.1f}",
+            f"{load.moment:.2f}",
+            f"{load.time:.1f}",
+        )
+        for load in heaviest[:MOST_ROWS]
+    ]
+    return Table("Measured by the simulation: the largest load of each connector", rows, _rest(len(heaviest)))
 
 
 def _meetings(caption: str, first: str, meetings: Sequence[Meeting]) -> Table:

@@ -7,6 +7,7 @@ are text on them, never markup.
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -138,7 +139,7 @@ class Section:
 
 def page(title: str, lead: str, promises: Sequence[Promise], sections: Sequence[Section]) -> str:
     """The HTML of the whole page."""
-    body = [f'<h1>{escape(title)}</h1><p class="lead">{escape(lead)}</p>']
+    body = [f'<h1>{escape(title)}</h1><p class="lead">{_prose(lead)}</p>']
     if promises:
         body.append(_promises(promises))
     body.append(
@@ -151,7 +152,7 @@ def page(title: str, lead: str, promises: Sequence[Promise], sections: Sequence[
     for number, section in enumerate(sections, 1):
         body.append(f'<section aria-labelledby="s{number}"><h2 id="s{number}">{escape(section.title)}</h2>')
         if section.text:
-            body.append(f"<p>{escape(section.text)}</p>")
+            body.append(f"<p>{_prose(section.text)}</p>")
         if section.film is not None and section.film.exists():
             body.append(_film(section.film, section.title))
         body += [_plot(plot) for plot in section.plots if plot.path.exists()]
@@ -163,6 +164,14 @@ def page(title: str, lead: str, promises: Sequence[Promise], sections: Sequence[
         f'<meta name="viewport" content="width=device-width, initial-scale=1"><style>{STYLE}</style></head>'
         f"<body><main>{''.join(body)}</main></body></html>\n"
     )
+
+
+def _prose(text: str) -> str:
+    """A text as HTML; what stands between backquotes is code."""
+    return _CODE.sub(r"<code>\1</code>", escape(text))
+
+
+_CODE: Final = re.compile(r"`([^`<>]{1,80})`")
 
 
 def _promises(promises: Sequence[Promise]) -> str:
@@ -187,7 +196,7 @@ def _table(table: Table) -> str:
         lines.append(f'<tr><th scope="row">{escape(first)}</th>{cells}</tr>')
     whole = _wide(table.caption, f"<thead><tr>{names}</tr></thead>", lines)
     if table.note:
-        whole += f'<p class="note">{escape(table.note)}</p>'
+        whole += f'<p class="note">{_prose(table.note)}</p>'
     return f"<details><summary>{escape(table.caption)}</summary>{whole}</details>" if table.folded else whole
 
 

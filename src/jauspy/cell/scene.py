@@ -21,7 +21,7 @@ from jauspy.cell.frames import Array, se3, se3_of_pose, shifted
 from jauspy.cell.kinematics import ArmKinematics
 from jauspy.errors import ConfigError
 from jauspy.platform.description import GroupSetup, RobotModel
-from jauspy.platform.modular.parts import CellSetup, PartSolid, PartType, Shape
+from jauspy.platform.modular.parts import CellSetup, PartKind, PartSolid, PartType, Shape
 
 FAR: Final = 1.0
 """Metres beyond which a distance is not computed; what is farther off counts as this far."""
@@ -376,9 +376,16 @@ class Layout:
         return self.setup.type_of(part)
 
     def locks(self, connector: str, part: str) -> bool:
-        """True if a connector, named as in `servo_1/output`, locks the flanges of a part mechanically."""
+        """True if a connector, named as in `servo_1/output`, or the gripper, locks a part mechanically.
+
+        The gripper holds bases by a flange, and other parts beside theirs.
+        """
+        if not part or not (kind := self.type_of(part)).latch:
+            return False
         owner, _, own = connector.partition("/")
-        return bool(own and part) and self.type_of(owner).latch and self.type_of(part).latch
+        if not own:
+            return self.setup.gripper_latch and kind.kind is PartKind.BASE
+        return self.type_of(owner).latch
 
     def of_types(self, types: tuple[str, ...]) -> list[str]:
         """The names of the parts of these types: those of the first type first."""

@@ -47,7 +47,7 @@ async def ur10_of(session: Session, seed: int = 0) -> Assembler:
     """The UR10 where it is, which knows what stands on the bases; raises `TaskFailed` if its gripper holds a part."""
     cell, layout = session.cell, session.layout
     if held := (await cell.connector(GRIPPER)).attached_to:
-        raise TaskFailed(f"the gripper holds {held}; `jauspy up cell` again, or have it put down")
+        raise TaskFailed(f"the gripper holds {held}, and no task has put it there; release it first")
     ur10 = Assembler(cell, layout, seed=seed)
     ur10.at = await cell.posture()
     ur10.know(await all_frames(cell, layout))
@@ -62,7 +62,9 @@ async def prepared(session: Session, parts: Sequence[str] = FIVE_JOINTS, *, head
     joints.
     """
     cell, layout = session.cell, session.layout
-    if session.judge is not None and not await standing_on(cell, layout, BASE):
+    if not await standing_on(cell, layout, BASE):
+        if session.judge is None:
+            raise TaskFailed(f"no arm stands on {BASE}; `jauspy cell assemble` builds one")
         session.judge.prepare(BASE, parts, {parts[0]: Transform(rotation_about(Z, heading))})
         await cell.sleep(SETTLE)
     await (await ur10_of(session)).park()
@@ -178,7 +180,9 @@ async def throws(session: Session, seed: int) -> Measured:
         found.rows.append(
             {"throw": number, "box": result.box, "off_x": float(x) - area.pose.x, "off_y": float(y) - area.pose.y}
             | {"error": errors[-1], "clearance": seen.clearance, "contacts": seen.contacts}
-            | {"penetration": seen.penetration, "after": "parts placed by writing positions"}
+            | {"penetration": seen.penetration, "servo_speed": seen.speed}
+            | {"planned_load": result.plan.utilisation if result.plan is not None else math.nan}
+            | {"after": "parts placed by writing positions"}
         )
         for part in session.layout.setup.parts:
             if part.name in lifter.boxes:
@@ -193,6 +197,7 @@ async def throws(session: Session, seed: int) -> Measured:
         "clearance": min(row["clearance"] for row in found.rows),
         "contacts": float(sum(row["contacts"] for row in found.rows)),
         "penetration": max(row["penetration"] for row in found.rows),
+        "servo_speed": max(row["servo_speed"] for row in found.rows),
     }
     found.duration = session.cell.now() - begun
     found.success = max(late) < LARGEST_MISS and not found.values["contacts"]
@@ -379,7 +384,15 @@ OWN_CELLS: Final[dict[str, Callable[..., Coroutine[Any, Any, Measured]]]] = {"ar
 """Tasks that open a cell of their own: the trials in the style of ARIAC, of which a seed chooses one."""
 NAMES: Final = (*TASKS, *OWN_CELLS)
 
-FILMED_BY: Final[dict[str, str]] = {"assemble": "platforms", "lift": "target", "step": "platforms", "car": "car"}
+FILMED_BY: Final[dict[str, str]] = {
+    "assemble": "platforms",
+    "take-apart": "platforms",
+    "lift": "target",
+    "throws": "target",
+    "step": "platforms",
+    "car": "car",
+    "demo": "story",
+}
 """The camera of the cell that films a task; others are filmed by the one that sees all of the cell."""
 
 

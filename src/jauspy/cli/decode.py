@@ -39,6 +39,7 @@ from jauspy.messages import registry
 from jauspy.printable import printable
 from jauspy.protocol import judp
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
+from jauspy.recording.mcap_capture import MAGIC, McapCapture, open_capture_file
 from jauspy.schema import model
 
 if TYPE_CHECKING:
@@ -59,8 +60,8 @@ def decode(
         list[str],
         typer.Argument(
             metavar="FILE|HEX|-",
-            help="A pcap or pcapng file, a log of CAN frames, a file of hex lines, hex text, or - for standard input; "
-            "several captures and logs are listed together, by time.",
+            help="A pcap, pcapng or MCAP file, a log of CAN frames, a file of hex lines, hex text, or - for standard "
+            "input; several captures and logs are listed together, by time.",
         ),
     ],
     as_json: Annotated[bool, typer.Option("--json", help="One JSON object per datagram per line.")] = False,
@@ -586,21 +587,21 @@ def _from_text(text: str) -> bytes:
 
 
 def _from_file(file: BufferedReader, name: str, options: DecodeOptions) -> Iterator[Item]:
-    if is_capture(file.peek(4)):
-        yield from _from_capture(CaptureReader(file, name=name, port=options.port), options)
+    if is_capture(file.peek(4)) or file.peek(len(MAGIC)).startswith(MAGIC):
+        yield from _from_capture(open_capture_file(file, name=name, port=options.port), options)
         return
     try:
         lines = from_lines(file.read().decode("ascii"))
     except (UnicodeDecodeError, ConfigError) as error:
         reason = f": {error}" if isinstance(error, ConfigError) else ""
-        raise ConfigError(f"{name} is neither a pcap or pcapng file nor hex text{reason}") from None
+        raise ConfigError(f"{name} is neither a pcap, pcapng or MCAP file nor hex text{reason}") from None
     if not lines:
         raise ConfigError(f"{name} is empty")
     for number, data in lines:
         yield _from_hex(number, data, options)
 
 
-def _from_capture(reader: CaptureReader, options: DecodeOptions) -> Iterator[Item]:
+def _from_capture(reader: CaptureReader | McapCapture, options: DecodeOptions) -> Iterator[Item]:
     count = 0
     for count, datagram in enumerate(reader, 1):  # noqa: B007 - for the note below
         control = local_control(datagram.payload) if _is_local(datagram) else None

@@ -62,6 +62,11 @@ VERBS: Final = {
         "Measure how many bytes a second messages take: packets with their headers, without those of UDP and IP.",
     ),
     "graph": ("jauspy.cli.rates:graph", "Show who talks to whom: the messages between components, with their rates."),
+    "record": ("jauspy.cli.record:record", "Record what the node manager of this machine routes, until Ctrl-C."),
+    "info": (
+        "jauspy.cli.record:info",
+        "Tell what is in a recording: its time, and messages by sender and name.",
+    ),
     "audit": (
         "jauspy.cli.operators:audit",
         "Verify an audit log: name the first line that was changed or removed, or cut off at the end.",

@@ -16,17 +16,18 @@ from jauspy.cli.definitions import Definitions
 from jauspy.errors import ConfigError
 from jauspy.inspection.live import LiveCapture
 from jauspy.inspection.traffic import SeenMessage, seen_messages
+from jauspy.recording.mcap_capture import McapCapture, open_capture_file
 
 CaptureFile = Annotated[
     Path | None,
-    typer.Option("--capture", metavar="CAPTURE", help="A pcap or pcapng file instead of what is routed now."),
+    typer.Option("--capture", metavar="CAPTURE", help="A pcap, pcapng or MCAP file instead of what is routed now."),
 ]
 
 
 class Traffic:
     """The messages that fit, in the order in which they were routed; endless unless from a file."""
 
-    def __init__(self, capture: CaptureReader, definitions: Definitions, only: str | None) -> None:
+    def __init__(self, capture: CaptureReader | McapCapture, definitions: Definitions, only: str | None) -> None:
         self._capture = capture
         self._registry = definitions.registry
         self._fits = None if only is None else Filter(only, definitions.registry)
@@ -39,23 +40,30 @@ class Traffic:
 
 
 @contextmanager
-def traffic(
-    file: Path | None, root: Path, definitions: Definitions, only: str | None, seconds: float | None = None
-) -> Iterator[Traffic]:
-    """The traffic of a file, or of the node manager of a local root for some time; Ctrl-C ends it without an error."""
+def open_capture(file: Path | None, root: Path, seconds: float | None = None) -> Iterator[CaptureReader | McapCapture]:
+    """A capture file, or what the node manager of a local root routes for some time; Ctrl-C ends it in order."""
     with ExitStack() as stack:
         if file is None:
-            capture: CaptureReader = stack.enter_context(closing(LiveCapture(root, seconds)))
+            capture: CaptureReader | McapCapture = stack.enter_context(closing(LiveCapture(root, seconds)))
         else:
             try:
                 opened = stack.enter_context(file.open("rb"))
             except OSError as error:
                 raise ConfigError(f"{file} cannot be read: {error.strerror}") from None
-            capture = CaptureReader(opened, name=str(file))
+            capture = open_capture_file(opened, name=str(file))
         with suppress(KeyboardInterrupt):
-            yield Traffic(capture, definitions, only)
+            yield capture
         if capture.lost:
             console.note(f"{capture.lost} packets were lost, because they were not read in time")
+
+
+@contextmanager
+def traffic(
+    file: Path | None, root: Path, definitions: Definitions, only: str | None, seconds: float | None = None
+) -> Iterator[Traffic]:
+    """The messages of `open_capture` that fit a filter."""
+    with open_capture(file, root, seconds) as capture:
+        yield Traffic(capture, definitions, only)
 
 
 def combined(source: str | None, message: str | None, only: str | None) -> str | None:

@@ -41,6 +41,9 @@ NEAR: Final = 0.03
 MEASURE_EVERY: Final = 2
 """Control cycles from one measurement of forces to the next: 8 ms."""
 
+UTILISATION_EVERY: Final = 8
+"""Control cycles from one measurement of the fractions of strengths to the next: 32 ms."""
+
 AVERAGED: Final = 2
 """Measurements over which reported force and moment are averaged: 16 ms. Overloads are those of single steps."""
 
@@ -83,8 +86,8 @@ class SimulatedConnector(VacuumConnector):
         """Frame of the connector in its body."""
         self.weld = weld
         self.held: Face | None = None
-        self.failing = False
-        """True while a simulated failure lasts: until the connector is disabled."""
+        self.failing: bool | None = None
+        """Whether a simulated failure lasts, drawn at the first contact after it was enabled; None before that."""
         self.load = (0.0, 0.0, 0.0)
         """Newtons, newton metres, and the fraction of its strength that is used."""
         self.leak = 0.0
@@ -180,7 +183,8 @@ class Attachments:
         self.revision = 0
         self.connectors = _make(cell)
         self.loads = ConnectorLoads(cell.model, data)
-        self._mean = np.zeros((0, 6))
+        self._mean = np.zeros((0, 2))
+        self._used: list[float] = []
         self._faces = list(_faces(cell))
         self._face_bodies = np.array([face.body for face in self._faces], np.int64)
         self._face_positions = np.array([face.frame.position for face in self._faces])
@@ -222,7 +226,7 @@ class Attachments:
             elif connector.enabled:
                 seeking.append(connector)
             else:
-                connector.failing, connector.vacuum = False, 0.0
+                connector.failing, connector.vacuum = None, 0.0
         if changed:
             self.loads.weigh()
         self._cycles += 1
@@ -314,8 +318,8 @@ class Attachments:
         """Draw at random whether an attempt of the gripper fails, once for each time it is enabled."""
         if connector.name != GRIPPER or self._setup.attach_failure <= 0.0:
             return False
-        if connector.failing:
-            return True
+        if connector.failing is not None:
+            return connector.failing
         connector.failing = bool(self._random.random() < self._setup.attach_failure)
         if connector.failing:
             leak = f"no vacuum on {face.part}: the plate leaks"
@@ -427,7 +431,8 @@ class Attachments:
     def _changed(self) -> None:
         self.revision += 1
         self.loads.follow((connector, face.body) for connector, face in self.attached())
-        self._mean = np.zeros((len(self.loads.connections), 6))
+        self._mean = np.zeros((len(self.loads.connections), 2))
+        self._used = [0.0] * len(self._mean)
         held = [
             (min(connector.body, face.body) << 16) + max(connector.body, face.body)
             for connector, face in self.attached()
@@ -447,11 +452,11 @@ class Attachments:
     def _measure(self) -> None:
         """Take the loads that connectors report from the constraints of the last step."""
         loads, mean = self.loads, self._mean
-        mean += (loads.wrenches() - mean) / AVERAGED
-        forces, moments = np.linalg.norm(mean.reshape(-1, 2, 3), axis=2).T.tolist()
-        rows = zip(loads.connections, forces, moments, loads.utilisations(mean).tolist(), strict=True)
-        for connector, force, moment, utilisation in rows:
-            connector.load = force, moment, utilisation  # type: ignore[attr-defined]  # those of this class
+        mean += (loads.magnitudes() - mean) / AVERAGED
+        if not self._cycles % UTILISATION_EVERY:
+            self._used = loads.utilisations(loads.wrenches()).tolist()
+        for connector, (force, moment), used in zip(loads.connections, mean.tolist(), self._used, strict=True):
+            connector.load = force, moment, used  # type: ignore[attr-defined]  # those of this class
 
     def _slip(self, connector: SimulatedConnector) -> None:
         """Let plates slide on each other while the vacuum is low; in contact they go on being evacuated."""
@@ -505,9 +510,11 @@ def _make(cell: CellModel) -> dict[str, SimulatedConnector]:
     found = {}
     for name, (owner, body, frame) in frames.items():
         cup = limits.cup if owner else limits.gripper
-        latch = limits.latch if owner and setup.type_of(owner).latch else None
+        has_latch = setup.type_of(owner).latch if owner else setup.gripper_latch
         weld = int(model.equality(name).id)
-        found[name] = SimulatedConnector(name, owner, int(model.body(body).id), frame, weld, cup=cup, latch=latch)
+        found[name] = SimulatedConnector(
+            name, owner, int(model.body(body).id), frame, weld, cup=cup, latch=limits.latch if has_latch else None
+        )
     return found
 
 

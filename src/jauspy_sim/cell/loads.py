@@ -19,6 +19,9 @@ ROWS: Final = 6
 """Constraint rows of a weld: a force in the world's frame at the middle of the plate, and twice a moment in the frame
 of the second body, since the rotation's error is that of half the angle."""
 
+HALF_ANGLE: Final = np.array((1.0, 0.5))
+"""Factors from the rows of a weld to force and moment."""
+
 
 class Connection(Protocol):
     """A connector that holds something."""
@@ -105,6 +108,14 @@ class ConnectorLoads:
         force = np.einsum("nji,nj->ni", axes, forces[:, 0])
         moment = 0.5 * np.einsum("nij,nj->ni", self._turns, forces[:, 1])
         return -np.hstack([force, moment])
+
+    def magnitudes(self) -> Array:
+        """Magnitudes of force and moment in the last step; shape (connections, 2)."""
+        forces = self._rows().reshape(-1, 2, 3)
+        if not len(forces):
+            return np.zeros((len(self.connections), 2))
+        found: Array = np.sqrt(np.einsum("nij,nij->ni", forces, forces)) * HALF_ANGLE
+        return found
 
     def utilisations(self, wrenches: Array) -> Array:
         """Fractions of the strengths that loads of all connections use."""

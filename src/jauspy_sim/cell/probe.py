@@ -178,7 +178,9 @@ class Probe:
             moment = -0.5 * axes.T @ (data.xmat[face.body].reshape(3, 3) @ forces[own[3:]])
             strength, share = connector.strength()
             used = strength.utilisation(force.tolist(), moment.tolist()) / share
-            kind = "gripper" if not connector.part else "latch" if not connector.until_locked else "cup"
+            if not connector.state().attached_to:
+                continue  # it is still evacuated, and may slide
+            kind = "latch" if not connector.until_locked else "cup" if connector.part else "gripper"
             last = self.peaks.get((connector.name, kind))
             if last is None or used > last.utilisation:
                 (x, y, z), (a, b, c) = force.tolist(), moment.tolist()

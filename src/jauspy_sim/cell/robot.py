@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 import mujoco
@@ -98,7 +99,7 @@ class SimulatedCell:
             if (model := dynamics[name]) is not None and group.tip == setup.gripper:
                 joints = self._groups[name]
                 joints.held = HeldPayload(model, joints.joints, group.sensors, 1.0 / group.rate, connectors[GRIPPER])
-        self._arm = self._make_arm(setup)
+        self._arms = self._make_arms(setup)
         self._truth = Truth(cell, data, self._servos)
         self._faults = Faults(self._attachments, self._sensor, self._servos, lambda: self.time)
         self._probes: list[Probe] = []
@@ -303,8 +304,8 @@ class SimulatedCell:
                 self._follow_attachments()
             if self._car is not None:
                 self._car.control(CONTROL_EVERY * TIMESTEP)
-            if self._arm is not None:
-                self._arm.control(self.time, CONTROL_EVERY * TIMESTEP)
+            for arm in self._arms:
+                arm.control(self.time, CONTROL_EVERY * TIMESTEP)
         for group in self._groups.values():
             if not self._steps % group.every:
                 group.control()
@@ -329,22 +330,32 @@ class SimulatedCell:
                 if (tree := model.body_treeid[body]) >= 0:
                     model.tree_sleep_policy[tree] = int(policy.mjSLEEP_NEVER)
 
-    def _make_arm(self, setup: CellSetup) -> AssembledArm | None:
-        """The controller of the modular arm, which needs the libraries of the extra `cell`."""
-        if not setup.arm:
-            return None
-        check_libraries(f"the modular arm {setup.arm!r}", *ARM_LIBRARIES)
+    def _make_arms(self, setup: CellSetup) -> tuple[AssembledArm, ...]:
+        """The controllers of modular arms, which need the libraries of the extra `cell`."""
+        names = [name for name in (setup.arm, setup.second_arm) if name]
+        if not names:
+            return ()
+        check_libraries(f"the modular arm {names[0]!r}", *ARM_LIBRARIES)
         from jauspy.platform.modular.assembled_arm import AssembledArm  # noqa: PLC0415 - needs these libraries
 
-        connectors = tuple(self._attachments.connectors.values())
-        return AssembledArm(
-            setup.arm,
-            setup,
-            self._servos,
-            connectors,
-            revision=lambda: self._attachments.revision,
-            base_pose=lambda name: self._attachments.frame_of(self._model.body(name).id).to_pose(),
-        )
+        arms: list[AssembledArm] = []
+
+        def base_of_other(name: str) -> str:
+            return next((arm.chain.base for arm in arms if arm.name != name), "")
+
+        arms += [
+            AssembledArm(
+                name,
+                setup,
+                self._servos,
+                tuple(self._attachments.connectors.values()),
+                revision=lambda: self._attachments.revision,
+                base_pose=lambda base: self._attachments.frame_of(self._model.body(base).id).to_pose(),
+                other_base=partial(base_of_other, name),
+            )
+            for name in names
+        ]
+        return tuple(arms)
 
     def _pairs(self) -> Iterator[tuple[str, str]]:
         """Pairs of parts that are attached to each other; the gripper does not pass on power."""
@@ -368,5 +379,4 @@ class SimulatedCell:
         yield self._power
         if self._car is not None:
             yield self._car
-        if self._arm is not None:
-            yield self._arm
+        yield from self._arms

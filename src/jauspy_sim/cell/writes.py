@@ -14,21 +14,21 @@ class Writes:
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData) -> None:
         self.names: list[str] = []
         """Parts, or links of the robot, whose positions were written, in order."""
-        self._model, self._data = model, data
-        self._last = data.qpos.tobytes()
+        self._model, self._qpos = model, data.qpos
+        self._last = self._qpos.tobytes()
 
     def check(self) -> None:
         """Note what differs from the end of the last step."""
-        if self._data.qpos.tobytes() == self._last:
+        if self._qpos.tobytes() == self._last:
             return
         before = memoryview(self._last).cast("d")
         starts = self._model.jnt_qposadr.tolist()
         for joint, (start, end) in enumerate(zip(starts, [*starts[1:], self._model.nq], strict=True)):
-            if self._data.qpos[start:end].tolist() != before[start:end].tolist():
+            if self._qpos[start:end].tolist() != before[start:end].tolist():
                 name = self._model.body(self._model.jnt_bodyid[joint]).name.partition(".")[0]
                 if name not in self.names:
                     self.names.append(name)
 
     def keep(self) -> None:
         """Keep the positions at the end of a step."""
-        self._last = self._data.qpos.tobytes()
+        self._last = self._qpos.tobytes()

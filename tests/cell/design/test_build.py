@@ -94,6 +94,16 @@ def test_the_cup_at_the_tip_bears_the_load_and_its_acceleration(cell: CellSetup)
     assert SAFETY > 1.0
 
 
+def test_effort_and_energy_are_cobras(cell: CellSetup) -> None:
+    """A light chain that turns about the vertical axis: nothing but friction, damping and inertia of the rotor."""
+    elements = (Element("x5_4_inline"), Element("bracket_straight"))
+    servo = cell.types["x5_4_inline"].servo
+    assert servo is not None
+    slow = LoadedChain.of(Transform(), placed(elements, cell.types), 0.0).timed(np.zeros(1), np.ones(1), 20.0)
+    assert slow.effort == pytest.approx(servo.friction * 20.0, rel=0.1)
+    assert slow.energy == pytest.approx(servo.friction * 1.0 + servo.damping * 1.0 / 20.0, rel=0.05)
+
+
 # --- surroundings -------------------------------------------------------------------------------------------------
 
 

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 from jauspy.cell.design.chains import Element, posture
+from jauspy.cell.design.loads import TimedMotion
 from jauspy.cell.design.search import Design, Search, check, costs_of, parse_costs
 from jauspy.cell.design.tasks import DesignTask, Obstacle, load_task, parse_task
 from jauspy.cell.scene import cell_of
@@ -61,7 +62,10 @@ def test_torque_and_moments_of_a_level_arm_are_those_computed_by_hand(cell: Cell
 def test_costs_are_cobras(cell: CellSetup) -> None:
     costs = costs_of((Element("x5_4_elbow"),), cell.types, [(1.0,), (-0.5,)])
     expected = {"cyc": 2.5 / 3.435, "qDist": 2.5, "mass": ELBOW_BODY + ELBOW_OUTPUT, "numJ": 1.0}
-    assert costs == pytest.approx(expected)
+    assert costs == pytest.approx({**expected, "effort": 0.0, "mechEnergy": 0.0})
+    moved = [TimedMotion(1.5, 0.1, 0.1, 2.0, 3.0), TimedMotion(0.5, 0.1, 0.1, 1.0, 0.5)]
+    costs = costs_of((Element("x5_4_elbow"),), cell.types, [(1.0,), (-0.5,)], moved)
+    assert (costs["cyc"], costs["effort"], costs["mechEnergy"]) == (2.0, 3.0, 3.5)
 
 
 def test_the_search_finds_a_chain_that_the_checker_passes_and_again_with_the_same_seed(
@@ -104,7 +108,7 @@ def test_the_included_tasks_can_be_read(path: Path) -> None:
         (("goals", 0, "goalPose", "nominal", 0, 0), -1.0, "is not a homogeneous transform"),
         (("goals", 0, "goalPose", "toleranceProjection"), ["w"], "must be a list of"),
         (("goals", 0, "goalPose", "tolerance", 0), [1.0, -1.0], "above the upper"),
-        (("obstacles",), [{"collision": {"geometry": {"type": "mesh", "file": "../../x.stl"}}}], "must be box"),
+        (("obstacles",), [{"collision": {"type": "mesh", "parameters": {"file": "../../x.stl"}}}], "must be box"),
         (("header",), 3, "header: must be an object"),
     ],
 )

@@ -1,6 +1,7 @@
 """Chains from what is attached to what."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -131,3 +132,20 @@ def test_unknown_parts_and_connectors_are_ignored() -> None:
 def test_a_loop_of_attachments_ends() -> None:
     loop = [*stack("platform_1", "servo_1", "servo_6"), Attachment("servo_6/output", "servo_1", IDENTITY)]
     assert chain_of(loop).base == "platform_1/top"
+
+
+def test_two_arms_on_one_base_are_two_chains_and_each_keeps_its_connection() -> None:
+    base = CELL.type_of("platform_1")
+    pair = replace(base, connectors={"left": IDENTITY, "right": IDENTITY})
+    cell = replace(CELL, types={**CELL.types, base.name: pair})
+    left = [Attachment("platform_1/left", "servo_6", IDENTITY)]
+    right = [Attachment("platform_1/right", "servo_1", IDENTITY), *stack("servo_1", "bracket_1", "servo_2")]
+    first = find_chain(cell, left, keeps=True)
+    assert (first.base, first.ground, first.joints) == ("platform_1/left", "platform_1", ("servo_6",))
+    both = [*left, *right]
+    assert find_chain(cell, both, first.base).joints == ("servo_1", "servo_2"), "alone, the arm is the longest chain"
+    assert find_chain(cell, both, first.base, keeps=True) == first
+    second = find_chain(cell, both, "", first.base, keeps=True)
+    assert (second.base, second.joints) == ("platform_1/right", ("servo_1", "servo_2"))
+    assert find_chain(cell, both, first.base, second.base, keeps=True) == first
+    assert find_chain(cell, right, first.base, second.base, keeps=True) == ArmChain(), "it does not take the other's"

@@ -367,9 +367,13 @@ def test_a_latch_locks_after_the_vacuum_and_only_what_is_in_line() -> None:
     assert state.last_error == "not locked on tube_1: 1.5 mm and 0.0 degrees off, at most 1.0 mm and 2.0 degrees lock"
 
 
-def test_the_gripper_has_no_latch() -> None:
+def test_the_gripper_locks_on_a_flange_and_not_where_a_part_has_none() -> None:
     cell = small_cell(["tube_1", "platform_1"])
-    put_on(cell, "gripper", "tube_1", DOWN @ Transform(position=(0.0, 0.0, -0.2)))
-    cell.advance(SETTLED)
-    state = cell.connectors["gripper"].state()
-    assert (state.attached_to, state.latched) == ("tube_1", False)
+    beside = Transform(position=(0.0, 0.0, GAP)) @ cell.setup.type_of("tube_1").grasp.inverse()
+    for held, latched in ((DOWN @ Transform(position=(0.0, 0.0, -0.2)), True), (beside, False)):
+        put_on(cell, "gripper", "tube_1", held)
+        cell.advance(SETTLED)
+        state = cell.connectors["gripper"].state()
+        assert (state.attached_to, state.latched) == ("tube_1", latched)
+        cell.connectors["gripper"].set(False)
+        cell.advance(0.01)

@@ -10,7 +10,7 @@ import pytest
 pytest.importorskip("mujoco")
 pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
-from tests.helpers.cells import cell_model, open_cell, put
+from tests.helpers.cells import cell_model, open_cell, put_on
 
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.connector import ConnectorState
@@ -20,6 +20,7 @@ from jauspy_sim.cell.assembly import GRIPPER
 from jauspy_sim.cell.connectors import Attachments
 from jauspy_sim.cell.probe import JointFigures
 from jauspy_sim.cell.robot import SimulatedCell
+from jauspy_sim.cell.start import wait_attached
 from jauspy_sim.physics.dynamics import Dynamics, dynamics_of
 
 HOME = (0.0, -1.9, 2.1, -1.77, -1.57, 0.0)
@@ -33,10 +34,8 @@ def holding(part: str, *, mass: float = 0.0, seed: int = 0) -> SimulatedCell:
     body = cell.model.body(part)
     if mass:
         body.mass[0] = mass
-    put(cell, part, cell.truth.connector(GRIPPER) @ cell.setup.type_of(part).grasp.inverse())
-    cell.connectors[GRIPPER].set(True)
-    cell.advance(0.02)
-    assert cell.connectors[GRIPPER].state().attached_to == part
+    put_on(cell, GRIPPER, part, cell.setup.type_of(part).grasp.inverse())
+    wait_attached(cell, GRIPPER, part)
     return cell
 
 
@@ -61,7 +60,7 @@ def test_nothing_is_known_before_the_robot_moves() -> None:
     assert (gripper(cell).mass, gripper(cell).mass_deviation) == (0.0, float("inf"))
 
 
-@pytest.mark.parametrize(("part", "mass"), [("bracket_1", 0.2), ("car", 3.5), ("car", 6.0)])
+@pytest.mark.parametrize(("part", "mass"), [("bracket_1", 0.2), ("car", 3.5), ("car", 2.0)])
 def test_the_mass_is_found_by_moving_and_not_read(part: str, mass: float) -> None:
     cell = holding(part, mass=mass)
     move(cell, ASIDE)
@@ -104,7 +103,7 @@ def test_a_load_that_stands_counts_by_what_the_gripper_measures(monkeypatch: pyt
     move(cell, ASIDE, seconds=2.0)
     monkeypatch.setattr(Dynamics, "carry", lambda _self, mass, _center: carried.append(mass))
     monkeypatch.setattr(Attachments, "_measure", lambda _self: None)
-    cell.connectors[GRIPPER].load = (0.981, 0.0)
+    cell.connectors[GRIPPER].load = (0.981, 0.0, 0.0)
     cell.advance(TIMESTEP)
     assert carried[-1] == pytest.approx(0.1, abs=0.01)
 

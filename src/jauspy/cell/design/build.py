@@ -97,6 +97,7 @@ class DesignRun:
         """Build it, go to all goals, and take it apart. Raises `JausError` when it cannot be done."""
         design, values, drawn = self._design, self._found.values, self._judge.power().energy
         values |= {"mass": design.costs["mass"], "numJ": design.costs["numJ"], "designed_cyc": design.costs["cyc"]}
+        values |= {f"designed_{name}": design.costs[name] for name in ("effort", "mechEnergy")}
         values |= {"designed_torque": design.torque, "designed_connector": design.moment}
         self._ur10.at = await self._cell.posture()
         await self._build()
@@ -149,6 +150,8 @@ class DesignRun:
             "cyc": moving,
             "time_in_use": cell.now() - begun,
             "energy_in_use": judge.power().energy - drawn,
+            "effort": sum(motion.effort for motion in motions),
+            "mechEnergy": sum(motion.energy for motion in motions),
             "planned_torque": max(motion.torque for motion in motions),
             "planned_connector": max(motion.connector for motion in motions),
             "torque": watched.torque,

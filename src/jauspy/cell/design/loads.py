@@ -38,6 +38,10 @@ class TimedMotion:
     """Seconds from its command to rest."""
     torque: float
     connector: float
+    effort: float = 0.0
+    """Newton metre seconds: torques of all motors over time, as CoBRA's `effort`."""
+    energy: float = 0.0
+    """Joules: mechanical power of all motors over time, as CoBRA's `mechEnergy`."""
 
     @property
     def bearable(self) -> bool:
@@ -96,13 +100,18 @@ class LoadedChain:
 
     def measured(self, moved: SampledMotion) -> TimedMotion:
         """The largest loads of a motion."""
-        torque = connector = 0.0
+        torque = connector = effort = energy = 0.0
+        step = EVERY * moved.duration / len(moved.q)
         for number in range(0, len(moved.q), EVERY):
-            found = self._loads(moved.q[number], moved.v[number], moved.a[number])
-            torque, connector = max(torque, found[0]), max(connector, found[1])
-        return TimedMotion(moved.duration, torque, connector)
+            torques, load = self._loads(moved.q[number], moved.v[number], moved.a[number])
+            torque = max(torque, float(np.max(np.abs(torques) / self._most)))
+            connector = max(connector, load)
+            effort += step * float(np.sum(np.abs(torques)))
+            energy += step * abs(float(torques @ moved.v[number]))
+        return TimedMotion(moved.duration, torque, connector, effort, energy)
 
-    def _loads(self, q: Array, v: Array, a: Array) -> tuple[float, float]:
+    def _loads(self, q: Array, v: Array, a: Array) -> tuple[Array, float]:
+        """Torques of the motors, and the largest load of a connector over its strength."""
         model, data = self._model, self._data
         torques = pin.rnea(model, data, q, v, a)
         torques = torques + self._rotor * a + self._damping * v + self._friction * np.sign(v)
@@ -112,7 +121,7 @@ class LoadedChain:
         connector = max(LATCH.utilisation(w.linear.tolist(), w.angular.tolist()) for w in wrenches)
         if self._mass:
             connector = max(connector, self._cup(q, v, a))
-        return float(np.max(np.abs(torques) / self._most)), connector
+        return torques, connector
 
     def _cup(self, q: Array, v: Array, a: Array) -> float:
         """The load of the cup at the tip, which holds by suction alone."""

@@ -31,8 +31,8 @@ from jauspy.platform.modular.trajectory import MotionError
 STARTS: Final = 6
 LINE_STEPS: Final = 12
 MAX_JOINTS: Final = 7
-COSTS: Final = ("cyc", "qDist", "mass", "numJ")
-"""CoBRA's abbreviations: s, rad, kg, and joints."""
+COSTS: Final = ("cyc", "qDist", "mass", "numJ", "effort", "mechEnergy")
+"""CoBRA's abbreviations: s, rad, kg, joints, N m s, and J."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,11 +87,11 @@ def costs_of(
     elements: Sequence[Element],
     types: Mapping[str, PartType],
     positions: Sequence[Sequence[float]],
-    durations: Sequence[float] = (),
+    motions: Sequence[TimedMotion] = (),
 ) -> dict[str, float]:
     """CoBRA's costs, with the goals reached in straight lines of the joints from zero.
 
-    `durations` are those of the motions; without them, bounds: each at the limits of speed all the way.
+    `motions` are the motions to them; without these, lower bounds: each at the limits of speed all the way.
     """
     modules = servos(elements, types)
     fastest, way = [], 0.0
@@ -101,8 +101,14 @@ def costs_of(
         fastest.append(max(turn / servo.max_speed for turn, servo in zip(turns, modules, strict=True)))
         way += sum(turns)
         before = row
-    seconds = sum(durations or fastest)
-    return {"cyc": seconds, "qDist": way, "mass": total_mass(elements, types), "numJ": float(len(modules))}
+    return {
+        "cyc": sum(motion.duration for motion in motions) if motions else sum(fastest),
+        "qDist": way,
+        "mass": total_mass(elements, types),
+        "numJ": float(len(modules)),
+        "effort": sum(motion.effort for motion in motions),
+        "mechEnergy": sum(motion.energy for motion in motions),
+    }
 
 
 class Search:
@@ -228,7 +234,7 @@ class Search:
         except NoPath:
             return "loads in motion"
         durations = tuple(motion.duration for motion in motions)
-        costs = costs_of(elements, self._types, rows, durations)
+        costs = costs_of(elements, self._types, rows, motions)
         if self._reaches_best(cost := self._cost(costs)):
             return "costs more than the best"
         torque = max(worst[0], *(motion.torque for motion in motions))

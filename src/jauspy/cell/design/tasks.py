@@ -1,8 +1,8 @@
 """Tasks in CoBRA's JSON format: poses to reach within tolerances, among boxes.
 
-Format: https://cobra.cps.cit.tum.de, as `timor-python` 1.1.1 writes it. Of it, goals of the types `at` and `reach` are
-read, the projections `x`, `y`, `z`, `r_sph` and `Theta_R`, and obstacles that are boxes; the rest is refused. Metres
-and radians, in the world's frame. What no projection restricts is free.
+Format: https://cobra.cps.cit.tum.de, as `timor-python` 1.1.1 reads and writes it. Of it, goals of the types `at` and
+`reach` are read, the projections `x`, `y`, `z`, `r_sph` and `Theta_R`, and obstacles that are boxes; the rest is
+refused. Metres and radians, in the world's frame. What no projection restricts is free.
 """
 
 from __future__ import annotations
@@ -120,14 +120,14 @@ def _rows(value: object, key: str, count: int, width: int) -> list[list[float]]:
     return [[_number(entry, key) for entry in row] for row in rows]
 
 
-def _pose(value: object, key: str) -> Transform:
-    rows = _rows(_table(value, key).get("nominal"), f"{key}.nominal", 4, 4)
+def _transform(value: object, key: str) -> Transform:
+    rows = _rows(value, key, 4, 4)
     a, b, c = ((row[0], row[1], row[2]) for row in rows[:3])
     skew = max(
         abs(dot(a, a) - 1), abs(dot(b, b) - 1), abs(dot(c, c) - 1), abs(dot(a, b)), abs(dot(b, c)), abs(dot(a, c))
     )
     if skew > _ORTHOGONAL or dot(a, cross(b, c)) < 0.0 or rows[3] != [0.0, 0.0, 0.0, 1.0]:
-        raise ConfigError(f"{key}.nominal: is not a homogeneous transform")
+        raise ConfigError(f"{key}: is not a homogeneous transform")
     return Transform((a, b, c), (rows[0][3], rows[1][3], rows[2][3]))
 
 
@@ -144,7 +144,7 @@ def _goal(value: object, key: str) -> Goal:
     if any(low > high for low, high in limits):
         raise ConfigError(f"{place}.tolerance: a lower limit is above the upper one")
     tolerances = {name: (low, high) for name, (low, high) in zip(names, limits, strict=True)}
-    return Goal(str(table.get("ID", key))[:80], _pose(pose, place), tolerances)
+    return Goal(str(table.get("ID", key))[:80], _transform(pose.get("nominal"), f"{place}.nominal"), tolerances)
 
 
 def _obstacle(value: object, key: str) -> list[Obstacle]:
@@ -156,14 +156,13 @@ def _obstacle(value: object, key: str) -> list[Obstacle]:
     found = []
     for shape in shapes:
         solid = _table(shape, f"{key}.collision")
-        geometry = _table(solid.get("geometry"), f"{key}.collision.geometry")
-        if geometry.get("type") != "box":
-            raise ConfigError(f"{key}.collision.geometry.type: must be box")
-        parameters = _table(geometry.get("parameters"), f"{key}.collision.geometry.parameters")
-        x, y, z = (_number(parameters.get(axis), f"{key}.collision.geometry.parameters.{axis}") for axis in "xyz")
+        if solid.get("type") != "box":
+            raise ConfigError(f"{key}.collision.type: must be box")
+        parameters = _table(solid.get("parameters"), f"{key}.collision.parameters")
+        x, y, z = (_number(parameters.get(axis), f"{key}.collision.parameters.{axis}") for axis in "xyz")
         if min(x, y, z) <= 0.0:
-            raise ConfigError(f"{key}.collision.geometry.parameters: must be above zero")
+            raise ConfigError(f"{key}.collision.parameters: must be above zero")
         found.append(
-            Obstacle(str(table.get("ID", key))[:80], _pose(solid.get("pose"), f"{key}.collision.pose"), (x, y, z))
+            Obstacle(str(table.get("ID", key))[:80], _transform(solid.get("pose"), f"{key}.collision.pose"), (x, y, z))
         )
     return found

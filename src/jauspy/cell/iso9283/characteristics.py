@@ -157,13 +157,13 @@ class PathAccuracy:
     """Measured passages."""
 
 
-def line(start: pin.SE3, end: pin.SE3, planes: int = PLANES) -> list[pin.SE3]:
+def line(start: pin.SE3, end: pin.SE3, planes: int = PLANES, edge: float = EDGE) -> list[pin.SE3]:
     """Commanded poses on a linear path, one in each plane across it: straight, and turning evenly."""
     turn = pin.log3(start.rotation.T @ end.rotation)
     way = end.translation - start.translation
     return [
         pin.SE3(start.rotation @ pin.exp3(part * turn), start.translation + part * way)
-        for part in np.linspace(EDGE, 1.0 - EDGE, planes)
+        for part in np.linspace(edge, 1.0 - edge, planes)
     ]
 
 

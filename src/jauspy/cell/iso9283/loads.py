@@ -25,7 +25,7 @@ DENSITY: Final = 7850.0
 """kg/m^3 of steel."""
 RADIUS: Final = 0.03
 """Metres of the UR10's load, a cylinder of steel."""
-BLOCK: Final = (0.06, 0.06, 0.03)
+BLOCK: Final = (0.12, 0.12, 0.03)
 """Metres of the modular arm's load, whose density follows from its mass."""
 LOAD: Final = "test_load"
 """Name of the part, its type, and the link."""

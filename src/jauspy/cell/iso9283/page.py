@@ -12,6 +12,7 @@ import numpy as np
 from jauspy.cell.frames import Array
 from jauspy.cell.iso9283.bench import (
     ARM_CUBE,
+    ARM_TOOL_SPEED,
     REST,
     UR10_CUBE,
     UR10_TOOL_SPEED,
@@ -85,12 +86,12 @@ def _conditions(plan: Plan) -> Section:
         (
             "path by",
             "a velocity of the tool (end effector velocity driver)",
-            "postures along the line",
+            "a spline through postures on the line",
         ),
         (
             "whole speed",
             f"joints at their limits; on the path {UR10_TOOL_SPEED:g} m/s",
-            "as fast as the limits of the modules allow",
+            f"as fast as the limits of the modules allow; on the path {ARM_TOOL_SPEED:g} m/s (assumption)",
         ),
         ("rated load", f"{UR10_RATED:g} kg, with the gripper of {GRIPPER_MASS:g} kg", f"{ARM_RATED:g} kg (assumption)"),
         ("cycles", f"{plan.cycles} at poses, {plan.path_cycles} on the path", "the same"),
@@ -122,7 +123,7 @@ def _arm_section(title: str, runs: Sequence[Run], drifts: Iterable[tuple[str, Dr
                     (*_heading("run", "AT", "RT"), "speed, m/s"),
                     *((run.label, *_cells(path.worst), f"{path.speed:.3f}") for run, path in paths),
                 ],
-                "The speed is the mean between the first and the last plane, starts and stops in between included.",
+                "The speed is the mean between the first and the last plane.",
             )
         )
     section.tables.append(

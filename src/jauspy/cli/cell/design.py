@@ -28,7 +28,10 @@ def design(
     ] = "platform_1/top",
     load: Annotated[float, typer.Option("--load", min=0.0, max=100.0, metavar="KG", help="Mass at the tip.")] = 0.0,
     cost: Annotated[
-        str, typer.Option("--cost", metavar="COSTS", help="CoBRA's costs with weights: cyc, qDist, mass, numJ.")
+        str,
+        typer.Option(
+            "--cost", metavar="COSTS", help="CoBRA's costs with weights: cyc, qDist, mass, numJ, effort, mechEnergy."
+        ),
     ] = "mass,numJ_0.2,cyc_0.1",
     candidates: Annotated[int, typer.Option("--candidates", min=1, metavar="N", help="Chains to try.")] = 2000,
     limit: Annotated[float, typer.Option("--limit", min=0.1, metavar="S", help="Seconds to search.")] = 60.0,

@@ -31,8 +31,9 @@ Array = NDArray[np.float64]
 
 
 class AssembledArm(ModularArm):
-    """Moves the longest chain of servo modules that a base carries.
+    """Moves the longest chain of servo modules that a base carries, beside the one of another arm.
 
+    In a cell with a second arm, each keeps the connection that carries it; `other_base` returns that of the other one.
     The backend calls `control` at a fixed rate (250 to 500 Hz), all in the robot's thread. It reads the states of
     connectors again only when `revision` has changed, which counts attachments and releases of the whole cell.
     `base_pose` returns the pose of a base in the world, given its name; without it, bases stand where `cell` says.
@@ -47,8 +48,10 @@ class AssembledArm(ModularArm):
         *,
         revision: Callable[[], int],
         base_pose: Callable[[str], Pose] | None = None,
+        other_base: Callable[[], str] = str,
     ) -> None:
         self.name = name
+        self._other_base = other_base
         self._cell = cell
         self._servos = servos
         self._connectors = connectors
@@ -156,7 +159,7 @@ class AssembledArm(ModularArm):
         contact.update(self._measured, dt)
         if reaction is ContactReaction.IGNORE or not self._setpoints.moving or self.chain.held_by:
             return
-        if touched := contact.touched():
+        if touched := contact.touched(seeks=self._seeks):
             way = np.array(self._setpoints.targets) - self._measured.q
             rows = [
                 f"{self.chain.joints[joint]}, {abs(contact.external[joint]):.0f} N m, {abs(way[joint]):.2f} rad short"
@@ -167,10 +170,17 @@ class AssembledArm(ModularArm):
             self._setpoints.block(f"Blocked: {'; '.join(rows)}; {end}", self._measured, gives_way=gives_way)
             self._torques.restart(self._assembly.model.gravity(self._measured.q))
 
+    def _seeks(self) -> bool:
+        """True if a connector of the arm, or of a base that is bolted down, is switched on and holds nothing."""
+        owners = {*self.chain.parts, *(part.name for part in self._cell.parts if part.fixed)}
+        states = [connector.state() for connector in self._connectors if connector.name.partition("/")[0] in owners]
+        return any(state.enabled and not state.attached_to for state in states)
+
     def _follow_attachments(self) -> None:
         """Adopt the arm that is assembled now."""
         connected = attachments((connector.name, connector.state()) for connector in self._connectors)
-        chain = find_chain(self._cell, connected, self.chain.base)
+        keeps = bool(self._cell.second_arm)
+        chain = find_chain(self._cell, connected, self.chain.base, self._other_base(), keeps=keeps)
         if chain == self.chain:
             return
         before = self.chain.joints

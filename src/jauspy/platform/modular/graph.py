@@ -112,11 +112,14 @@ class _Graph:
     """Parts that a connector outside of all parts holds, as the gripper does."""
 
 
-def find_chain(cell: CellSetup, attached: Iterable[Attachment], previous: str = "") -> ArmChain:
+def find_chain(
+    cell: CellSetup, attached: Iterable[Attachment], previous: str = "", other: str = "", *, keeps: bool = False
+) -> ArmChain:
     """The arm: the longest chain of servo modules from a base. Without one, an empty chain.
 
-    `previous` is the connection that carried the arm before; it is kept as long as it holds. Parts with wheels are not
-    an arm. Of arms of the same length, the base that `cell` lists first has it.
+    `previous` is the connection that carried the arm before; of chains with as many joints, the one on it is taken, and
+    with `keeps` it is taken as long as it has joints. `other` is the connection that carries another arm, whose parts
+    are left out. Parts with wheels are not an arm. Of arms of the same length, the base that `cell` lists first has it.
     """
     types = {part.name: cell.types[part.type] for part in cell.parts}
     graph = _graph(types, attached)
@@ -128,14 +131,18 @@ def find_chain(cell: CellSetup, attached: Iterable[Attachment], previous: str = 
         parts = {body.part for body in bodies}
         if any(types[part].kind is PartKind.WHEEL for part in parts):
             continue
+        if any(root[1].name == other for root in roots):
+            continue
         kept = [root for root in roots if root[1].name == previous]
         direct = [root for root in roots if root[1].name.startswith(f"{root[0]}/")]
         ground, edge = (kept or direct or roots)[0]
         grips = [name for name, held in graph.grips.items() if parts.intersection(held)]
         held_by = (*(root[1].name for root in roots if root[1] is not edge), *grips)
         chain = _chain(graph, types, ground, edge, held_by)
-        keeps = bool(kept) and len(chain.joints) == len(best.joints)
-        if len(chain.joints) > len(best.joints) or not best.base or keeps:
+        if keeps and kept and chain.joints:
+            return chain
+        as_long = bool(kept) and len(chain.joints) == len(best.joints)
+        if len(chain.joints) > len(best.joints) or not best.base or as_long:
             best = chain
     return best
 

@@ -426,6 +426,8 @@ class CellSetup(Table):
     limits: ConnectorLimits = ConnectorLimits()
     gripper: Annotated[str, MaxLen(80)] = ""
     """Link of the URDF with the vacuum gripper, whose z axis points out of it; empty without one."""
+    gripper_latch: bool = False
+    """True if the gripper has a latch as parts do: it locks on their flanges, but not on other faces."""
     pose_error: tuple[NotNegative, NotNegative] = (0.0, 0.0)
     """Largest error of the parts' poses at the start, metres and radians, drawn with `seed`."""
     scatter: bool = False
@@ -437,6 +439,8 @@ class CellSetup(Table):
     seed: Seed = 0
     arm: Literal[""] | Identifier = "arm"
     """Name of the modular arm; empty without one."""
+    second_arm: Literal[""] | Identifier = ""
+    """Name of a second modular arm, which is a chain on a connection of its own; empty without one."""
     contact: ContactReaction = ContactReaction.STOP
     """What the modular arm does when it meets something in its way."""
     car: Literal[""] | Identifier = ""
@@ -444,6 +448,8 @@ class CellSetup(Table):
 
     def __post_init__(self) -> None:
         check_unique("parts", tuple(part.name for part in self.parts))
+        if self.second_arm and self.second_arm in ("", self.arm):
+            raise ValueError(f"second_arm = {self.second_arm!r}: must have another name than arm")
         for number, part in enumerate(self.parts):
             if part.type not in self.types:
                 known = ", ".join(sorted(self.types))

@@ -276,8 +276,8 @@ class ModularArmKind(Kind[ModularArmContext]):
         return ModularArmContext(build.robot, ArmMotionControl(found), _cell(build))
 
     def parts_in(self, cell: CellSetup) -> Sequence[str]:
-        """The arm."""
-        return [cell.arm] * bool(cell.arm)
+        """The arms."""
+        return [name for name in (cell.arm, cell.second_arm) if name]
 
     def moved(self, module: Module) -> str:
         """The arm."""

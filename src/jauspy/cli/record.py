@@ -1,0 +1,151 @@
+"""`jauspy record` and `jauspy info`: record what is routed, and tell what is in a recording."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections import Counter
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from jauspy.capture.filters import Filter
+from jauspy.capture.reader import CaptureReader
+from jauspy.cli import console
+from jauspy.cli.definitions import SchemasOption, definitions
+from jauspy.cli.options import DEFAULT_ROOT, FilterOption, Json, LocalRoot
+from jauspy.cli.traffic import CaptureFile, open_capture
+from jauspy.errors import ConfigError
+from jauspy.inspection.traffic import seen_messages
+from jauspy.messages import registry as public
+from jauspy.recording.recorder import Limits, Recorder
+
+UNITS = {"": 1.0, "k": 1e3, "m": 1e6, "g": 1e9}
+
+
+def record(
+    *,
+    output: Annotated[Path, typer.Argument(metavar="FILE", help="A .mcap or .pcapng file, which does not exist yet.")],
+    only: FilterOption = None,
+    seconds: Annotated[
+        float | None,
+        typer.Option("--for", min=0.1, metavar="SECONDS", help="How long to record. Default: until Ctrl-C."),
+    ] = None,
+    split_size: Annotated[
+        str | None, typer.Option("--split-size", metavar="SIZE", help="A new file at this size: 500k, 100M, 2G bytes.")
+    ] = None,
+    split_time: Annotated[
+        float | None, typer.Option("--split-time", min=1.0, metavar="SECONDS", help="A new file after so long.")
+    ] = None,
+    keep: Annotated[
+        int | None, typer.Option("--keep", min=1, metavar="N", help="Keep so many files, and delete older ones.")
+    ] = None,
+    file: CaptureFile = None,
+    root: LocalRoot = DEFAULT_ROOT,
+    schemas: SchemasOption = None,
+) -> None:
+    """Record what the node manager of this machine routes, until Ctrl-C.
+
+    A .pcapng file has the datagrams, for Wireshark. A .mcap file has them, too, and each message as JSON on the topic
+    /SENDER/MESSAGE, with a schema made from its definition; it opens in Foxglove. The definitions are attached.
+
+    Examples:
+      jauspy record run.mcap
+      jauspy record run.mcap --split-time 600 --keep 6
+      jauspy record run.pcapng --filter 'src == 101.*' --for 60
+      jauspy record run.mcap --capture run.pcapng
+    """
+    known = definitions(schemas)
+    if keep is not None and split_size is None and split_time is None:
+        raise ConfigError("--keep needs --split-size or --split-time")
+    limits = Limits(None if split_size is None else _bytes(split_size), split_time, keep)
+    fits = None if only is None else Filter(only, known.registry)
+    with open_capture(file, root, seconds) as capture:
+        recorder = Recorder(output, known.registry, limits, fits)
+        if file is None:
+            console.note("recording" + ("; Ctrl-C ends it" if seconds is None else f" for {seconds:g} s"))
+        try:
+            recorder.run(capture)
+        finally:
+            found = recorder.recorded
+            files = ", ".join(map(str, found.files)) or "no file"
+            console.note(f"{found.datagrams} datagrams, {found.messages} messages, {found.bytes} bytes: {files}")
+
+
+def info(
+    *,
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A .mcap, .pcapng or .pcap file.")],
+    json: Json = False,
+) -> None:
+    """Tell what is in a recording: its time, and messages by sender and name.
+
+    The summary of an MCAP file is enough, whatever its size; other files are read from the beginning to the end.
+
+    Examples:
+      jauspy info run.mcap
+      jauspy info run.pcapng --json
+    """
+    found = _mcap_info(file) if file.suffix == ".mcap" else _capture_info(file)
+    if json:
+        console.print_json(found)
+        return
+    start, end = found["start"], found["end"]
+    if start is not None:
+        began = time.strftime("%Y-%m-%d %H:%M:%S", time.gmtime(start))
+        console.print_lines(f"{file}: {found['bytes']} bytes, {end - start:.1f} s from {began} UTC")
+    else:
+        console.print_lines(f"{file}: {found['bytes']} bytes, no messages")
+    rows = [(row["message"], row["source"], str(row["count"])) for row in found["messages"]]
+    if rows:
+        console.print_table(("message", "from", "count"), rows)
+
+
+def _mcap_info(path: Path) -> dict[str, Any]:
+    from mcap.exceptions import McapError
+    from mcap.reader import make_reader
+
+    try:
+        with path.open("rb") as opened:
+            summary = make_reader(opened).get_summary()
+    except OSError as error:
+        raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
+    except (McapError, ValueError, EOFError) as error:
+        raise ConfigError(f"{path} is no complete MCAP file ({error}); `mcap recover` completes one") from None
+    if summary is None or summary.statistics is None:
+        raise ConfigError(f"{path} has no summary, as after a crash; `mcap recover` makes one")
+    counts = summary.statistics.channel_message_counts
+    rows = []
+    for number, channel in summary.channels.items():
+        source, _, name = channel.topic.removeprefix("/").rpartition("/")
+        if source:
+            rows.append({"message": name, "source": source, "count": counts.get(number, 0)})
+    has_any = bool(summary.statistics.message_count)
+    return {
+        "file": str(path),
+        "bytes": path.stat().st_size,
+        "start": summary.statistics.message_start_time / 1e9 if has_any else None,
+        "end": summary.statistics.message_end_time / 1e9 if has_any else None,
+        "messages": sorted(rows, key=lambda row: (-int(row["count"]), str(row["message"]))),
+    }
+
+
+def _capture_info(path: Path) -> dict[str, Any]:
+    counts: Counter[tuple[str, str]] = Counter()
+    start = end = None
+    try:
+        with path.open("rb") as opened:
+            for seen in seen_messages(CaptureReader(opened, name=str(path), port=None), public, copies=True):
+                counts[seen.name, str(seen.part.packet.source)] += 1
+                start, end = (seen.time if start is None else start), seen.time
+    except OSError as error:
+        raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
+    rows = [{"message": name, "source": source, "count": count} for (name, source), count in counts.most_common()]
+    return {"file": str(path), "bytes": path.stat().st_size, "start": start, "end": end, "messages": rows}
+
+
+def _bytes(text: str) -> float:
+    found = re.fullmatch(r"(\d+(?:\.\d+)?)([kmg]?)b?", text.strip(), re.IGNORECASE)
+    if not found or float(found[1]) <= 0.0:
+        raise ConfigError(f"{text!r} is no size, as 500k, 100M or 2G")
+    return float(found[1]) * UNITS[found[2].lower()]

@@ -1,0 +1,116 @@
+"""Recording of traffic into files that follow each other, within limits of size and time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Final
+
+from jauspy.capture.dissect import Part, dissect
+from jauspy.capture.reader import Datagram
+from jauspy.codec.registry import Registry
+from jauspy.recording.run_files import RunFile, create
+
+FLUSH_INTERVAL: Final = 0.5
+"""Seconds of the traffic after which what was recorded is handed to the operating system."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """When a file ends, and the next one begins; and how many are kept."""
+
+    size: float | None = None
+    """Bytes of a file, at least those of one flush."""
+    seconds: float | None = None
+    """Seconds of traffic in a file."""
+    files: int | None = None
+    """Files that are kept; older ones of this recording are deleted."""
+
+    @property
+    def rotates(self) -> bool:
+        """True if there may be several files."""
+        return self.size is not None or self.seconds is not None
+
+
+@dataclass(slots=True)
+class Recorded:
+    """What was recorded."""
+
+    datagrams: int = 0
+    messages: int = 0
+    bytes: int = 0
+    """Of files that were deleted, too."""
+    files: list[Path] = field(default_factory=list)
+    """Files that there are now."""
+
+
+class Recorder:
+    """Writes datagrams to `path`, or to numbered files beside it if the limits rotate."""
+
+    def __init__(
+        self,
+        path: Path,
+        registry: Registry,
+        limits: Limits = Limits(),
+        fits: Callable[[Part], bool] | None = None,
+    ) -> None:
+        self.recorded = Recorded()
+        self._path, self._registry, self._limits, self._fits = path, registry, limits, fits
+        self._number = 0
+        self._start = self._flushed = 0.0
+        self._file: RunFile | None = self._open() if not limits.rotates else None
+        """The file that is written; with rotation from the first datagram on."""
+
+    def run(self, datagrams: Iterable[Datagram]) -> None:
+        """Record all of them; the last file is complete afterwards, also after an error."""
+        try:
+            for datagram in datagrams:
+                self.add(datagram)
+        finally:
+            self.close()
+
+    def add(self, datagram: Datagram) -> None:
+        """Record a datagram if one of its messages fits."""
+        parts = dissect(datagram.payload, self._registry).parts
+        if self._fits is not None:
+            parts = tuple(filter(self._fits, parts))
+            if not parts:
+                return
+        if self._file is not None and self._is_full(self._file, datagram.time):
+            self.close()
+        if self._file is None:
+            self._file = self._open()
+        if not self._start:
+            self._start = self._flushed = datagram.time
+        self._file.add(datagram, parts)
+        self.recorded.datagrams += 1
+        self.recorded.messages += len(parts)
+        if datagram.time - self._flushed >= FLUSH_INTERVAL or datagram.time < self._flushed:
+            self._file.flush()
+            self._flushed = datagram.time
+
+    def close(self) -> None:
+        """Complete the file that is written."""
+        file, self._file = self._file, None
+        if file is not None:
+            file.close()
+            self.recorded.bytes += file.size
+
+    def _is_full(self, file: RunFile, now: float) -> bool:
+        limits = self._limits
+        too_long = limits.seconds is not None and self._start > 0.0 and now - self._start >= limits.seconds
+        return too_long or (limits.size is not None and file.size >= limits.size)
+
+    def _open(self) -> RunFile:
+        path = self._path
+        if self._limits.rotates:
+            self._number += 1
+            path = path.with_stem(f"{path.stem}-{self._number:04d}")
+        file = create(path, self._registry)
+        self._start = 0.0
+        files = self.recorded.files
+        files.append(path)
+        while self._limits.files is not None and len(files) > self._limits.files:
+            files.pop(0).unlink(missing_ok=True)
+        return file

@@ -1,0 +1,219 @@
+"""Files of recorded traffic: pcapng, and MCAP with the messages as JSON beside the datagrams."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, BinaryIO, Final, Protocol, cast
+
+from jauspy.capture import writer
+from jauspy.capture.dissect import Part
+from jauspy.capture.reader import Datagram
+from jauspy.codec.json_schema import json_schema
+from jauspy.codec.message import Message
+from jauspy.codec.registry import Registry
+from jauspy.codec.rounding import rounded
+from jauspy.errors import ConfigError
+
+CHUNK_SIZE: Final = 1 << 20
+"""Bytes of an MCAP chunk before it is compressed; each `flush` ends one."""
+MAX_TOPICS: Final = 10_000
+"""Senders and kinds of messages in a file; those beyond are only among the datagrams."""
+DATAGRAMS: Final = "/datagrams"
+"""Topic with all datagrams of an MCAP file: IPv4 packets with UDP, as in pcap's link type 101."""
+ENCODING: Final = "ipv4"
+SUFFIXES: Final = (".pcapng", ".mcap")
+
+
+class RunFile(Protocol):
+    """A file that is being written; errors of writing raise `OSError`."""
+
+    @property
+    def size(self) -> int:
+        """Bytes written so far."""
+        ...
+
+    def add(self, datagram: Datagram, parts: Sequence[Part]) -> None:
+        """Add a datagram with the messages that are in it."""
+
+    def flush(self) -> None:
+        """Hand over all that was added to the operating system."""
+
+    def close(self) -> None:
+        """Complete the file."""
+
+
+def create(path: Path, registry: Registry) -> RunFile:
+    """A new file, by its suffix; the registry has the definitions of the messages.
+
+    Raises:
+        ConfigError: another suffix, a file that exists, or one that cannot be written.
+    """
+    if path.suffix not in SUFFIXES:
+        raise ConfigError(f"{path} has none of the suffixes {', '.join(SUFFIXES)}")
+    try:
+        file = path.open("xb", buffering=0)
+    except FileExistsError:
+        raise ConfigError(f"{path} exists already; recordings are not overwritten") from None
+    except OSError as error:
+        raise ConfigError(f"{path} cannot be written: {error.strerror}") from None
+    if path.suffix == ".mcap":
+        return McapFile(cast("BinaryIO", file), registry)
+    return PcapngFile(cast("BinaryIO", file))
+
+
+class PcapngFile:
+    """Datagrams as they were, with synthetic IPv4 headers, for Wireshark and `jauspy decode`."""
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._file = file
+        self._blocks = [writer.preamble()]
+        self.size = 0
+
+    def add(self, datagram: Datagram, parts: Sequence[Part]) -> None:  # noqa: ARG002 - of `RunFile`
+        """Add a datagram."""
+        time = round(datagram.time * 1e9)
+        self._blocks.append(writer.packet(datagram.source, datagram.destination, datagram.payload, time))
+
+    def flush(self) -> None:
+        """Write what was added."""
+        data = memoryview(b"".join(self._blocks))
+        self._blocks.clear()
+        while data:
+            written = self._file.write(data)
+            self.size += written
+            data = data[written:]
+
+    def close(self) -> None:
+        """Write what is left, and close the file."""
+        try:
+            self.flush()
+        finally:
+            self._file.close()
+
+
+class McapFile:
+    """Datagrams, and each message as JSON on a topic of its sender and name, with a schema made from its definition.
+
+    The definitions of the services that were met are attached, so that the file can be read without jauspy.
+    """
+
+    def __init__(self, file: BinaryIO, registry: Registry) -> None:
+        import foxglove  # noqa: PLC0415 - of the extra `recording`
+
+        self._foxglove = foxglove
+        self._registry = registry
+        self._out = _CountedFile(file)
+        self._context = foxglove.Context()
+        options = foxglove.mcap.MCAPWriteOptions(profile="jaus", chunk_size=CHUNK_SIZE, compression_threads=0)
+        self._writer = foxglove.open_mcap(cast("BinaryIO", self._out), context=self._context, writer_options=options)
+        self._datagrams = foxglove.Channel(
+            DATAGRAMS,
+            message_encoding=ENCODING,
+            schema=foxglove.Schema(
+                name="IPv4", encoding="", data=b"IPv4 packet with UDP (LINKTYPE_RAW); its payload is SAE AS5669A"
+            ),
+            context=self._context,
+        )
+        self._channels: dict[tuple[str, type[Message]], Any] = {}
+        self._attached: set[str] = set()
+        """Files of definitions that are in the file."""
+
+    @property
+    def size(self) -> int:
+        """Bytes written so far."""
+        return self._out.size
+
+    def add(self, datagram: Datagram, parts: Sequence[Part]) -> None:
+        """Add a datagram with the messages that are in it."""
+        time = round(datagram.time * 1e9)
+        packet = writer.ip_packet(datagram.source, datagram.destination, datagram.payload)
+        self._datagrams.log(packet, log_time=time)
+        for part in parts:
+            if part.content.message is not None:
+                self._add_message(part, part.content.message, time)
+        self._out.check()
+
+    def _add_message(self, part: Part, message: Message, time: int) -> None:
+        source, kind = str(part.packet.source), type(message)
+        channel = self._channels.get((source, kind))
+        if channel is None:
+            if len(self._channels) >= MAX_TOPICS:
+                return
+            self._attach(kind, time)
+            channel = self._foxglove.Channel(
+                f"/{source}/{kind.NAME}",
+                schema=json_schema(kind),
+                metadata={"service": kind.SERVICE, "version": kind.VERSION, "code": f"{kind.CODE:04X}"},
+                context=self._context,
+            )
+            self._channels[source, kind] = channel
+        channel.log(rounded(message).to_dict(), log_time=time)
+
+    def _attach(self, kind: type[Message], time: int) -> None:
+        """Attach the file that defines a message, once; definitions that were built in Python have none."""
+        entries = self._registry.entries_of(kind.CODE)
+        entry = next(
+            (entry for entry in entries if (entry.service, entry.version) == (kind.SERVICE, kind.VERSION)), None
+        )
+        path = Path(self._registry.file_of(entry)) if entry is not None else None
+        if path is None or str(path) in self._attached or path.suffix not in (".xml", ".jsidl"):
+            return
+        self._attached.add(str(path))
+        name = f"{kind.SERVICE.rpartition(':')[2]}-{kind.VERSION}{path.suffix}"
+        self._writer.attach(
+            log_time=time, create_time=time, name=name, media_type="application/xml", data=path.read_bytes()
+        )
+
+    def flush(self) -> None:
+        """End the present chunk, and write it."""
+        self._writer.flush()
+        self._out.check()
+
+    def close(self) -> None:
+        """Write the summary, and close the file."""
+        try:
+            self._writer.close()
+            self._out.check()
+        finally:
+            self._out.close()
+
+
+class _CountedFile:
+    """A file whose first error is kept: the writer of MCAP only logs errors."""
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._file = file
+        self._error: OSError | None = None
+        self.size = 0
+
+    def write(self, data: bytes) -> int:
+        """Write all of it."""
+        left = memoryview(data)
+        try:
+            while left:
+                left = left[self._file.write(left) :]
+            self.size = max(self.size, self._file.tell())
+        except OSError as error:
+            self._error = self._error or error
+        return len(data)
+
+    def seek(self, offset: int, whence: int = 0) -> int:
+        """Change the place of the next write."""
+        return self._file.seek(offset, whence)
+
+    def tell(self) -> int:
+        """The place of the next write."""
+        return self._file.tell()
+
+    def flush(self) -> None:
+        """Do nothing: all is written at once."""
+
+    def check(self) -> None:
+        """Raise the first error."""
+        if self._error is not None:
+            raise self._error
+
+    def close(self) -> None:
+        """Close the file."""
+        self._file.close()
