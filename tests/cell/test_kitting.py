@@ -18,6 +18,7 @@ from jauspy.cell.interface import GRIPPER
 from jauspy.cell.kitting import (
     MAX_ANGLE,
     MAX_DISTANCE,
+    STEP_TIMES,
     TRAY,
     Kit,
     Kitter,
@@ -29,6 +30,7 @@ from jauspy.cell.kitting import (
 from jauspy.cell.modular_arm import FIVE_JOINTS, Chain, Member
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
+from jauspy.cell.shares import StepTimes, best_share, estimated
 
 PLACED = st.dictionaries(st.integers(0, 3), st.tuples(st.floats(0.0, 0.06), st.floats(0.0, 0.2)), max_size=4)
 
@@ -133,6 +135,24 @@ class TestFailures:
         cell: Any = None
         with pytest.raises(TaskFailed, match="the cell has no conveyor, on which the tray is"):
             Kitter(cell, nothing, cell)
+
+
+class TestShares:
+    def test_one_box_by_the_arm_is_expected_to_save_time_and_the_other_is_not(self, kitter: Kitter) -> None:
+        arm: Any = object()
+        kitter.arm = arm
+        order = drawn_order(1)
+        boxes = [n for n, product in enumerate(order) if product.type == "box"]
+        share = best_share(boxes, lambda chosen: kitter._planned(order, chosen))
+        assert len(share.by_arm) == 1
+        assert share.alone - share.expected > 4.0
+        assert estimated(kitter._planned(order, frozenset(boxes))) > share.expected + 2.0
+
+    def test_an_arm_that_is_slow_is_not_used(self, kitter: Kitter) -> None:
+        arm: Any = object()
+        kitter.arm = arm
+        kitter.times = StepTimes(STEP_TIMES | {"take": 15.0, "put": 20.0})
+        assert best_share([2, 3], lambda chosen: kitter._planned(drawn_order(1), chosen)).by_arm == frozenset()
 
 
 class TestBoxes:

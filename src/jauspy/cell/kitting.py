@@ -8,7 +8,7 @@ are right and nothing else is there.
 from __future__ import annotations
 
 import math
-from collections.abc import Awaitable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Final
@@ -25,6 +25,7 @@ from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout, Piece
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
+from jauspy.cell.shares import ALONE, Planned, Share, StepTimes, best_share, estimated
 from jauspy.errors import JausError
 from jauspy.platform.modular.parts import PartKind
 
@@ -43,6 +44,8 @@ REST: Final = np.array([-1.2, 0.9, 1.5, 0.5, 0.0])
 ADVANCE: Final = 0.39
 """Metres by which the belt brings the boxes nearer before the first order."""
 ADVANCE_SPEED: Final = 0.15
+STEP_TIMES: Final = {"fetch": 4.4, "fetch box": 3.5, "place": 4.3, "take": 3.1, "put": 7.6}
+"""Seconds of steps until some were measured: means of orders of this cell."""
 ARM_TIME: Final = 0.8
 """Seconds of the modular arm's short straight motions."""
 
@@ -67,6 +70,8 @@ class Kit:
     timeline: Timeline = field(default_factory=Timeline)
     time: float = 0.0
     """Seconds from the start of the order until both arms had done their part."""
+    share: Share = ALONE
+    """What the modular arm did, and the estimates."""
 
 
 def drawn_order(seed: int) -> tuple[Product, ...]:
@@ -104,6 +109,8 @@ class Kitter:
         self.ur10 = ur10
         self.arm = arm
         self.tray = shifted(*TRAY, layout.setup.conveyor.pose.z)
+        self.times = StepTimes(STEP_TIMES)
+        self._states: dict[tuple[int, int], dict[str, str]] = {}
         self._taken: set[str] = set()
         self._boxes = [part.name for part in layout.setup.parts if layout.type_of(part.name).kind is PartKind.BOX]
 
@@ -127,34 +134,77 @@ class Kitter:
             await self.arm.look(*self._boxes)
             await self.arm.go(REST)
 
-    async def fill(self, order: Sequence[Product]) -> Kit:
-        """Carry out one order; what fails is left out, and named in the kit."""
-        kit = Kit()
-        schedule = Schedule(self.cell.now)
+    async def fill(self, order: Sequence[Product], by_arm: Collection[int] | None = None) -> Kit:
+        """Carry out one order; what fails is left out, and named in the kit.
+
+        `by_arm` are the numbers of the boxes that the modular arm moves; by default those with which the order is
+        estimated to be done sooner.
+        """
+        possible = [n for n, product in enumerate(order) if product.type == "box"] if self.arm is not None else []
+        share = best_share(possible if by_arm is None else (), lambda chosen: self._planned(order, chosen))
+        if by_arm is not None:
+            chosen = frozenset(by_arm)
+            share = Share(chosen, share.alone, estimated(self._planned(order, chosen)))
+        kit = Kit(share=share)
         begun = self.cell.now()
-        before: list[str] = []
-        for number, product in enumerate(order):
-            if product.type == "box" and self.arm is not None:
-
-                async def move_box(product: Product = product) -> None:
-                    await self._guarded(self._box_by_arm(product, kit), product, kit)
-
-                schedule.add(f"box {number}", move_box, uses=["arm", "tray"])
-                continue
-            state: dict[str, str] = {}
-
-            async def fetch(product: Product = product, state: dict[str, str] = state) -> None:
-                await self._guarded(self._fetch(product, state), product, kit)
-
-            async def place(product: Product = product, state: dict[str, str] = state) -> None:
-                if state:
-                    await self._guarded(self._place(product, state["part"], kit), product, kit)
-
-            fetched = schedule.add(f"fetch {number}", fetch, after=before, uses=["ur10"])
-            before = [schedule.add(f"place {number}", place, after=[fetched], uses=["ur10", "arm", "tray"])]
+        schedule = Schedule(self.cell.now)
+        for action in self._planned(order, share.by_arm):
+            number = int(action.name.split()[-1])
+            run = self._work(action.name.split()[0], order[number], number, share.by_arm, kit)
+            schedule.add(action.name, run, after=action.after, uses=action.uses)
         kit.timeline = await schedule.run()
         kit.time = self.cell.now() - begun
+        self.times.learn(kit.timeline, self._kinds(order))
         return kit
+
+    def _kinds(self, order: Sequence[Product]) -> dict[str, str]:
+        """The kind of each possible action, by its name, for the times of steps."""
+        kinds = {f"{verb} {n}": verb for n in range(len(order)) for verb in ("fetch", "place", "take", "put")}
+        return kinds | {f"fetch {n}": "fetch box" for n, product in enumerate(order) if product.type == "box"}
+
+    def _planned(self, order: Sequence[Product], by_arm: frozenset[int]) -> list[Planned]:
+        """The actions of an order: those of the UR10 one after the other, those of the modular arm beside them.
+
+        While the UR10 is at the tray or at the belt, the modular arm stands still.
+        """
+        kinds = self._kinds(order)
+
+        def planned(name: str, after: Sequence[str], *uses: str) -> Planned:
+            return Planned(name, self.times[kinds[name]], tuple(after), frozenset(uses))
+
+        found: list[Planned] = []
+        places: list[str] = []
+        for number, product in enumerate(order):
+            if number not in by_arm:
+                at_belt = ("arm",) if product.type == "box" and self.arm is not None else ()
+                found.append(planned(f"fetch {number}", places[-1:], "ur10", *at_belt))
+                places.append(f"place {number}")
+                found.append(planned(f"place {number}", [f"fetch {number}"], "ur10", "arm", "tray"))
+        put: list[str] = []
+        for count, number in enumerate(sorted(by_arm)):
+            found.append(planned(f"take {number}", put, "arm"))
+            put = [f"put {number}"]
+            # not earlier, or the UR10 would wait with its product until the box is on the tray
+            found.append(planned(f"put {number}", [f"take {number}", *places[count : count + 1]], "arm", "tray"))
+        return found
+
+    def _work(
+        self, verb: str, product: Product, number: int, by_arm: frozenset[int], kit: Kit
+    ) -> Callable[[], Awaitable[None]]:
+        """The coroutine function of an action."""
+        state = self._states.setdefault((id(kit), number), {})
+
+        async def work() -> None:
+            if verb == "fetch":
+                await self._guarded(self._fetch(product, state), product, kit)
+            elif verb == "take":
+                await self._guarded(self._take_box(state), product, kit)
+            elif state and number in by_arm:
+                await self._guarded(self._put_box(product, state["part"], kit), product, kit)
+            elif state:
+                await self._guarded(self._place(product, state["part"], kit), product, kit)
+
+        return work
 
     async def _guarded(self, work: Awaitable[None], product: Product, kit: Kit) -> None:
         try:
@@ -170,7 +220,7 @@ class Kitter:
         ur10 = self.ur10
         slot = Slot(product.type, (product.type,))
         await ur10.look()
-        self._fence(on=self.arm is not None)
+        self._fence(on=self.arm is not None and product.type != "box")
         try:
             row = PartResult(product.type)
             example = self.layout.of_types((product.type,))[0]
@@ -230,8 +280,8 @@ class Kitter:
 
     # --- by the modular arm ---------------------------------------------------------------------------------------
 
-    async def _box_by_arm(self, product: Product, kit: Kit) -> None:
-        """Take the nearest box that is not on the tray, and put it into its place."""
+    async def _take_box(self, state: dict[str, str]) -> None:
+        """Take the nearest box that is not on the tray; the arm then stands still above the belt."""
         arm = self.arm
         assert arm is not None
         box = self._next_box()
@@ -252,14 +302,13 @@ class Kitter:
             await arm.move(over, ARM_TIME)
             raise TaskFailed(f"the arm could not attach {box}")
         await arm.move(over, ARM_TIME)
-        state = await self.cell.connector(arm.tip)
-        goal = self.goal(product, box)
-        held = goal * se3(state.offset).inverse()
-        await self._put_box(arm, held)
-        kit.products.append((product, box))
+        state["part"] = box
 
-    async def _put_box(self, arm: ArmOperator, held: pin.SE3) -> None:
+    async def _put_box(self, product: Product, box: str, kit: Kit) -> None:
         """Bring the tip above its place, turn the box as ordered, lower it and let go."""
+        arm = self.arm
+        assert arm is not None
+        held = self.goal(product, box) * se3((await self.cell.connector(arm.tip)).offset).inverse()
         place = held.translation
         above = arm.above((place + np.array([0.0, 0.0, ABOVE])).tolist(), await arm.positions())[0]
         above = _turned_to(arm, above, held)
@@ -273,6 +322,7 @@ class Kitter:
         await self.cell.sleep(0.15)
         await arm.move(above, ARM_TIME)
         await arm.go(REST)
+        kit.products.append((product, box))
 
     def _next_box(self) -> str:
         free = []

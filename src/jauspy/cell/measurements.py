@@ -47,6 +47,7 @@ UNITS: Final[dict[str, tuple[str, ...]]] = {
         "build_time",
         "load_time",
         "order_time",
+        "expected_time",
         "saved_by_schedule",
         "settled",
         "stabilisation",

@@ -340,6 +340,9 @@ async def _kitted(session: Session, seed: int, task: str, kitter: Kitter, buildi
         "placed": float(len(placed)),
         "order_time": kit.time,
         "build_time": building,
+        "expected_time": kit.share.expected,
+        "expected_time_alone": kit.share.alone,
+        "boxes_by_arm": float(len(kit.share.by_arm)),
         "saved_by_schedule": kit.timeline.saved,
         "largest_error": max((off[0] for off in placed.values()), default=0.0),
     }
