@@ -49,6 +49,9 @@ class Cell:
             for other in self.slipping:
                 self.held.pop(other, None)
 
+    async def command_arm(self, positions: list[float], duration: float) -> None:
+        self.presses += 1
+
     async def connector(self, name: str) -> ConnectorState:
         part, press = self.attaches.get(name, ("", 0))
         if part and self.presses > press:
@@ -92,7 +95,9 @@ class Arm:
     async def move(self, goal: np.ndarray, duration: float) -> None:
         self.at = goal
         self._cell.time += duration
-        self._cell.presses += 1
+
+    async def vector(self, goal: np.ndarray) -> list[float]:
+        return goal.tolist()
 
     async def wait_attached(self, connector: str, within: float) -> str:
         return (await self._cell.connector(connector)).attached_to
@@ -201,3 +206,16 @@ class TestStep:
         with pytest.raises(TaskFailed, match="the end of the arm cannot be lowered onto servo_5/output"):
             await made._lower(far, np.array([0.0, 0.0, -1.0]), np.zeros(5), "servo_5/output", "platform_2")
         assert cell.enabled == []
+
+
+async def test_it_steps_back_so_that_its_foot_faces_as_before(layout: Layout) -> None:
+    made = stepper(layout, Cell())
+    hanging = HangingChain(made._platform("platform_2"), made.arm.members)
+    made.arm.stand(hanging)
+    there = made.frame(BASE)
+    for posture in made.arm.above((there * shifted(z=0.05)).translation.tolist(), np.zeros(5), (0.0, 0.0, 1.0)):
+        before = hanging.forward(posture)
+        facing = hanging.forward(made._facing(posture, there))
+        assert facing.translation == pytest.approx(before.translation, abs=1e-6)
+        assert facing.rotation[:, 0] == pytest.approx(there.rotation[:, 0], abs=1e-3)
+        assert np.max(np.abs(made._facing(posture, there))) < 2.0 * np.pi

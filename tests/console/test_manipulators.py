@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import math
+from typing import Any
 
 import pytest
 from nicegui import Client
@@ -21,6 +22,7 @@ from jauspy.console.manipulators import (
 )
 from jauspy.console.panels.arm import _JointRow
 from jauspy.console.panels.gripper import connector_state, switch
+from jauspy.console.trajectory import Trajectory, TrajectoryRow
 from jauspy.errors import ConfigError, RequestError
 from jauspy.ocu.motion_limits import MotionLimits
 
@@ -50,20 +52,6 @@ async def test_a_cell_has_two_arms_and_the_joints_of_one_come_and_go() -> None:
             await arm.follow([(1.0, {"servo_1": 0.2}), (0.0, {"servo_2": -0.3})], begun.append)
             assert begun == [0, 1]
             assert await arm.positions() == pytest.approx({"servo_1": 0.2, "servo_2": -0.3}, abs=0.01)
-            begun.clear()
-            begin, sent = cell.robot.arm.begin, []
-            cell.robot.arm.begin = lambda motion: (sent.append(motion), begin(motion))[1]
-            await arm.follow([(0.5, {"servo_1": 0.4}), (0.3, {"servo_1": 0.1})], begun.append)
-            assert begun == [0, 1]
-            assert [(point.time, point.positions) for point in sent[0].points] == [(0.5, (0.4,)), (0.8, (0.1,))]
-            assert len(sent) == 1, "one motion, without a stop at the first row"
-            following = asyncio.create_task(
-                arm.follow([(2.0, {"servo_1": 0.4}), (3.0, {"servo_1": 0.1})], begun.append)
-            )
-            await asyncio.sleep(0.3)
-            await robot.component("201.3.1").modular_arm.begin([0.0, 0.0], 1.0)
-            with pytest.raises(RequestError, match="another motion took its place"):
-                await following
             with pytest.raises(ConfigError, match="row 1: there is no joint 'servo_9' now"):
                 await arm.follow([(1.0, {"servo_9": 0.2})], begun.append)
 
@@ -79,6 +67,42 @@ async def test_a_cell_has_two_arms_and_the_joints_of_one_come_and_go() -> None:
         cell.robot.connectors["servo_1/output"].set(False)
         await asyncio.sleep(0.2)
         assert [each.name for each in await arm.joints()] == ["servo_1"]
+
+
+async def test_rows_with_times_are_one_motion() -> None:
+    async with world() as cell:
+        robot = await cell.ocu.discover(201)
+        arm = manipulators(robot)["201.3.1"]
+        cell.robot.assemble("servo_1", "tube_1", "servo_2")
+        await asyncio.sleep(0.2)
+        async with robot.control("201.3.1"):
+            begun = list[int]()
+            begin, sent = cell.robot.arm.begin, []
+            cell.robot.arm.begin = lambda motion: (sent.append(motion), begin(motion))[1]
+            await arm.follow([(0.5, {"servo_1": 0.4}), (0.3, {"servo_1": 0.1})], begun.append)
+            assert begun == [0, 1]
+            assert [(point.time, point.positions) for point in sent[0].points] == [(0.5, (0.4,)), (0.8, (0.1,))]
+            assert len(sent) == 1, "one motion, without a stop at the first row"
+            following = asyncio.create_task(
+                arm.follow([(2.0, {"servo_1": 0.4}), (3.0, {"servo_1": 0.1})], begun.append)
+            )
+            await asyncio.sleep(0.3)
+            await robot.component("201.3.1").modular_arm.begin([0.0, 0.0], 1.0)
+            with pytest.raises(RequestError, match="another motion took its place"):
+                await following
+
+
+async def test_the_exported_program_moves_the_modular_arm() -> None:
+    async with world() as cell:
+        robot = await cell.ocu.discover(201)
+        cell.robot.assemble("servo_1", "tube_1", "servo_2")
+        await asyncio.sleep(0.2)
+        for rows in ([(0.5, [0.3]), (0.4, [0.6])], [(0.0, [0.1]), (0.4, [0.6])]):
+            made = Trajectory(("servo_1",), [TrajectoryRow(*row) for row in rows])
+            names: dict[str, Any] = {"__name__": "exported"}
+            exec(compile(made.program(201, "201.3.1", modular=True), "exported.py", "exec"), names)
+            await names["play"](robot)
+            assert (await manipulators(robot)["201.3.1"].positions())["servo_1"] == pytest.approx(0.6, abs=0.01)
 
 
 def test_the_slider_of_a_joint_without_limits_shows_the_turn_that_the_joint_is_in() -> None:

@@ -96,7 +96,7 @@ async def test_the_exported_program_moves_the_arm(virtual_network: VirtualNetwor
 def test_the_program_of_a_modular_arm_is_python() -> None:
     text = trajectory((1.0, 0.1, 0.05)).program(201, "201.3.1", modular=True)
     compile(text, "exported.py", "exec")
-    assert "motion_command" in text
+    assert "arm.follow(" in text
 
 
 def test_poses_and_trajectories_are_kept_by_robot(tmp_path: Path) -> None:

@@ -49,6 +49,8 @@ async def test_modular_arm_moves_and_says_what_it_refuses(cell):
         await arm.move([math.nan, 0.75])
         assert (await arm.state()).positions == pytest.approx((0.5, 0.75), abs=1e-3)
         with pytest.raises(RequestError, match=r"^1 positions for 2 joints \(servo_1, servo_2\)"):
+            await arm.move([math.nan])
+        with pytest.raises(RequestError, match=r"refused to move: motion refused: \[1\] positions for 2 joints"):
             await arm.move([0.1])
         with pytest.raises(RequestError, match=r"refused to move: motion refused: \[2\] positions"):
             await arm.move([0.1, 0.1], -1.0)

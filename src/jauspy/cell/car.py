@@ -226,6 +226,10 @@ class CarTask:
             self.car, held.grasp, ur10.at, goals, along=shifted(z=0.06), touches=["conveyor"], press=DEEPER
         )
         await ur10.go(place.transfer, speed=CARRY_SPEED, gentle=True)
+        state = await self.cell.connector(GRIPPER)
+        if state.attached_to != self.car:
+            ur10.forget_held()
+            raise TaskFailed(f"the car was dropped on the way to the belt: {state.last_error or 'nothing is held'}")
         await ur10.go(place.insert, speed=0.1, contact=True, gentle=True)
         await ur10.press(place.contact)
         await self._release(self.car, place.goal)
@@ -339,7 +343,7 @@ class CarTask:
             with scene.without(grasped):
                 put = planner.line(above, tool)
             back = ur10.handling.retreat(put.end, AWAY)
-            if back.clearance.distance < 0.0:
+            if back.clearance.distance < -2.0 * PRESS:  # it begins in contact
                 raise NoPath(f"the gripper could not get away: {' and '.join(back.clearance.between)} would touch")
             planner.to_posture(back.end, PARKED)
         finally:

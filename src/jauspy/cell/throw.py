@@ -45,10 +45,10 @@ NEAR: Final = 0.03
 """Throws that are drawn at random, those of them that are planned, the most that are tried from the best of these on,
 how often all that is done, and the width of the first steps from random throws and from an earlier one."""
 LEANING: Final = 0.03
-"""Radians by which a box leans forward when it lands. In simulations of a box with its shorter side along the throw,
-whose attitude differs by chance (0.01 forward, 0.002 to the side), from 0.02 to 0.05 nine of ten come to rest within
-6 mm of the same place; level, and beyond 0.08, one of ten tumbles by 0.1 m."""
-SLIDE: Final = 0.008
+"""Radians by which a box leans forward when it lands. In simulations of boxes with their shorter side ahead, whose
+attitude differs by chance (`tools/landings.py`), from 0.02 to 0.07 nine of ten come to rest within 9 mm of the same
+place; level, and leaning back, one of ten tumbles by 0.1 m."""
+SLIDE: Final = 0.004
 """Metres that such a box comes to rest beyond its landing, in the same simulations."""
 STEEPNESS: Final = 0.6
 """Horizontal over vertical speed at the landing that friction takes in the impact: the friction of cardboard."""
@@ -257,6 +257,9 @@ class ThrowPlanner:
         shorter = load.frame.rotation[:, int(load.size[1] < load.size[0])]
         self._roll = math.remainder(-math.atan2(shorter[1], shorter[0]), math.pi)
         """Position of the last joint that has the box's shorter side along the throw, however it was taken."""
+        upright = chain.forward(np.append(np.zeros(chain.model.nq - 1), self._roll)) * load.frame
+        self._beside = float((upright.translation - chain.root)[1])
+        """Metres by which the box is to the left of the plane in which the arm bends."""
         self._dynamics = chain.model.copy()
         x, y, z = load.size
         self._box = pin.Inertia.FromBox(load.mass, x, y, z)
@@ -371,9 +374,8 @@ class ThrowPlanner:
 
     def turned(self, plan: ThrowPlan, aim: Array) -> ThrowPlan:
         """The same throw, turned to and timed for another aim; raises `NoPath` if that breaks a limit."""
-        away = aim[:2] - self.chain.root[:2]
         windup, goal = plan.windup.copy(), plan.follow_through.copy()
-        windup[0] = goal[0] = math.atan2(away[1], away[0])
+        windup[0] = goal[0] = self._heading(aim)
         windup[-1] = goal[-1] = self._roll
         return replace(self.aimed(windup, goal, aim), row=plan.row)
 
@@ -444,9 +446,13 @@ class ThrowPlanner:
 
     def _posture(self, row: Array, aim: Array) -> tuple[Array, Array]:
         """Positions (rad) and velocities (rad/s) at the release of a row of `BOUNDS`."""
-        away = aim[:2] - self.chain.root[:2]
-        positions = np.array([math.atan2(away[1], away[0]), *row[:3], self._roll])
+        positions = np.array([self._heading(aim), *row[:3], self._roll])
         return positions, np.array([0.0, *row[3:6], 0.0]) * self.limits.velocity
+
+    def _heading(self, aim: Array) -> float:
+        """Position of the first joint, radians, at which the box flies over `aim`."""
+        x, y, _ = aim - self.chain.root
+        return math.atan2(y, x) - math.asin(self._beside / math.hypot(x, y))
 
     def _far(self, aim: Array) -> float:
         """Metres from the arm's base to the landing of a box that rests at `aim`."""

@@ -150,8 +150,8 @@ class Trajectory:
             component=component,
             joints=joints,
             rows=rows,
-            imports="\nfrom jauspy.messages.cell import QueryModularArmState" if modular else "",
-            more="\nfrom jauspy.services.cell import motion_command" if modular else "",
+            imports="\nfrom itertools import accumulate" if modular else "",
+            more="\nfrom jauspy.platform.modular.arm import TrajectoryPoint" if modular else "",
             play=_PLAY_MODULAR if modular else _PLAY,
         )
 
@@ -176,15 +176,17 @@ async def play(robot):
 '''
 _PLAY_MODULAR: Final = '''
 async def play(robot):
-    """Move the arm through all rows."""
-    arm = robot.component(ARM).service("ModularArm")
+    """Move the arm through all rows: without stops if each has a time."""
+    arm = robot.component(ARM).modular_arm
     async with robot.control(ARM):
-        names = [joint.name for joint in (await arm.query(QueryModularArmState())).joint_list]
+        if all(seconds > 0.0 for seconds, _ in ROWS):
+            times = accumulate(seconds for seconds, _ in ROWS)
+            points = [TrajectoryPoint(time, positions) for time, (_, positions) in zip(times, ROWS, strict=True)]
+            await arm.follow(JOINTS, points)
+            return
         for number, (seconds, positions) in enumerate(ROWS, 1):
             print(f"row {number} of {len(ROWS)}")
-            wanted = dict(zip(JOINTS, positions, strict=True))
-            command = motion_command([wanted.get(name, float("nan")) for name in names], seconds)
-            await arm.perform(command, within=seconds + 10.0)
+            await arm.follow(JOINTS, [TrajectoryPoint(seconds, positions)])
 '''
 _PROGRAM: Final = '''"""Moves an arm through a trajectory that was made with the console of jauspy.
 
@@ -192,9 +194,9 @@ _PROGRAM: Final = '''"""Moves an arm through a trajectory that was made with the
 """
 
 import asyncio
-import sys
+import sys{imports}
 
-from jauspy import OCU{imports}{more}
+from jauspy import OCU{more}
 
 SUBSYSTEM, ARM = {subsystem}, "{component}"
 JOINTS = (

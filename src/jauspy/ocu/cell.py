@@ -101,11 +101,13 @@ class ModularArm:
         """Begin a motion to these positions that takes `duration` seconds; NaN leaves a joint where it is told to be.
 
         With 0 seconds it is as fast as the joints' limits allow. Returns the number of the motion, by which `result()`
-        tells how it ended; raises `RequestError` if the arm has another number of joints.
+        tells how it ended.
         """
         check_number(duration, "duration")
         for number, position in enumerate(positions, 1):
             check_number(position, f"joint {number}")
+        if not any(map(math.isnan, positions)):
+            return await self._send((), [TrajectoryPoint(float(duration), tuple(map(float, positions)))])
         joints = (await self.state()).joints
         if len(joints) != len(positions):
             raise RequestError(f"{len(positions)} positions for {len(joints)} joints ({', '.join(joints)})")

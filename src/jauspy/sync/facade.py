@@ -806,7 +806,7 @@ class ModularArm(Facade[_ModularArm]):
         """Begin a motion to these positions that takes `duration` seconds; NaN leaves a joint where it is told to be.
 
         With 0 seconds it is as fast as the joints' limits allow. Returns the number of the motion, by which `result()`
-        tells how it ended; raises `RequestError` if the arm has another number of joints.
+        tells how it ended.
         """
         return self._portal.run(self._async.begin(positions, duration))
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from jauspy.platform.modular.holding import CUP, GRIPPER_CUP, LATCH, SAFETY, Holding
+from jauspy.platform.modular.holding import CUP, GRIPPER_CUP, LATCH, PLATE, SAFETY, Holding
 
 NOTHING = (0.0, 0.0, 0.0)
 
@@ -48,3 +48,31 @@ def test_many_loads_at_once_are_the_same() -> None:
 def test_what_is_planned_leaves_a_third() -> None:
     assert LATCH.moment / SAFETY == pytest.approx(18.3, abs=0.05)
     assert math.isclose(1.0 / SAFETY, 2.0 / 3.0)
+
+
+def test_without_a_leak_the_vacuum_approaches_the_full_one_exponentially() -> None:
+    tau = PLATE.volume / PLATE.suction
+    assert PLATE.evacuated(0.0, 0.0, tau) == pytest.approx(1.0 - math.exp(-1.0))
+    assert PLATE.evacuated(PLATE.evacuated(0.0, 0.0, tau), 0.0, tau) == pytest.approx(1.0 - math.exp(-2.0))
+    assert PLATE.settled(0.0) == 1.0
+
+
+@pytest.mark.parametrize(("gap", "tilt"), [(0.003, 0.0), (0.0015, 0.03), (0.0, 0.08), (0.0025, 0.01), (0.001, 0.03)])
+def test_the_leak_is_the_area_that_the_lip_leaves_open(gap: float, tilt: float) -> None:
+    angles = np.linspace(0.0, math.tau, 20001)[:-1]
+    open_gap = np.maximum(0.0, gap - PLATE.stroke + PLATE.radius * math.sin(tilt) * np.cos(angles))
+    assert PLATE.leak(gap, tilt) == pytest.approx(math.tau * PLATE.radius * float(open_gap.mean()), rel=1e-3, abs=1e-12)
+
+
+def test_the_vacuum_settles_where_the_pump_keeps_up_with_the_leak() -> None:
+    leak = 2e-6
+    settled = PLATE.settled(leak)
+    inflow = 0.6 * leak * math.sqrt(2.0 * 90e3 * settled / 1.2)
+    assert inflow == pytest.approx(PLATE.suction * (1.0 - settled))
+    vacuum = 0.0
+    for _ in range(100):
+        vacuum = PLATE.evacuated(vacuum, leak, 0.004)
+        assert vacuum <= settled
+    assert vacuum == pytest.approx(settled, rel=1e-3)
+    assert PLATE.evacuated(1.0, leak, 0.5) == pytest.approx(settled, rel=1e-3)
+    assert PLATE.settled(1e-3) < 0.01

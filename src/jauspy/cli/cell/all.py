@@ -23,6 +23,7 @@ FILMED: Final = {
     "assemble": "The UR10 builds the arm with five joints",
     "lift": "The arm takes a box off the moving conveyor and throws it",
     "step": "The arm steps from platform to platform and back",
+    "take-apart": "The UR10 takes the arm apart, and puts its parts back into their bins",
     "car": "The UR10 builds the car, puts it and the arm on the conveyor, and it drives off",
 }
 STORIES: Final = "trials-demo.json"

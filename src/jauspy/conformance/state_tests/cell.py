@@ -37,6 +37,7 @@ CLAIMED_BY: Final = QueryServoState(0x10000)
 ENABLED: Final = QueryConnectorState(0x1, 1)
 ATTACHED_TO: Final = QueryConnectorState(0x2, 1)
 NAMES: Final = "names of the cell"
+PLACES: Final = "positions of the arm"
 
 
 def _unless_claimed(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
@@ -58,6 +59,7 @@ def _unless_attached(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a
 def _remember_joints(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
     report = explorer.client(OBSERVER).ask(QueryModularArmState(), ReportModularArmState, to=explorer.component)
     explorer.tester.memory[NAMES] = [joint.name for joint in report.joint_list]
+    explorer.tester.memory[PLACES] = [joint.position for joint in report.joint_list]
 
 
 def _stay(explorer: Explorer) -> Message:
@@ -66,10 +68,11 @@ def _stay(explorer: Explorer) -> Message:
     return kind(kind.MotionDurationRec(0.0), [kind.JointPositionRec() for _ in explorer.tester.memory[NAMES]])
 
 
-def _stay_at_a_point(explorer: Explorer) -> Message:  # noqa: ARG001 - a Stimulus
-    """A trajectory of one point that moves no joint."""
-    kind = SetModularArmTrajectory
-    return kind(kind.ModularArmTrajectoryRec(1), [], [kind.TrajectoryPointSeq(kind.PointTimeRec(0.0), [])])
+def _stay_at_a_point(explorer: Explorer) -> Message:
+    """A trajectory of one point, to where the joints are."""
+    kind, places = SetModularArmTrajectory, explorer.tester.memory[PLACES]
+    point = kind.TrajectoryPointSeq(kind.PointTimeRec(0.0), [kind.JointValuesRec(place) for place in places])
+    return kind(kind.ModularArmTrajectoryRec(1), [], [point])
 
 
 def _same_order(explorer: Explorer) -> Message:
@@ -108,7 +111,7 @@ CELL_COMMANDS: Final = (
     ),
     effect(SetConveyorSpeed, QueryConveyorState(0x1), ReportConveyorState, "commanded_speed", 0.02),
     Stimulus("MoveModularArm", _stay, before=_remember_joints),
-    Stimulus("SetModularArmTrajectory", _stay_at_a_point),
+    Stimulus("SetModularArmTrajectory", _stay_at_a_point, before=_remember_joints),
     Stimulus("SetModularArmOrder", _same_order, before=_remember_joints),
     Stimulus("SetModulePower", _same_power, before=_remember_power),
 )

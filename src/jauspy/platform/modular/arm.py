@@ -125,14 +125,22 @@ class ModularArm(OptionalPart):
         that limits do not allow, or an arm that has other joints than those `known` are refused: the arm holds, and
         `state().error` contains the reason.
         """
-        points = (TrajectoryPoint(duration, tuple(positions)),)
-        motion = ArmMotion(self.name, points, known=None if known is None else tuple(known), number=next(_NUMBERS))
-        self.begin(motion)
-        return motion.number
+        return self._begin([TrajectoryPoint(duration, tuple(positions))], None, known)
 
-    def follow(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> int:
-        """Move these joints through points, and to rest at the last one; the others stay. Returns as `move` does."""
-        motion = ArmMotion(self.name, tuple(points), joints=tuple(joints), number=next(_NUMBERS))
+    def follow(
+        self, joints: Sequence[str] | None, points: Sequence[TrajectoryPoint], *, known: Sequence[str] | None = None
+    ) -> int:
+        """Move these joints through points, and to rest at the last one; the others stay. Returns as `move` does.
+
+        None means all joints; the arm then must have those `known`.
+        """
+        return self._begin(points, joints, known)
+
+    def _begin(
+        self, points: Sequence[TrajectoryPoint], joints: Sequence[str] | None, known: Sequence[str] | None
+    ) -> int:
+        names, expected = (None if given is None else tuple(given) for given in (joints, known))
+        motion = ArmMotion(self.name, tuple(points), joints=names, known=expected, number=next(_NUMBERS))
         self.begin(motion)
         return motion.number
 

@@ -62,7 +62,8 @@ def trajectory_command(
 ) -> SetModularArmTrajectory:
     """The command for a motion of these joints through points; `number` is that of the client, 1 to 2^32 - 1.
 
-    A joint that a point leaves out must be left out of `joints`: NaN as a position has no place in the message.
+    Without joints it is for all, base to tip. A joint that stays must not be among them: the message has no place for
+    NaN as a position.
     """
     kind = SetModularArmTrajectory
     record, names = kind.ModularArmTrajectoryRec(number), [kind.JointNameRec(name) for name in joints]
@@ -108,10 +109,12 @@ class ArmMotionControl:
         self._holding = False
         return self.arm.move(positions, duration, known=known)
 
-    def follow(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> int:
-        """Move these joints through points. Returns the number of the motion."""
+    def follow(
+        self, joints: Sequence[str] | None, points: Sequence[TrajectoryPoint], known: Sequence[str] | None
+    ) -> int:
+        """Move these joints, or all, through points; as `move`."""
         self._holding = False
-        return self.arm.follow(joints, points)
+        return self.arm.follow(joints, points, known=known)
 
     def stop(self) -> None:
         """Hold, unless it already does."""
@@ -147,10 +150,12 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
         self._end(MotionResult.REPLACED, "another motion took its place")
         self._follow_motion(0, self._control.move(positions, msg.motion_duration_rec.duration, self._told.get(source)))
 
-    def set_modular_arm_trajectory(self, msg: SetModularArmTrajectory) -> None:
+    def set_modular_arm_trajectory(self, msg: SetModularArmTrajectory, source: JausID) -> None:
         """Begin a motion through points; as above."""
         self._end(MotionResult.REPLACED, "another motion took its place")
-        motion = self._control.follow([joint.name for joint in msg.joint_list], _read_points(msg))
+        names = [joint.name for joint in msg.joint_list]
+        known = None if names else self._told.get(source)
+        motion = self._control.follow(names or None, _read_points(msg), known)
         self._follow_motion(msg.modular_arm_trajectory_rec.motion_number, motion)
 
     def hold_modular_arm(self) -> None:

@@ -68,7 +68,7 @@ class SetModularArmOrder(jd.Message):
 class SetModularArmTrajectory(jd.Message):
     """SetModularArmTrajectory (0xDA69): Moves joints through points at given times, and to rest at the last one.
 
-    joint_list: 0..255 items. The joints that move, in any order
+    joint_list: 0..255 items. The joints that move; none means all, base to tip
     point_list: 0..255 items. The points, in the order of their times
     """
 
