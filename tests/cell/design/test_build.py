@@ -31,7 +31,7 @@ from jauspy.platform.modular.parts import CellSetup
 TASKS = Path(__file__).parents[3] / "docs" / "tasks"
 BASE = "platform_1/top"
 ELBOW = (Element("x8_9_elbow"), Element("tube_long"))
-CHAIN = ("x5_9_inline", "bracket_straight", "x8_9_elbow", "tube_long", "x5_9_elbow", "tube_short")
+CHAIN = ("x5_9_inline", "x8_9_elbow", "tube_long", "x5_9_elbow")
 """A chain that the UR10 builds easily: nothing has to be turned where it cannot reach."""
 
 
