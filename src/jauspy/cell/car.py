@@ -282,7 +282,8 @@ class CarTask:
         scene, planner, k = ur10.scene, ur10.planner, self.layout.kinematics
         for name, frame in frames.items():
             scene.put(name, pieces_of_part(self.layout.type_of(name)), frame)
-        reasons = []
+        reasons: list[str] = []
+        second_best: CarryPlan | None = None
         for grasp in ur10.handling.grasps(grasped):
             contact = frames[grasped] * grasp
             for posture in k.solve(contact * shifted(z=-0.06), ur10.at):
@@ -292,12 +293,19 @@ class CarTask:
                         near = planner.line(approach.end, contact * shifted(z=-SLOW), margin=-0.002)
                         touch = planner.line(near.end, contact * shifted(z=PRESS), margin=-0.002)
                     up, over = self._plan_across(touch.end, contact, frames, root, top)
-                    moved = shifted(*(top.translation - frames[root].translation).tolist())
-                    self._check_way_out(over.end, moved * k.forward(touch.end), grasped, frames, moved)
                 except NoPath as error:
                     reasons.append(str(error))
                     continue
-                return CarryPlan(approach, near, touch, up, over)
+                plan = CarryPlan(approach, near, touch, up, over)
+                moved = shifted(*(top.translation - frames[root].translation).tolist())
+                try:
+                    self._check_way_out(over.end, moved * k.forward(touch.end), grasped, frames, moved)
+                except NoPath:
+                    second_best = second_best or plan
+                    continue
+                return plan
+        if second_best is not None:
+            return second_best
         raise NoPath(reasons[0] if reasons else "the bracket is out of reach")
 
     def _plan_across(
@@ -342,8 +350,8 @@ class CarTask:
                 scene.put(name, pieces_of_part(self.layout.type_of(name)), moved * frame)
             with scene.without(grasped):
                 put = planner.line(above, tool)
-            back = ur10.handling.retreat(put.end, AWAY)
-            if back.clearance.distance < -2.0 * PRESS:  # it begins in contact
+                back = ur10.handling.retreat(put.end, AWAY)
+            if back.clearance.distance < 0.0:
                 raise NoPath(f"the gripper could not get away: {' and '.join(back.clearance.between)} would touch")
             planner.to_posture(back.end, PARKED)
         finally:
