@@ -40,9 +40,9 @@ SEEKING: Final = 4.0
 A box that moves on the belt at 0.25 m/s pushes the connector that comes down on it with 0.16 of a module's torque.
 """
 
-NEAR: Final = 0.015
-"""Radians of all joints from their targets up to which an arm presses onto something rather than meets it in its way;
-nor is a joint blocked so close to its target (ADR 131)."""
+NEAR: Final = 0.04
+"""Radians of all joints from their targets up to which an arm is to touch something, rather than meets it in its way:
+it presses connectors onto each other with up to 0.3 of a module's torque."""
 
 SUSPICION: Final = 0.7
 """Part of that threshold from which on a payload is no longer estimated: the contact would count as one."""
