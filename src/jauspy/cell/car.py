@@ -30,6 +30,8 @@ CARRY_SPEED: Final = 0.25
 """Fraction of the UR10's speed with the car in the gripper."""
 ARM_SPEED: Final = 0.08
 """The same with the arm, whose joints have no power then and are held by friction only."""
+LOCKING_TIME: Final = 0.3
+"""Seconds in which the gripper's latch has locked, if it does."""
 BESIDE: Final = (0.015, 0.12)
 """Metres from the middle of the belt towards the UR10, and from the line of the arm against the belt's direction, at
 which the car is put down."""
@@ -368,12 +370,15 @@ class CarTask:
             backward = self.layout.kinematics.forward(plan.touch.end) * turned("x", math.pi)
             state = await ur10.touch(plan.touch, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED)
             if state.attached_to == grasped:
+                await self.cell.sleep(LOCKING_TIME)
+                state = await self.cell.connector(GRIPPER)
+            if state.attached_to == grasped and state.latched:
                 break
             self.result.failed_grasps.append(state.last_error or f"nothing attaches to {grasped}")
             await self.cell.enable(GRIPPER, False)
             await ur10.go(Path((ur10.at, *plan.near.points[::-1])), speed=0.1, contact=True)
         else:
-            raise TaskFailed(f"the gripper does not hold {grasped}: {'; '.join(self.result.failed_grasps)}")
+            raise TaskFailed(f"the gripper does not lock {grasped}: {'; '.join(self.result.failed_grasps)}")
         frames = self._arm_frames(arm.last_goal)
         load = inertia_of([(member.type, frames[member.name]) for member in arm.members])
         await ur10.take_up(load.mass, load.lever)

@@ -532,7 +532,7 @@ def _faces(cell: CellModel) -> Iterable[Face]:
         for frame in kind.connectors.values():
             yield Face(part.name, carried, frame @ HALF_TURN, latch=kind.latch)
         for grasp in kind.grasps:
-            yield Face(part.name, body, grasp)
+            yield Face(part.name, body, grasp, latch=kind.grasp_latch)
 
 
 def _box_faces(part: str, kind: PartType, body: int) -> Iterable[Face]:

@@ -217,6 +217,8 @@ class PartType(Table):
     """The same for other faces by which it can be held, when it does not lie with the first one up."""
     latch: bool = False
     """True if its input flange and its connectors have mechanical latches; two that meet lock."""
+    grasp_latch: bool = False
+    """True if the faces by which the gripper holds it have latch plates, on which a gripper with a latch locks."""
 
     def __post_init__(self) -> None:
         if (self.kind is PartKind.SERVO) != (self.servo is not None):
@@ -427,7 +429,7 @@ class CellSetup(Table):
     gripper: Annotated[str, MaxLen(80)] = ""
     """Link of the URDF with the vacuum gripper, whose z axis points out of it; empty without one."""
     gripper_latch: bool = False
-    """True if the gripper has a latch as parts do: it locks on their flanges, but not on other faces."""
+    """True if the gripper has a latch as parts do: it locks on their flanges, and on other faces with `grasp_latch`."""
     pose_error: tuple[NotNegative, NotNegative] = (0.0, 0.0)
     """Largest error of the parts' poses at the start, metres and radians, drawn with `seed`."""
     scatter: bool = False
