@@ -434,7 +434,7 @@ class Assembler:
                 return f"the gripper lost it{_because(state)}"
             await self.cell.enable(release, False)
             await self.cell.sleep(RELEASE_TIME)
-        self._hold(plan.part, state)
+        self._hold(plan.part, se3(state.offset).inverse())
         if heavy and self.planner.load is not None:
             load = self.planner.load.inertia
             await self.take_up(load.mass, self.layout.kinematics.forward(self.at).act(load.lever))
@@ -444,7 +444,7 @@ class Assembler:
         if state.attached_to != plan.part:
             self._drop(plan.part)
             return f"it was dropped while it was lifted{_because(state)}"
-        self._hold(plan.part, state)
+        self._hold(plan.part, se3(state.offset).inverse())
         row.grasp_force = state.force
         if math.isfinite(state.mass_deviation):
             row.mass, row.mass_deviation = state.mass, state.mass_deviation
@@ -454,8 +454,7 @@ class Assembler:
             return why
         return ""
 
-    def _hold(self, part: str, state: ConnectorState) -> None:
-        grasp = se3(state.offset).inverse()
+    def _hold(self, part: str, grasp: pin.SE3) -> None:
         self.held = Held(part, grasp)
         self.planner.load = self.handling.load(part, grasp)
         self.scene.hold(part, self.handling.pieces(part), grasp.inverse())
@@ -495,6 +494,8 @@ class Assembler:
     async def join(self, slot: Slot, row: PartResult, tip: Tip, goals: list[pin.SE3]) -> bool:
         """Join the held part to the tip; false when it was lost or put down, and another one is needed."""
         part = row.part
+        search = iter(SEARCH)
+        aside = next(search)
         for attempt in range(JOINS):
             held = self.held
             state = await self.cell.connector(GRIPPER)
@@ -502,7 +503,7 @@ class Assembler:
                 self._drop(part)
                 row.attempts.append(f"{part}: it was dropped on the way{_because(state)}")
                 return False
-            beside = [goal * shifted(x=SEARCH[attempt]) for goal in goals]
+            beside = [goal * shifted(x=aside) for goal in goals]
             place = partial(self.handling.place, part, held.grasp, self.at, beside, touches=[tip.part])
             try:
                 plan = await self.cell.compute(place)
@@ -511,6 +512,7 @@ class Assembler:
                 if attempt == 0:
                     await self.put_down(part)
                     return False
+                aside = next(search, 0.0)
                 continue
             await self.go(plan.transfer)
             await self.go(plan.insert, speed=INSERT_SPEED, contact=True)
@@ -522,12 +524,21 @@ class Assembler:
                 await self._let_go(part, row, tip, slot, state)
                 return True
             row.attempts.append(f"{part}: {why}")
+            if state.attached_to == part:
+                self._correct_grasp(part, tip.frame * se3(state.offset))
+            else:
+                aside = next(search, 0.0)
             await self.cell.enable(tip.connector, False)
+            await self.cell.sleep(RELEASE_TIME)
             back = plan.insert.points[0]
             await self.go(Path((self.at, plan.insert.end, back)), speed=NEAR_SPEED, contact=True)
         if self.held is not None:
             await self.put_down(part)
         return False
+
+    def _correct_grasp(self, part: str, frame: pin.SE3) -> None:
+        """Take over how the part really is in the gripper, after a connector has found it at `frame`."""
+        self._hold(part, frame.actInv(self.layout.kinematics.forward(self.at)))
 
     def _joined_wrongly(self, connector: str, part: str, state: ConnectorState) -> str:
         if state.attached_to != part:
