@@ -13,7 +13,7 @@ from hypothesis import given, strategies as st
 
 from jauspy.cell.frames import Array, shifted
 from jauspy.cell.kinematics import Posture
-from jauspy.cell.motion import MotionPlanner, NoPath, Path, duration, profile
+from jauspy.cell.motion import MAX_NODES, MotionPlanner, NoPath, Path, duration, profile
 from jauspy.cell.scene import FAR, Clearance, PlanningScene
 
 LIMITS = st.lists(st.tuples(st.floats(-3.0, 3.0), st.floats(-3.0, 3.0), st.floats(0.1, 4.0), st.floats(0.1, 9.0)))
@@ -52,8 +52,8 @@ class Disks(PlanningScene):
         return self.clearance(positions)
 
 
-def planner(seed: int = 0, **disks: tuple[float, float, float]) -> MotionPlanner:
-    return MotionPlanner(Disks(**disks), Point(), margin=0.05, seed=seed)
+def planner(seed: int = 0, nodes: int = MAX_NODES, **disks: tuple[float, float, float]) -> MotionPlanner:
+    return MotionPlanner(Disks(**disks), Point(), margin=0.05, seed=seed, nodes=nodes)
 
 
 def at(x: float, y: float) -> Array:
@@ -121,11 +121,10 @@ class TestToAPosture:
         with pytest.raises(NoPath, match="not free: point would be -400 mm from pole"):
             planner(pole=(1.0, 0.0, 0.4)).to_posture(at(-1.0, 0.0), at(1.0, 0.0))
 
-    def test_without_a_way_the_obstacles_are_named(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr("jauspy.cell.motion.MAX_NODES", 60)
+    def test_without_a_way_the_obstacles_are_named(self) -> None:
         ring = {f"post_{n}": (float(np.cos(n * 0.52)), float(np.sin(n * 0.52)), 0.25) for n in range(13)}
         with pytest.raises(NoPath, match=r"no way around point and post_\d+ was found with 60 postures, 50 mm off"):
-            planner(0, **ring).to_posture(at(0.0, 0.0), at(1.8, 0.0))
+            planner(0, nodes=60, **ring).to_posture(at(0.0, 0.0), at(1.8, 0.0))
 
     def test_a_motion_may_begin_closer_than_the_margin_and_not_go_closer(self) -> None:
         made = planner(wall=(0.0, -1.0, 0.98))

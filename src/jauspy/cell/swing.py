@@ -24,7 +24,7 @@ from jauspy.geometry.vectors import rotation_about
 from jauspy.platform.modular.arm import ArmController
 
 ARM: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_4", "servo_5")
-"""The parts of the arm, from its base up, as `jauspy cell assemble` builds it."""
+"""The parts of the arm, from its base up: with an X5-4 as its fourth joint, as its published figures have it."""
 BASE: Final = "platform_1/top"
 TIP: Final = "servo_5/output"
 BOX: Final = "box_1"

@@ -24,8 +24,9 @@ def one_servo(name: str = "servo_5") -> tuple[SimulatedCell, SimulatedServo]:
     """An inline servo module upright on a platform; nothing on its output, and no modular arm that commands it."""
     cell = small_cell(["platform_1", name], arm="")
     put_on(cell, "platform_1/top", name)
-    cell.advance(0.02)
+    cell.advance(0.5)
     assert cell.servos[name].powered
+    assert cell.connectors["platform_1/top"].state().latched
     return cell, cell.servos[name]
 
 
