@@ -10,7 +10,7 @@ from typing import Any
 from jauspy.platform.description import RobotModel
 from jauspy.robot import robot_files
 from jauspy_sim.cell.robot import SimulatedCell
-from jauspy_sim.cell.start import GAP, put, put_on
+from jauspy_sim.cell.start import GAP, put, put_on, put_on_each_other
 
 __all__ = ["ARM", "GAP", "build_arm", "cell_model", "open_cell", "put", "put_on", "small_cell", "weightless"]
 
@@ -50,3 +50,11 @@ def small_cell(names: Sequence[str], **changes: Any) -> SimulatedCell:
     parts = tuple(part for part in setup.parts if part.name in names)
     bare: dict[str, Any] = {"parts": parts, "bins": (), "fixtures": (), "conveyor": None, "car": ""}
     return open_cell(**(bare | changes))
+
+
+def build_car(cell: SimulatedCell) -> None:
+    """Put wheels on servo modules, and these on the car, attached and locked."""
+    sides = ("front_left", "rear_left", "front_right", "rear_right")
+    for number, side in enumerate(sides):
+        put_on_each_other(cell, f"car/{side}", [f"servo_{6 + number}"])
+        put_on_each_other(cell, f"servo_{6 + number}/output", [f"wheel_{1 + number}"])

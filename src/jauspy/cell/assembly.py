@@ -83,6 +83,8 @@ WHEEL_TURNS: Final = 12
 BACK: Final = 0.02
 BACK_STEPS: Final = 4
 """Metres, and how often, that the gripper moves back from what it has released until there is room around it."""
+FULL: Final = 0.85
+"""Fraction of the whole vacuum from which on a part is lifted: a cup that leaks does not reach it."""
 EVACUATED_TIME: Final = 0.15
 """Seconds after an attachment in which the gripper's pump reaches the full vacuum."""
 RELEASE_TIME: Final = 0.2
@@ -422,16 +424,21 @@ class Assembler:
         stiff = heavy or bool(release)
         state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if stiff else TOUCH_SPEED)
         if state.attached_to != plan.part or (self.layout.locks(GRIPPER, plan.part) and not state.latched):
+            if state.attached_to == plan.part:  # the gripper has found where it is better than the sensor
+                where = self.layout.kinematics.forward(self.at) * se3(state.offset)
+                self.placed[plan.part] = self.cell.now(), where
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)
             return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}, or has not locked it"
-        if release:
+        if not state.latched:
             await self.cell.sleep(EVACUATED_TIME)
             state = await self.cell.connector(GRIPPER)
-            if state.attached_to != plan.part:
+            full = self.layout.setup.limits.gripper.pressure
+            if state.attached_to != plan.part or state.vacuum < FULL * full:
                 await self.cell.enable(GRIPPER, False)
                 await self.go(self.handling.retreat(self.at), contact=True)
-                return f"the gripper lost it{_because(state)}"
+                return f"the gripper holds it with {1e-3 * state.vacuum:.0f} of {1e-3 * full:.0f} kPa{_because(state)}"
+        if release:
             await self.cell.enable(release, False)
             await self.cell.sleep(RELEASE_TIME)
         self._hold(plan.part, se3(state.offset).inverse())

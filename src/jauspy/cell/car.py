@@ -212,7 +212,7 @@ class CarTask:
         goals = [shifted(x, y, self.belt.pose.z + radius - axle) * turned("z", math.pi / 2.0)]
         row = PartResult("car", self.car)
         for _ in range(GRASPS):
-            pose = ur10.seen[self.car].pose
+            pose = ur10.scene.poses[self.car]
             plan = ur10.handling.pick(self.car, pose, ur10.at, goals, lift=0.12, supports=["stand"])
             why = await ur10.try_grasp(plan, row, weigh=False)
             if not why:

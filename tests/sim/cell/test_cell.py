@@ -9,7 +9,7 @@ import pytest
 pytest.importorskip("mujoco")
 pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
-from tests.helpers.cells import ARM, build_arm, open_cell, put_on, small_cell, weightless
+from tests.helpers.cells import ARM, build_arm, build_car, open_cell, put_on, small_cell, weightless
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
@@ -17,8 +17,7 @@ from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.arm import ModularArm
 from jauspy.platform.modular.cell import Car, Conveyor, PartSensor
 from jauspy.platform.modular.parts import PartSensorSetup
-from jauspy_sim.cell.robot import SimulatedCell
-from jauspy_sim.cell.start import put_on_each_other, wait_attached
+from jauspy_sim.cell.start import wait_attached
 
 FIVE_DEGREES = math.radians(5.0)
 
@@ -175,13 +174,6 @@ def test_the_assembled_arm_moves_as_its_model_says() -> None:
     tip, told = cell.truth.connector("servo_5/output").position, state.tip_pose
     assert math.dist(tip, (told.x, told.y, told.z)) < 0.003
     assert not any(each.state().broken_off for each in cell.connectors.values())
-
-
-def build_car(cell: SimulatedCell) -> None:
-    sides = ("front_left", "rear_left", "front_right", "rear_right")
-    for number, side in enumerate(sides):
-        put_on_each_other(cell, f"car/{side}", [f"servo_{6 + number}"])
-        put_on_each_other(cell, f"servo_{6 + number}/output", [f"wheel_{1 + number}"])
 
 
 def test_the_car_drives_once_it_has_wheels() -> None:

@@ -13,7 +13,7 @@ import pytest
 pytest.importorskip("mujoco", reason="the simulated cell needs the extra 'sim'")
 pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
-from tests.helpers.cells import ARM, build_arm, put_on
+from tests.helpers.cells import ARM, build_arm, build_car, weightless
 
 from jauspy import OCU
 from jauspy.messages import cell as m
@@ -131,12 +131,9 @@ async def test_the_car_appears_and_is_driven_over_jaus():
     async with simulated() as cell:
         joint = cell.robot.model.joint("car")
         cell.robot.data.qpos[joint.qposadr[0] : joint.qposadr[0] + 7] = (-2.0, 0.0, 0.03, 1.0, 0.0, 0.0, 0.0)
-        for number, side in enumerate(("front_left", "rear_left", "front_right", "rear_right")):
-            assert "201.1.20" not in cell.ids
-            put_on(cell.robot, f"car/{side}", f"servo_{6 + number}")
-            cell.robot.advance(0.008)
-            put_on(cell.robot, f"servo_{6 + number}/output", f"wheel_{1 + number}")
-            cell.robot.advance(0.008)
+        assert "201.1.20" not in cell.ids
+        with weightless(cell.robot):
+            build_car(cell.robot)
         await asyncio.sleep(0.5)
         assert "201.1.20" in cell.ids
         car = (await cell.ocu.discover(201)).component("201.1.20")
