@@ -94,6 +94,7 @@ def test_a_camera_that_looks_beside_is_found(model: RobotModel, shift: Vector) -
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(900)
 @pytest.mark.parametrize("task", NEEDED)
 def test_all_that_moves_is_in_the_film(model: RobotModel, task: str) -> None:
     camera = camera_of(model, FILMED_BY[task])

@@ -53,6 +53,7 @@ def test_errors_of_the_joints_are_those_of_the_seed() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(900)
 async def test_the_model_settles_five_times_sooner() -> None:
     pytest.importorskip("mujoco", reason="MuJoCo is not installed")
     found = (await compare(7)).measured(7)

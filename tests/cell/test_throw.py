@@ -127,6 +127,7 @@ def test_a_flight_is_that_of_a_point_mass(planner: ThrowPlanner, plan: ThrowPlan
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(900)
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_the_simulation_sees_the_planned_clearance_and_no_contact(seed: int) -> None:
     found = asyncio.run(run_one("lift", seed))
@@ -151,6 +152,7 @@ async def _loads(seed: int) -> tuple[dict[str, float], dict[str, float]]:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(900)
 def test_the_simulation_measures_the_planned_loads() -> None:
     planned, measured = asyncio.run(_loads(1))
     planned["platform_1/top"] = planned.pop(BASE)
@@ -161,6 +163,7 @@ def test_the_simulation_measures_the_planned_loads() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(900)
 def test_ten_throws_come_to_rest_within_two_centimetres_once_the_first_ones_have_taught_the_aim() -> None:
     found = asyncio.run(run_one("throws", 1))
     assert found.success, found.failure

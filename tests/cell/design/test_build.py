@@ -157,6 +157,7 @@ def test_what_cannot_be_built_is_named(model: RobotModel, cell: CellSetup, wall:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(900)
 async def test_a_design_is_built_does_its_task_with_its_load_and_is_taken_apart(
     cell: CellSetup, wall: DesignTask
 ) -> None:
@@ -174,6 +175,7 @@ async def test_a_design_is_built_does_its_task_with_its_load_and_is_taken_apart(
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(900)
 async def test_a_missed_goal_fails(cell: CellSetup, wall: DesignTask, monkeypatch: pytest.MonkeyPatch) -> None:
     solve = ChainKinematics.solve
 
