@@ -25,7 +25,7 @@ class Used:
     """The most loaded connection of a motion."""
 
     fraction: float
-    """Of its strength."""
+    """Fraction of its strength that is used."""
     connector: str
 
     def __str__(self) -> str:

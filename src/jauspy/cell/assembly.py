@@ -427,16 +427,14 @@ class Assembler:
             if state.attached_to == plan.part:  # the gripper has found where it is better than the sensor
                 where = self.layout.kinematics.forward(self.at) * se3(state.offset)
                 self.placed[plan.part] = self.cell.now(), where
-            await self.cell.enable(GRIPPER, False)
-            await self.go(self.handling.retreat(self.at), contact=True)
+            await self._withdraw()
             return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}, or has not locked it"
         if not state.latched:
             await self.cell.sleep(EVACUATED_TIME)
             state = await self.cell.connector(GRIPPER)
             full = self.layout.setup.limits.gripper.pressure
             if state.attached_to != plan.part or state.vacuum < FULL * full:
-                await self.cell.enable(GRIPPER, False)
-                await self.go(self.handling.retreat(self.at), contact=True)
+                await self._withdraw()
                 return f"the gripper holds it with {1e-3 * state.vacuum:.0f} of {1e-3 * full:.0f} kPa{_because(state)}"
         if release:
             await self.cell.enable(release, False)
@@ -460,6 +458,11 @@ class Assembler:
             await self._put_back(plan, release)
             return why
         return ""
+
+    async def _withdraw(self) -> None:
+        """Let go of what was not grasped well, and move back from it."""
+        await self.cell.enable(GRIPPER, False)
+        await self.go(self.handling.retreat(self.at), contact=True)
 
     def _hold(self, part: str, grasp: pin.SE3) -> None:
         self.held = Held(part, grasp)

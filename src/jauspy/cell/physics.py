@@ -96,7 +96,7 @@ class Load:
     kind: str
     """Kind of the connection: a gripper, the cup of a connector, or its latch."""
     part: str
-    """What it held."""
+    """Name of what it held."""
     utilisation: float
     """Fraction of the strength."""
     time: float

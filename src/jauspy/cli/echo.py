@@ -14,7 +14,7 @@ from jauspy.cli.decode import part_json
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, FilterOption, Json, LocalRoot
 from jauspy.cli.render import Styled, styled_fields
-from jauspy.cli.traffic import CaptureFile, combined, traffic
+from jauspy.cli.traffic import CaptureFile, MessageName, Sender, combined, traffic
 from jauspy.inspection.rates import Route
 from jauspy.inspection.traffic import SeenMessage
 from jauspy.printable import printable
@@ -22,12 +22,8 @@ from jauspy.printable import printable
 
 def echo(
     *,
-    source: Annotated[
-        str | None, typer.Argument(metavar="[ID]", help="Only messages of this sender: 101.1.102, 101.* or '*'.")
-    ] = None,
-    message: Annotated[
-        str | None, typer.Argument(metavar="[MESSAGE]", help="Only messages of this name; * and ? are wildcards.")
-    ] = None,
+    source: Sender = None,
+    message: MessageName = None,
     only: FilterOption = None,
     rate: Annotated[
         float | None,

@@ -11,17 +11,11 @@ import typer
 from jauspy.cli import console
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, FilterOption, Json, LocalRoot
-from jauspy.cli.traffic import CaptureFile, combined, traffic
+from jauspy.cli.traffic import CaptureFile, MessageName, Sender, combined, traffic
 from jauspy.errors import ConfigError
 from jauspy.inspection.graph import Graph
 from jauspy.inspection.rates import Rate, Rates, Route
 
-Source = Annotated[
-    str | None, typer.Argument(metavar="[ID]", help="Only messages of this sender: 101.1.102, 101.* or '*'.")
-]
-MessageName = Annotated[
-    str | None, typer.Argument(metavar="[MESSAGE]", help="Only messages of this name; * and ? are wildcards.")
-]
 Seconds = Annotated[
     float, typer.Option("--for", min=0.1, metavar="SECONDS", help="How long to listen. A file is read to its end.")
 ]
@@ -29,7 +23,7 @@ Seconds = Annotated[
 
 def hz(
     *,
-    source: Source = None,
+    source: Sender = None,
     message: MessageName = None,
     only: FilterOption = None,
     seconds: Seconds = 5.0,
@@ -65,7 +59,7 @@ def hz(
 
 def bw(
     *,
-    source: Source = None,
+    source: Sender = None,
     message: MessageName = None,
     only: FilterOption = None,
     seconds: Seconds = 5.0,
@@ -99,7 +93,7 @@ def bw(
 
 def graph(
     *,
-    source: Source = None,
+    source: Sender = None,
     message: MessageName = None,
     only: FilterOption = None,
     seconds: Seconds = 5.0,

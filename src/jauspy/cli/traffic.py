@@ -18,6 +18,12 @@ from jauspy.inspection.live import LiveCapture
 from jauspy.inspection.traffic import SeenMessage, seen_messages
 from jauspy.recording.mcap_capture import McapCapture, open_capture_file
 
+Sender = Annotated[
+    str | None, typer.Argument(metavar="[ID]", help="Only messages of this sender: 101.1.102, 101.* or '*'.")
+]
+MessageName = Annotated[
+    str | None, typer.Argument(metavar="[MESSAGE]", help="Only messages of this name; * and ? are wildcards.")
+]
 CaptureFile = Annotated[
     Path | None,
     typer.Option("--capture", metavar="CAPTURE", help="A pcap, pcapng or MCAP file instead of what is routed now."),

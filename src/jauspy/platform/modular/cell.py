@@ -155,7 +155,7 @@ class PowerState:
     switches: Mapping[str, bool] = field(default_factory=dict)
     """Modules that are switched on; initially all are."""
     consumption: Mapping[str, Consumption] = field(default_factory=dict)
-    """Of each module that can be switched."""
+    """Power and energy of each module that can be switched."""
     batteries: Mapping[str, BatteryState] = field(default_factory=dict)
 
     @property
