@@ -51,7 +51,7 @@ def inside(trial: Trial, look: Callable[[Session], object]) -> None:
     """Call a coroutine function in the cell of a trial."""
 
     async def session() -> None:
-        async with simulated(1, UNDISTURBED, changed=lambda config: changed(config, trial)) as found:
+        async with simulated(1, UNDISTURBED, configure=lambda config: changed(config, trial)) as found:
             await look(found)  # type: ignore[misc]  # a coroutine
 
     asyncio.run(session())

@@ -111,14 +111,14 @@ async def simulated(
     view: bool = False,
     robot: str = ROBOT,
     change: Callable[[RobotModel], RobotModel] = lambda model: model,
-    changed: Callable[[RobotConfig], RobotConfig] = lambda config: config,
+    configure: Callable[[RobotConfig], RobotConfig] = lambda config: config,
 ) -> AsyncIterator[Session]:
     """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
 
     `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
-    `change` makes the cell another one, as with a load that is bolted to it; `changed` does so with its configuration.
+    `change` makes the cell another one, as with a load that is bolted to it; `configure` does so with its configuration.
     """
-    config = changed(configured(seed, disturbances or Disturbances(), robot))
+    config = configure(configured(seed, disturbances or Disturbances(), robot))
     layout = Layout(change(robot_files.robot_model(config)))
     backend = WatchedBackend(backends.find(config.backend), change)
     async with AsyncExitStack() as stack:

@@ -39,7 +39,7 @@ async def run_trial(
     """
     begun = time.perf_counter()
     cell_of_trial = partial(changed, trial=trial)
-    async with simulated(seed, disturbances, film=film, view=view, changed=cell_of_trial) as session:
+    async with simulated(seed, disturbances, film=film, view=view, configure=cell_of_trial) as session:
         await session.cell.observe()
         found = Measured(seed, TASK)
         async with Line(session) as line:
