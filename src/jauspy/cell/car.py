@@ -20,7 +20,7 @@ from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath, Path
 from jauspy.cell.scene import Layout, Piece, connector_frame, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
-from jauspy.cell.standing import standing_on
+from jauspy.cell.standing import base_frame, standing_on
 from jauspy.platform.modular.parts import PartKind
 
 CORNERS: Final = ("front_left", "rear_left", "front_right", "rear_right")
@@ -164,15 +164,10 @@ class CarTask:
         self.ur10.carried |= set(members)
         scene.put(root, pieces, at)
 
-    def _place(self) -> tuple[float, float]:
+    async def _place(self) -> tuple[float, float]:
         """Where the car is put down: x and y in the world, metres."""
-        base = self._base_frame().translation
+        base = (await base_frame(self.cell, self.layout, self.base)).translation
         return self.belt.pose.x - BESIDE[0], float(base[1]) - BESIDE[1]
-
-    def _base_frame(self) -> pin.SE3:
-        owner, _, name = self.base.partition("/")
-        pose = next(part.pose for part in self.layout.setup.parts if part.name == owner)
-        return se3_of_pose(pose) * connector_frame(self.layout.type_of(owner), name)
 
     async def _make_room(self) -> None:
         """Have the belt take back what lies where the car is to be put. Raises `TaskFailed` if it would fall off."""
@@ -188,7 +183,7 @@ class CarTask:
             for at in along.values()
             if abs(at[0]) < self.belt.length / 2.0 and abs(at[1]) < self.belt.width / 2.0 and abs(at[2]) < ON_BELT
         ]
-        x, y = self._place()
+        x, y = await self._place()
         middle = float(belt.actInv(pin.SE3(np.eye(3), np.array([x, y, self.belt.pose.z]))).translation[0])
         for at in on_belt:
             if abs(at - middle) < ROOM:
@@ -208,7 +203,7 @@ class CarTask:
         self._composite(self.car, [row.part for row in self.result.parts])
         radius = max(solid.size[0] for solid in self.layout.type_of(self.result.parts[1].part).solids)
         axle = float(connector_frame(self.layout.type_of(self.car), CORNERS[0]).translation[2])
-        x, y = self._place()
+        x, y = await self._place()
         goals = [shifted(x, y, self.belt.pose.z + radius - axle) * turned("z", math.pi / 2.0)]
         row = PartResult("car", self.car)
         for _ in range(GRASPS):

@@ -116,7 +116,7 @@ async def simulated(
     """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
 
     `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
-    `change` makes the cell another one, as with a load that is bolted to it; `configure` does so with its configuration.
+    `change` makes the cell another one, as with a load that is bolted to it; `configure` changes its configuration.
     """
     config = configure(configured(seed, disturbances or Disturbances(), robot))
     layout = Layout(change(robot_files.robot_model(config)))
