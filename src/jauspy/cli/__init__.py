@@ -6,7 +6,7 @@ import sys
 from typing import Final
 
 OPTIONAL_PACKAGES: Final = frozenset(
-    {"construct", "dpkt", "numpy", "prometheus_client", "pydantic", "rich", "typer", "xacro", "yaml"}
+    {"construct", "dpkt", "numpy", "orjson", "prometheus_client", "pydantic", "rich", "typer", "xacro", "yaml"}
 )
 """Top-level packages that extras install and that verbs import."""
 
