@@ -3,7 +3,7 @@
 import dpkt
 import pytest
 
-from jauspy.capture import ip as reader
+from jauspy.capture import ip as reader, writer
 from jauspy.capture.ip import MAX_OPEN_PACKETS, DatagramAssembler
 
 MESSAGE = bytes.fromhex("02001000010a017e0014017e0002200200")
@@ -180,3 +180,17 @@ def test_fragments_of_ipv6_are_reassembled(order):
     assembler = DatagramAssembler()
     found = [udp.payload for index in order for udp in assembler.add(pieces[index])]
     assert found == [payload]
+
+
+def test_written_ipv6_packets_are_read_again():
+    for payload in (MESSAGE, MESSAGE + b"\1"):
+        packet = writer.ip_packet(("fd00::a", 3794), ("fd00::b", 5000), payload)
+        assert DatagramAssembler().add(packet) == ((("fd00::a", 3794), ("fd00::b", 5000), payload),)
+        assert dpkt.ip6.IP6(packet).data.sum == _checksum(packet)
+
+
+def _checksum(packet):
+    """The checksum that dpkt computes."""
+    ip6 = dpkt.ip6.IP6(packet)
+    ip6.data.sum = 0
+    return dpkt.ip6.IP6(bytes(ip6)).data.sum

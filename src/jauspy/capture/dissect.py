@@ -51,7 +51,7 @@ class Content(NamedTuple):
 
 
 class Part(NamedTuple):
-    """One packet of a datagram and its content."""
+    """One packet of a datagram and its content: of the whole message, if `Dissector` put it together here."""
 
     packet: Packet
     content: Content

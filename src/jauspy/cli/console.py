@@ -12,7 +12,7 @@ import select
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from typing import TYPE_CHECKING, Any, Final, TextIO
+from typing import TYPE_CHECKING, Any, TextIO
 
 from jauspy.logs import LIMIT, MAX_LINE
 from jauspy.printable import printable, printable_lines

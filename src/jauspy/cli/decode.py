@@ -24,6 +24,7 @@ from jauspy.capture.dissect import (
     local_control,
     read_message,
 )
+from jauspy.capture.dissector import Dissector
 from jauspy.capture.reader import CaptureReader, Datagram, from_hex, from_lines, is_capture
 from jauspy.cli import console
 from jauspy.cli.can_log import CanFrame, can_frames, changes, is_can_log
@@ -631,9 +632,11 @@ def _from_file(file: BufferedReader, name: str, options: DecodeOptions) -> Itera
 
 def _from_capture(reader: CaptureReader | McapCapture, options: DecodeOptions) -> Iterator[Item]:
     count = 0
+    dissector = Dissector(options.registry, options.wanted)
     for count, datagram in enumerate(reader, 1):  # noqa: B007 - for the note below
         control = local_control(datagram.payload) if _is_local(datagram) else None
-        yield Item(datagram.number, captured=datagram, dissection=control or options.datagram(datagram.payload))
+        dissection = control or dissector.dissect(datagram.payload, datagram.time)
+        yield Item(datagram.number, captured=datagram, dissection=dissection)
     if not count and not reader.skipped:
         console.note("the capture has no packets")
     if reader.skipped:
