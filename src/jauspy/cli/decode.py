@@ -7,8 +7,8 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import cache, lru_cache
-from io import BufferedReader
+from functools import cache, lru_cache, partial
+from io import BufferedReader, BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Protocol, cast
 
@@ -40,6 +40,7 @@ from jauspy.messages import registry
 from jauspy.printable import printable
 from jauspy.protocol import judp
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
+from jauspy.protocol.jserial import FrameDecoder
 from jauspy.recording.mcap_capture import MAGIC, McapCapture, open_capture_file
 from jauspy.schema import model
 
@@ -49,10 +50,20 @@ if TYPE_CHECKING:
 
 
 class HexKind(StrEnum):
-    """How to interpret hex text."""
+    """How to interpret hex text, or a file of bytes."""
 
     DATAGRAM = "datagram"
     MESSAGE = "message"
+    SERIAL = "serial"
+
+
+class OutputFormat(StrEnum):
+    """How to print."""
+
+    TEXT = "text"
+    JSON = "json"
+    YAML = "yaml"
+    CSV = "csv"
 
 
 def decode(
@@ -66,6 +77,12 @@ def decode(
         ),
     ],
     as_json: Annotated[bool, typer.Option("--json", help="One JSON object per datagram per line.")] = False,
+    output_format: Annotated[
+        OutputFormat,
+        typer.Option(
+            "--format", help="yaml has a document per datagram, csv a row per value."
+        ),
+    ] = OutputFormat.TEXT,
     explain: Annotated[
         bool,
         typer.Option("--explain", help="Show every field's offset, bytes and raw value, up to the damage."),
@@ -75,7 +92,11 @@ def decode(
     ] = "3794",
     what: Annotated[
         HexKind | None,
-        typer.Option("--as", help="What the hex text is. Default: a datagram (01 or 02 first), else a bare message."),
+        typer.Option(
+            "--as",
+            help="What the hex text is: a datagram (default if 01 or 02 is first), a bare message, or bytes of a "
+            "JSerial line; a file of such bytes need not be hex text.",
+        ),
     ] = None,
     schemas: SchemasOption = None,
     service: ServiceName = None,
@@ -108,6 +129,7 @@ def decode(
 
     Examples:
       jauspy decode run.pcap --json
+      jauspy decode run.pcap --format csv --filter 'msg == ReportLocalPose'
       jauspy decode run.pcap --filter 'src == 42.* and msg == SetWrenchEffort'
       jauspy decode --explain 02001000010a017e0014017e0002200200
       tcpdump -w - udp | jauspy decode -
@@ -118,13 +140,15 @@ def decode(
     wanted = known.hints(service, version, message)
     options = DecodeOptions(known.registry, wanted, _port(port), None if what is None else what.value)
     explained = known if explain else None
-    printer = JsonPrinter(explained) if as_json else HumanPrinter(explained)
+    printer = make_printer(OutputFormat.JSON if as_json else output_format, explained)
     fits = None if only is None else message_filter(only, known.registry)
 
     def listed(source: str) -> Iterator[Item | CanFrame]:
         if not is_can_log(source):
             found = items(source, options)
             return found if fits is None else filtered(found, fits)
+        if output_format is OutputFormat.CSV:
+            raise ConfigError(f"{source} is a log of CAN frames, and CSV has only JAUS messages; print it as --json")
         frames = can_frames(source, robot)
         return changes(frames) if only_changes else frames
 
@@ -306,11 +330,23 @@ class Printer(Protocol):
 # --- JSON lines -----------------------------------------------------------------------------------------------------
 
 
-class JsonPrinter:
-    """One object per line; with `explain`, each message has its rows."""
+def make_printer(output_format: OutputFormat, explain: Definitions | None) -> Printer:
+    """The printer of a format; `explain` are the definitions with which messages are explained."""
+    if output_format is OutputFormat.TEXT:
+        return HumanPrinter(explain)
+    if output_format is OutputFormat.JSON:
+        return DataPrinter(partial(console.print_json, flush=False), explain)
+    from jauspy.cli.decode_formats import CsvRows, print_yaml
 
-    def __init__(self, explain: Definitions | None = None) -> None:
+    return DataPrinter(print_yaml if output_format is OutputFormat.YAML else CsvRows().add, explain)
+
+
+class DataPrinter:
+    """Prints the JSON form of each item by a function; with `explain`, each message has its rows."""
+
+    def __init__(self, show: Callable[[dict[str, Any]], None], explain: Definitions | None = None) -> None:
         self.failed = False
+        self._show = show
         self._explain = explain
 
     def show(self, item: Item) -> None:
@@ -320,11 +356,11 @@ class JsonPrinter:
         if self._explain is not None:
             for shown, content in zip(made["messages"], contents(item), strict=True):
                 shown["explained"] = [_row_json(row) for row in rows_of(content, self._explain.model_of)]
-        console.print_json(made, flush=False)
+        self._show(made)
 
     def show_frame(self, frame: CanFrame) -> None:
         """Print one CAN frame."""
-        console.print_json(frame.as_json(), flush=False)
+        self._show(frame.as_json())
 
 
 def contents(item: Item) -> list[Content]:
@@ -558,10 +594,12 @@ def _hex(data: bytes, limit: int = 64) -> str:
     return data[:limit].hex(" ") + (f" ... ({len(data)} bytes)" if len(data) > limit else "")
 
 
-HexKindName = Literal["datagram", "message"] | None
+HexKindName = Literal["datagram", "message", "serial"] | None
 
 _VERSION: Final = b"\x02"  # first byte of an AS5669A datagram
 _UNCOMPRESSED: Final = b"\x00"  # its second byte
+READ_SIZE: Final = 65536
+"""Bytes of a JSerial line that are read at once."""
 _MIN_DATAGRAM: Final = 15  # bytes of a datagram without payload
 
 
@@ -590,8 +628,24 @@ def items(source: str, options: DecodeOptions) -> Iterator[Item]:
     elif _exists(Path(source)):
         with _open(Path(source)) as file:
             yield from _from_file(file, source, options)
+    elif options.what == "serial":
+        yield from _from_line(BytesIO(_from_text(source)), options)
     else:
         yield _from_hex(0, _from_text(source), options)
+
+
+def _from_line(line: BufferedReader | BytesIO, options: DecodeOptions) -> Iterator[Item]:
+    """The datagrams in bytes of a JSerial line, as they come."""
+    decoder, dissector, number = FrameDecoder(), Dissector(options.registry, options.wanted), 0
+    damaged = 0
+    while data := line.read1(READ_SIZE):
+        datagrams, errors = decoder.feed(data)
+        damaged += len(errors)
+        for datagram in datagrams:
+            number += 1
+            yield Item(number, dissection=dissector.dissect(datagram, 0.0))
+    if damaged or not number:
+        console.note(f"{damaged} damaged frames, {number} whole ones")
 
 
 def _exists(path: Path) -> bool:
@@ -618,6 +672,9 @@ def _from_text(text: str) -> bytes:
 def _from_file(file: BufferedReader, name: str, options: DecodeOptions) -> Iterator[Item]:
     if is_capture(file.peek(4)) or file.peek(len(MAGIC)).startswith(MAGIC):
         yield from _from_capture(open_capture_file(file, name=name, port=options.port), options)
+        return
+    if options.what == "serial":
+        yield from _from_line(file, options)
         return
     try:
         lines = from_lines(file.read().decode("ascii"))
