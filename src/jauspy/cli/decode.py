@@ -79,9 +79,7 @@ def decode(
     as_json: Annotated[bool, typer.Option("--json", help="One JSON object per datagram per line.")] = False,
     output_format: Annotated[
         OutputFormat,
-        typer.Option(
-            "--format", help="yaml has a document per datagram, csv a row per value."
-        ),
+        typer.Option("--format", help="yaml has a document per datagram, csv a row per value."),
     ] = OutputFormat.TEXT,
     explain: Annotated[
         bool,
