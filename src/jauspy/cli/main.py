@@ -67,6 +67,10 @@ VERBS: Final = {
         "jauspy.cli.record:info",
         "Tell what is in a recording: its time, and messages by sender and name.",
     ),
+    "replay": (
+        "jauspy.cli.replay:replay",
+        "Send again what clients sent in a recording, and compare the answers with the recorded ones.",
+    ),
     "audit": (
         "jauspy.cli.operators:audit",
         "Verify an audit log: name the first line that was changed or removed, or cut off at the end.",
