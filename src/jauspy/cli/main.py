@@ -67,6 +67,10 @@ VERBS: Final = {
         "jauspy.cli.record:info",
         "Tell what is in a recording: its time, and messages by sender and name.",
     ),
+    "export": (
+        "jauspy.cli.export:export",
+        "Write a recording as tables, video, a capture, or a data set for learning.",
+    ),
     "replay": (
         "jauspy.cli.replay:replay",
         "Send again what clients sent in a recording, and compare the answers with the recorded ones.",
