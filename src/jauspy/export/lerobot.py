@@ -63,6 +63,8 @@ FILE: Final = "chunk-000/file-000"
 """All episodes are in the first file of each kind; LeRobot reads files of any size."""
 MAX_SAMPLES: Final = 5_000_000
 """Messages of a run whose numbers are used."""
+RESOLUTION: Final = 1e-6
+"""Seconds by which what was received may be newer than its frame: times since 1970 are rounded to a quarter of it."""
 SAMPLED_IMAGES: Final = 100
 """Images of an episode from which statistics are made."""
 QUANTILES: Final = {"q01": 0.01, "q10": 0.1, "q50": 0.5, "q90": 0.9, "q99": 0.99}
@@ -217,7 +219,7 @@ def _sampled(signals: Mapping[str, _Signal], columns: Sequence[str], grid: Float
     """The newest values at each time, a row for each."""
     found = {}
     for name, signal in signals.items():
-        newest = np.searchsorted(np.asarray(signal.times), grid, side="right") - 1
+        newest = np.searchsorted(np.asarray(signal.times), grid + RESOLUTION, side="right") - 1
         for column in signal.columns:
             values = np.asarray([row[column] for row in signal.rows])
             found[f"{name}.{column}"] = values[np.maximum(newest, 0)]
@@ -321,7 +323,7 @@ def _held(recorded: Iterable[RecordedPicture], grid: Floats) -> Iterator[Image]:
         if image is None:
             continue
         newest = image if newest is None else newest
-        while at < len(grid) and grid[at] < picture.time:
+        while at < len(grid) and grid[at] + RESOLUTION < picture.time:
             yield np.asarray(newest)
             at += 1
         newest = image
