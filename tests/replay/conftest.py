@@ -14,6 +14,7 @@ from jauspy.messages import registry
 from jauspy.messages.core import (
     CancelEvent,
     CreateEvent,
+    QueryControl,
     QueryHeartbeatPulse,
     QueryIdentification,
     QueryStatus,
@@ -45,6 +46,7 @@ async def session(network: VirtualNetwork) -> None:
             QueryIdentification(query_type=2),
             QueryStatus(),
             RequestControl(authority_code=127),
+            QueryControl(),
             Resume(),
             QueryStatus(),
             CreateEvent(

@@ -67,6 +67,14 @@ async def test_the_same_robot_answers_as_recorded(recording: Path) -> None:
     assert {packet.destination for packet in sent} == {ROBOT}
 
 
+async def test_numbers_are_the_same_too_but_for_the_time(recording: Path) -> None:
+    """Among them the id of who is in control, which is another one now."""
+    time = ("milliseconds", "seconds", "minutes", "hour", "day", "time", "date")
+    async with target() as (network, _):
+        result = await play(network, load(recording, registry), comparison=Comparison(strict=True, ignored=time))
+    assert result.differences == []
+
+
 async def test_original_timing_speed_and_as_fast_as_answers_come(recording: Path) -> None:
     found = load(recording, registry)
     elapsed = {}

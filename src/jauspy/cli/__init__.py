@@ -6,7 +6,21 @@ import sys
 from typing import Final
 
 OPTIONAL_PACKAGES: Final = frozenset(
-    {"construct", "dpkt", "numpy", "prometheus_client", "pydantic", "rich", "typer", "xacro", "yaml"}
+    {
+        "av",
+        "construct",
+        "dpkt",
+        "foxglove",
+        "mcap",
+        "numpy",
+        "prometheus_client",
+        "pyarrow",
+        "pydantic",
+        "rich",
+        "typer",
+        "xacro",
+        "yaml",
+    }
 )
 """Top-level packages that extras install and that verbs import."""
 
@@ -17,9 +31,11 @@ EXTRA_OF_VERB: Final = {
     "conformance": "conformance",
     "console": "console",
     "demo": "all",
+    "export": "export",
     "keys": "operators",
     "map": "map",
     "node-manager": "node-manager",
+    "replay": "recording",
     "still": "video",
     "teleop": "teleop",
     "tf": "robot",

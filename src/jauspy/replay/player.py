@@ -29,6 +29,8 @@ MAX_DIFFERENCES: Final = 10_000
 """Differences that are listed; more are only counted."""
 MIN_INTERVAL: Final = 0.002
 """Seconds between requests without an answer, when they are sent as fast as answers come."""
+ID_FIELDS: Final = ("subsystem_id", "node_id", "component_id")
+"""Names of the parts of an id in messages of AS5710."""
 NO_ANSWER: Final = "(no answer)"
 _LAST_COMPONENT: Final = 254
 
@@ -150,12 +152,16 @@ class _Player:
         self._missing: dict[int, int] = {}
         """How many recorded answers of a request that was sent have not come."""
         self._arrived = asyncio.Event()
+        self._recorded_ids: dict[tuple[int, int, int], JausID] = {}
+        """Recorded ids of the clients, by the parts of their ids of now."""
         self._result = Result()
         ids = _ids_for(recording.clients, playback.client)
         self._clients = {
             recorded: _Client(id, registry, playback.timeout, self._on_answer)
             for recorded, id in zip(recording.clients, ids, strict=True)
         }
+        for recorded, id in zip(recording.clients, ids, strict=True):
+            self._recorded_ids[id.subsystem, id.node, id.component] = recorded
 
     @asynccontextmanager
     async def opened(self, transport: MakeTransport, utc_now: Callable[[], datetime]) -> AsyncIterator[None]:
@@ -255,6 +261,16 @@ class _Player:
             return id
         return replace(id, subsystem=now)
 
+    def _with_recorded_id(self, message: Message) -> Message:
+        """A message with a client's recorded id where it has the one of now, such as who is in control."""
+        parts: Any = tuple(getattr(message, name, None) for name in ID_FIELDS)
+        recorded = self._recorded_ids.get(parts)
+        if recorded is None:
+            return message
+        values = (recorded.subsystem, recorded.node, recorded.component)
+        changed: Message = replace(message, **dict(zip(ID_FIELDS, values, strict=True)))  # type: ignore[type-var]
+        return changed
+
     def result(self) -> Result:
         """The differences, in the order of the requests."""
         result = self._result
@@ -270,7 +286,9 @@ class _Player:
                 if id_now not in live:
                     result.add(Difference(request.time, name, str(id), "", answer.NAME, NO_ANSWER))
                     continue
-                for path, old, new in self._playback.comparison.differences(answer, live[id_now]):
+                for path, old, new in self._playback.comparison.differences(
+                    answer, self._with_recorded_id(live[id_now])
+                ):
                     result.add(Difference(request.time, name, str(id), path, old, new))
             for id_now in live.keys() - recorded.keys():
                 answer = live[id_now]
