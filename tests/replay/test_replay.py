@@ -14,6 +14,7 @@ from tests.helpers.command_line import JAUSPY
 from typer.testing import CliRunner
 
 import jauspy.testing
+from jauspy.capture.reader import Datagram
 from jauspy.cli.main import app
 from jauspy.codec.message import Message
 from jauspy.component import Component
@@ -25,6 +26,8 @@ from jauspy.messages.core import (
     RequestControl,
     Resume,
 )
+from jauspy.protocol.endpoint import Endpoint
+from jauspy.recording.recorder import Recorder
 from jauspy.replay.comparison import Comparison
 from jauspy.replay.player import Playback, Result, replay
 from jauspy.replay.recorded import Recording, load
@@ -33,6 +36,7 @@ from jauspy.testing import VirtualNetwork
 from jauspy.transport import Transport
 
 CAPTURES = Path(__file__).parents[2].parent / "shared" / "captures"
+START = 1_700_000_000.0
 CLIENT, ROBOT = JausID(42, 1, 1), JausID(101, 1, 1)
 
 
@@ -175,6 +179,19 @@ async def test_captures_of_others_are_replayed(name: str, loss: float) -> None:
     assert result.sent + result.unsendable == len(found.requests) > 0
 
 
+def test_large_messages_are_joined(tmp_path: Path) -> None:
+    """The client's endpoint of now divides them again."""
+    recorder, endpoint = Recorder(tmp_path / "run.pcapng", registry), Endpoint(CLIENT, first_sequence=65_534)
+    payload = b"\xff\x3f" + bytes(range(256)) * 60
+    endpoint.send(ROBOT, payload, now=0.0)
+    datagrams = endpoint.poll_output()
+    assert len(datagrams) > 2
+    for number, data in enumerate(datagrams):
+        recorder.add(Datagram(number, START, ("10.0.0.2", 3794), ("10.0.0.1", 3794), data))
+    recorder.close()
+    assert [row.packet.payload for row in load(tmp_path / "run.pcapng", registry).requests] == [payload]
+
+
 def run(*arguments: object) -> Any:
     return CliRunner().invoke(app, ["replay", *map(str, arguments)])
 
@@ -187,7 +204,10 @@ def test_the_verb(recording: Path, node_manager: jauspy.testing.LocalNode) -> No
     rows = [json.loads(line) for line in found.stdout.splitlines()]
     assert {row["live"] for row in rows} == {"(no answer)"}
     assert "messages sent" in found.stderr
-    assert "QueryStatus to 101.1.1" in run(recording, "--to", address, "--asap", "--timeout", 0.05).stdout
+    assert (
+        "QueryStatus to 101.1.1"
+        in run(recording, "--to", address, "--as", "42.1.77", "--asap", "--timeout", 0.05).stdout
+    )
 
 
 async def test_the_verb_finds_no_difference(recording: Path, node_manager: jauspy.testing.LocalNode) -> None:
@@ -207,6 +227,7 @@ def test_errors_are_one_sentence(recording: Path, tmp_path: Path) -> None:
         ([tmp_path / "empty.pcap"], "not a readable pcap"),
         ([recording, "--target", "here"], "write the number of a subsystem"),
         ([recording, "--target", 55], "no command or query of any client to subsystem 55"),
+        ([recording, "--as", "42.1.255"], "cannot be a component's id"),
         ([recording, "--from", "9.9.9"], "no command or query of 9.9.9"),
         ([recording, "--filter", "msg == Event"], "that fits the filter"),
     ):

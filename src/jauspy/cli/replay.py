@@ -15,10 +15,10 @@ from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import FilterOption, Json
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError
-from jauspy.ids import ANY_SUBSYSTEM, JausID
+from jauspy.ids import ANY_SUBSYSTEM, JausID, component_id
 from jauspy.replay.comparison import Comparison
 from jauspy.replay.player import Playback, Result, replay as play
-from jauspy.replay.recorded import Recording, load
+from jauspy.replay.recorded import PATIENCE, Recording, load
 from jauspy.transport import Transport
 from jauspy.transport.connect import transport_for
 
@@ -67,7 +67,7 @@ def replay(
     asap: Annotated[bool, typer.Option("--asap", help="Send as fast as answers come.")] = False,
     timeout: Annotated[
         float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to wait for an answer.")
-    ] = 2.0,
+    ] = PATIENCE,
     strict: Annotated[bool, typer.Option("--strict", help="Compare numbers, too.")] = False,
     tolerance: Annotated[
         float, typer.Option("--tolerance", min=0.0, metavar="X", help="How much numbers may differ with --strict.")
@@ -98,7 +98,7 @@ def replay(
     playback = Playback(
         speed=None if asap else speed,
         timeout=timeout,
-        client=JausID.parse(own_id(own, connect)),
+        client=component_id(own_id(own, connect)),
         subsystem=now,
         comparison=Comparison(strict, tolerance, tuple(ignore or ())),
     )

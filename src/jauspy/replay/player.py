@@ -20,7 +20,7 @@ from jauspy.messages.core import ReleaseControl, RequestControl
 from jauspy.protocol.header import Ack, Packet
 from jauspy.replay.answers import AnswerMatcher
 from jauspy.replay.comparison import Comparison
-from jauspy.replay.recorded import Recording, Request
+from jauspy.replay.recorded import PATIENCE, Recording, Request
 from jauspy.services.core import with_core_services
 from jauspy.services.host import Host
 from jauspy.transport import Transport
@@ -89,7 +89,7 @@ class Playback:
 
     speed: float | None = 1.0
     """Times the recorded speed; None: as fast as answers come."""
-    timeout: float = 2.0
+    timeout: float = PATIENCE
     """Seconds to wait for an answer."""
     client: JausID = DEFAULT_CLIENT
     """The id of the first client; further ones have the next numbers."""

@@ -27,7 +27,7 @@ MAX_REQUESTS: Final = 1_000_000
 """Requests of a recording that are replayed at once."""
 MAX_CLIENTS: Final = 16
 PATIENCE: Final = 3.0
-"""Seconds of the recording in which an answer follows its request."""
+"""Seconds in which an answer follows its request."""
 FIRST_REPORT: Final = 0x4000
 """Message ids below are commands and queries (AS5710), unless a definition says otherwise."""
 

@@ -17,7 +17,7 @@ from jauspy.ids import JausID
 from jauspy.messages import registry as public
 from jauspy.replay.comparison import Comparison
 from jauspy.replay.player import DEFAULT_CLIENT, Playback, replay as play
-from jauspy.replay.recorded import load
+from jauspy.replay.recorded import PATIENCE, load
 from jauspy.transport import Transport
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def replay(
     now: int | None = None,
     filter: str | None = None,
     speed: float | None = 1.0,
-    timeout: float = 2.0,
+    timeout: float = PATIENCE,
     strict: bool = False,
     tolerance: float = 0.0,
     ignore: Iterable[str] = (),
