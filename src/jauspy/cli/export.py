@@ -27,7 +27,7 @@ FORMATS = {"csv": "-csv", "parquet": "-parquet", "mp4": "-mp4", "pcapng": ".pcap
 def export(
     *,
     files: Annotated[
-        list[Path], typer.Argument(metavar="FILE...", help="A .mcap, .pcapng or .pcap file; --lerobot takes several.")
+        list[Path], typer.Argument(metavar="FILE", help="A .mcap, .pcapng or .pcap file; --lerobot takes several.")
     ],
     csv: Annotated[bool, typer.Option("--csv", help="A folder of tables, one of each sender and message.")] = False,
     parquet: Annotated[bool, typer.Option("--parquet", help="The same with types, for pandas and DuckDB.")] = False,

@@ -86,7 +86,7 @@ def replay(
 
     Examples:
       jauspy replay run.pcap --to 192.0.2.7:3794
-      jauspy replay run.mcap --to local:/tmp --asap --strict --tolerance 0.01 --ignore time_stamp
+      jauspy replay run.mcap --asap --strict --ignore time_stamp
       jauspy replay run.mcap --from 42.1.1 --target 101=102 --speed 10
     """
     known = definitions(schemas)
