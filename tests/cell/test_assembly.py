@@ -7,10 +7,11 @@ from collections import Counter
 import pytest
 from tests.helpers.fake_cell import FakeCell
 
-from jauspy.cell.assembly import FIVE_JOINTS, GRASPS, Assembler, AssemblyResult, Slot
+from jauspy.cell.assembly import GRASPS, Assembler
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.scene import Layout
 from jauspy.cell.session import Session
+from jauspy.cell.slots import FIVE_JOINTS, AssemblyResult, Slot
 from jauspy.cell.tasks import assemble
 
 TWO = FIVE_JOINTS[:2]

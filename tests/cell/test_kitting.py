@@ -12,7 +12,8 @@ import pytest
 from hypothesis import given, strategies as st
 from tests.helpers.fake_cell import FakeCell
 
-from jauspy.cell.assembly import Assembler, Held
+from jauspy.cell.assembly import Assembler
+from jauspy.cell.carrying import Held
 from jauspy.cell.frames import shifted, turned
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.kitting import (

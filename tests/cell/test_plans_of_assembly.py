@@ -11,23 +11,14 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from tests.helpers.fake_cell import FakeCell
 
-from jauspy.cell.assembly import (
-    FIVE_JOINTS,
-    MAX_SHIFT,
-    MAX_TILT,
-    WHEEL_TURNS,
-    Assembler,
-    AssemblyResult,
-    PartResult,
-    Slot,
-    Tip,
-)
+from jauspy.cell.assembly import MAX_SHIFT, MAX_TILT, Assembler
 from jauspy.cell.frames import offset_between, shifted, tilt_between, transform, turned
 from jauspy.cell.handling import TURNS
 from jauspy.cell.interface import SeenPart
 from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
+from jauspy.cell.slots import FIVE_JOINTS, WHEEL_TURNS, AssemblyResult, PartResult, Slot, Tip
 from jauspy.platform.modular.connector import ConnectorState
 
 TOP = "platform_1/top"

@@ -13,10 +13,11 @@ import pytest
 pytest.importorskip("mujoco", reason="needs the extra `sim`")
 
 from jauspy.cell import session as session_module
-from jauspy.cell.assembly import FIVE_JOINTS, Assembler, AssemblyResult
+from jauspy.cell.assembly import Assembler
 from jauspy.cell.client import CellClient
 from jauspy.cell.scene import Layout
 from jauspy.cell.session import Disturbances, simulated
+from jauspy.cell.slots import FIVE_JOINTS, AssemblyResult
 from jauspy.cell.tasks import run_one
 from jauspy.errors import ConfigError
 from jauspy.ocu import OCU

@@ -13,7 +13,7 @@ import pytest
 pytest.importorskip("mujoco", reason="needs the extra `sim`")
 
 from jauspy import backends
-from jauspy.cell.assembly import FIVE_JOINTS, Assembler
+from jauspy.cell.assembly import Assembler
 from jauspy.cell.client import CellClient
 from jauspy.cell.disassembly import Disassembler
 from jauspy.cell.frames import offset_between, se3_of_pose
@@ -22,6 +22,7 @@ from jauspy.cell.measurements import Measured
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.session import OCU_ID, UNDISTURBED, Session, configured, simulated
+from jauspy.cell.slots import FIVE_JOINTS
 from jauspy.cell.standing import standing_on
 from jauspy.cell.story import Stage, tell
 from jauspy.cell.tasks import BASE, STAGES, TASKS, prepared, run_one, take_apart

@@ -8,11 +8,12 @@ import pytest
 
 pytest.importorskip("mujoco", reason="needs the extra `sim`")
 
-from jauspy.cell.assembly import FIVE_JOINTS, Assembler, PartResult, Tip
+from jauspy.cell.assembly import Assembler
 from jauspy.cell.measurements import Measured
 from jauspy.cell.physics import GENTLE_FORCE, GENTLE_SPEED, Meeting
 from jauspy.cell.scene import connector_frame
 from jauspy.cell.session import UNDISTURBED, Session
+from jauspy.cell.slots import FIVE_JOINTS, PartResult, Tip
 from jauspy.cell.tasks import run_one
 
 

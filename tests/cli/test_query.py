@@ -64,7 +64,7 @@ def test_a_zero_is_printed_as_zero(show, capsys):
     assert pose.x == 2.3283064365386963e-05
     show(pose, JausID(7, 1, 1), first=True)
     printed = capsys.readouterr().out
-    assert ('"x": 0.0, "yaw": 0.5' if show is _show_json else "x: 0  # m\n") in printed
+    assert ('"x":0.0,"yaw":0.5' if show is _show_json else "x: 0  # m\n") in printed
     assert "e-05" not in printed
 
 

@@ -16,7 +16,7 @@ from jauspy.codec.items import Item, Real
 from jauspy.codec.layout import Composite, Repeat, Union
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.codec.rounding import rounded, shortest
+from jauspy.codec.rounding import rounded, rounded_dict, shortest
 from jauspy.codec.scalars import Scaling, exact_raw
 from jauspy.messages import registry
 from jauspy.messages.core import CreateEvent
@@ -87,6 +87,7 @@ def test_a_float_near_the_greatest_of_32_bits_is_rounded_within_them() -> None:
 def check(message: Message) -> None:
     decoded = type(message).decode(message.encode())
     short = rounded(decoded)
+    assert rounded_dict(decoded) == short.to_dict()
     assert short.encode() == decoded.encode()
     assert type(message).from_dict(json.loads(json.dumps(short.to_dict()))).encode() == decoded.encode()
     assert len(json.dumps(short.to_dict())) <= len(json.dumps(decoded.to_dict()))

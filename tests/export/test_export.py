@@ -117,7 +117,7 @@ def test_mp4_of_a_channel_of_compressed_video(tmp_path: Path, packets: list[tupl
     mcap_with_video(tmp_path / "run.mcap", packets)
     run(tmp_path / "run.mcap", "--mp4")
     (path,) = (tmp_path / "run-mp4").iterdir()
-    assert path.name == "101-1-106-video.mp4"
+    assert path.name == "101.1.106-..-video.mp4"
     frames = frames_of(path)
     assert len(frames) == PICTURES
     assert frames[-1][0] == pytest.approx((PICTURES - 1) / RATE, abs=1e-3)

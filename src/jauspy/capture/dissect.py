@@ -51,7 +51,7 @@ class Content(NamedTuple):
 
 
 class Part(NamedTuple):
-    """One packet of a datagram and its content."""
+    """One packet of a datagram and its content: of the whole message, if `Dissector` put it together here."""
 
     packet: Packet
     content: Content
@@ -71,10 +71,11 @@ class Dissection(NamedTuple):
     @property
     def reencodes(self) -> bool:
         """True when headers and messages encode to exactly the original bytes."""
-        if not self.parts:
-            return False
-        again = [header.pack(part.packet) for part in self.parts]
-        return b"".join([self.data[:1], *again]) == self.data and all(part.content.reencodes for part in self.parts)
+        parts = self.parts
+        if len(parts) == 1:  # nearly always
+            return parts[0].content.reencodes and self.data[:1] + header.pack(parts[0].packet) == self.data
+        again = b"".join([header.pack(part.packet) for part in parts])
+        return bool(parts) and self.data[:1] + again == self.data and all(part.content.reencodes for part in parts)
 
 
 def dissect(data: bytes, registry: Registry, wanted: Hints = NO_HINTS) -> Dissection:
@@ -106,15 +107,15 @@ def read_message(payload: bytes, registry: Registry, wanted: Hints = NO_HINTS) -
     if len(payload) < 2:
         return Content(payload, problem=too_short(payload).reason, broken=True)
     code = payload[0] | payload[1] << 8
-    hints = registry.narrowed(code, wanted) if wanted != NO_HINTS else NO_HINTS
+    hints = NO_HINTS if wanted is NO_HINTS else registry.narrowed(code, wanted)
     kind = registry.class_of(payload, hints)
     if kind is None:
         return Content(payload, problem=_undecided(code, registry.collision(code, hints)))
     message, found = registry.decode_as(kind, payload, strict=False)
     deviations = tuple(map(str, found)) if found else ()
-    others = registry.others(kind) if hints == NO_HINTS else ()
+    others = registry.others(kind) if hints is NO_HINTS or hints == NO_HINTS else ()
     reencodes = _encoded(message, strict=not found) == payload
-    return Content(payload, message, deviations, others=others, reencodes=reencodes)
+    return Content(payload, message, deviations, "", False, others, reencodes)
 
 
 def _encoded(message: Message, *, strict: bool) -> bytes | None:

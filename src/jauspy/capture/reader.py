@@ -1,62 +1,33 @@
-"""Reads recorded datagrams: UDP in pcap and pcapng files, and bytes written as hexadecimal text."""
+"""Reads recorded datagrams: in pcap and pcapng files, and bytes written as hexadecimal text."""
 
 from __future__ import annotations
 
 import re
-import socket
 import struct
-from collections import Counter, OrderedDict
-from collections.abc import Iterator
-from dataclasses import dataclass, field
-from functools import lru_cache
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from io import BufferedReader
 from typing import Any, Final, NamedTuple
 
 import dpkt
 
+from jauspy.capture.ip import IP_LINKS, JAUS_PORT, OTHER_PROTOCOL, DatagramAssembler, Udp, ip_packet
 from jauspy.errors import ConfigError
-
-JAUS_PORT: Final = 3794  # registered for JAUS, used by JUDP
+from jauspy.protocol.jserial import FrameDecoder
 
 _PCAPNG: Final = b"\x0a\x0d\x0d\x0a"
 _PCAP: Final = tuple(struct.pack(order + "I", magic) for magic in (0xA1B2C3D4, 0xA1B23C4D) for order in "<>")
-MAX_OPEN_PACKETS: Final = 64
-"""Maximal number of incomplete IP packets of a capture; the oldest is dropped first."""
-MAX_PACKET: Final = 65535
-_Key = tuple[bytes, bytes, int]
-_IP: Final = struct.Struct(">xxHHHxBxx4s4s")
-"""Length, identification, fragment flags and offset, protocol, source and destination of an IPv4 header."""
-_OFFSET, _MORE_FRAGMENTS, _FRAGMENTED = 0x1FFF, 0x2000, 0x3FFF
-_UDP: Final = struct.Struct(">HHHxx")
 _SEPARATORS = re.compile(r"[\s:,_-]+|\b0[xX]")
 
-# Link types as the pcap formats number them (https://www.tcpdump.org/linktypes.html). Raw IP has three numbers:
-# the registered one, and two that some systems write instead.
-NULL: Final = 0
-ETHERNET: Final = 1
-RAW: Final = (12, 14, 101)
-LOOP: Final = 108
-LINUX_SLL: Final = 113
-IPV4: Final = 228
-LINUX_SLL2: Final = 276
-
-NAMES: Final = {
-    NULL: "null/loopback",
-    ETHERNET: "Ethernet",
-    LOOP: "OpenBSD loopback",
-    LINUX_SLL: "Linux cooked",
-    IPV4: "raw IPv4",
-    LINUX_SLL2: "Linux cooked v2",
-    **dict.fromkeys(RAW, "raw IP"),
-}
-
-_IPV4_TYPE: Final = 0x0800
-_VLAN_TYPES: Final = (0x8100, 0x88A8, 0x9100)
-_AF_INET: Final = (2).to_bytes(4, "big"), (2).to_bytes(4, "little")
+SERIAL: Final = 147
+"""The link type DLT_USER0; its frames are taken for bytes of a JSerial line."""
+NAMES: Final = {**IP_LINKS, SERIAL: "JSerial (USER0)"}
+SERIAL_LINE: Final = ("serial", JAUS_PORT)
+"""Source and destination of datagrams from a JSerial line, which has no addresses."""
 
 
 class Datagram(NamedTuple):
-    """One captured UDP datagram.
+    """One captured UDP datagram, or a packet of a JTCP stream or JSerial line in the form of one.
 
     `number` is the frame's in the file, from 1, as Wireshark counts; `time` is in seconds since 1970, UTC.
     """
@@ -109,7 +80,8 @@ class CaptureReader:
     def __init__(self, file: BufferedReader[Any], *, name: str, port: int | None = JAUS_PORT) -> None:
         self._name = name
         self._port = port
-        self._assembler = DatagramAssembler()
+        self._assembler = DatagramAssembler(JAUS_PORT if port is None else port)
+        self._serial = FrameDecoder()
         self._file = _CheckedFile(file)
         self._frames = _open(file.peek(4)[:4], self._file, name)
         self._link_type: int = self._frames.datalink()
@@ -125,19 +97,28 @@ class CaptureReader:
         return self._assembler.skipped
 
     def __iter__(self) -> Iterator[Datagram]:
+        datagrams = self._from_line if self._link_type == SERIAL else self._from_network
         for number, (time, frame) in enumerate(self._each_frame(), 1):
-            packet = ip_packet(self._link_type, frame)
-            if packet is None:
-                self.skipped["not UDP over IPv4"] += 1
-                continue
-            udp = self._assembler.add(packet)
-            if udp is None:
-                continue
-            if self._port not in (None, udp.source[1], udp.destination[1]):
-                self.skipped[f"other UDP port than {self._port}"] += 1
-                continue
-            yield Datagram(number, time, udp.source, udp.destination, udp.payload)
+            for udp in datagrams(frame):
+                yield Datagram(number, time, *udp)
         self._assembler.finish()
+
+    def _from_network(self, frame: bytes) -> Sequence[Udp]:
+        packet = ip_packet(self._link_type, frame)
+        if packet is None:
+            self.skipped[OTHER_PROTOCOL] += 1
+            return ()
+        found = self._assembler.add(packet)
+        if found and self._port not in (None, found[0].source[1], found[0].destination[1]):
+            self.skipped[f"other UDP port than {self._port}"] += 1
+            return ()
+        return found
+
+    def _from_line(self, data: bytes) -> Sequence[Udp]:
+        datagrams, errors = self._serial.feed(data)
+        if errors:
+            self.skipped["damaged JSerial frame"] += len(errors)
+        return [Udp(SERIAL_LINE, SERIAL_LINE, datagram) for datagram in datagrams]
 
     def _each_frame(self) -> Iterator[tuple[float, bytes]]:
         number = 0
@@ -210,133 +191,6 @@ _DROPPED: Final = 5
 """Code of the option `isb_ifdrop`."""
 _TIME_RESOLUTION: Final = 9
 _TIME_OFFSET: Final = 14
-
-
-class Udp(NamedTuple):
-    """One UDP datagram: `source` and `destination` are (address, port)."""
-
-    source: tuple[str, int]
-    destination: tuple[str, int]
-    payload: bytes
-
-
-@dataclass(slots=True)
-class _Parts:
-    fragments: dict[int, bytes] = field(default_factory=dict)
-    size: int = 0
-    total: int | None = None
-
-    def add(self, offset: int, data: bytes, *, last: bool) -> None:
-        if offset not in self.fragments:
-            self.fragments[offset] = data
-            self.size += len(data)
-        if last:
-            self.total = offset + len(data)
-
-    def joined(self) -> bytes | None:
-        """All bytes in order, or None while some are missing; where fragments overlap, the lower offset wins."""
-        if self.total is None:
-            return None
-        data = bytearray()
-        for offset in sorted(self.fragments):
-            if offset > len(data):
-                return None
-            data += self.fragments[offset][len(data) - offset :]
-        return bytes(data[: self.total]) if len(data) >= self.total else None
-
-
-class DatagramAssembler:
-    """Reassembles UDP datagrams from IPv4 packets in the order of the capture; `skipped` counts packets left out."""
-
-    def __init__(self) -> None:
-        self.skipped: Counter[str] = Counter()
-        self._open: OrderedDict[_Key, _Parts] = OrderedDict()
-
-    def add(self, packet: bytes) -> Udp | None:
-        """The datagram that this packet contains or completes, or None."""
-        if not packet or packet[0] >> 4 != 4:
-            self.skipped["not UDP over IPv4"] += 1
-            return None
-        start = (packet[0] & 0x0F) * 4
-        if len(packet) < _IP.size or not _IP.size <= start <= len(packet):
-            self.skipped["malformed IP packet"] += 1
-            return None
-        length, identification, fragment, protocol, source, destination = _IP.unpack_from(packet)
-        if protocol != socket.IPPROTO_UDP:
-            self.skipped["not UDP over IPv4"] += 1
-            return None
-        data = packet[start : length or len(packet)]
-        if fragment & _FRAGMENTED:
-            key = (source, destination, identification)
-            whole = self._collect(key, (fragment & _OFFSET) * 8, data, last=not fragment & _MORE_FRAGMENTS)
-            if whole is None:
-                return None
-            data = whole
-        return self._udp(source, destination, data)
-
-    def finish(self) -> None:
-        """Count the packets with missing fragments."""
-        if self._open:
-            self.skipped["IP packet with missing fragments"] += len(self._open)
-            self._open.clear()
-
-    def _collect(self, key: _Key, offset: int, data: bytes, *, last: bool) -> bytes | None:
-        if offset + len(data) > MAX_PACKET:
-            self.skipped["malformed IP packet"] += 1
-            return None
-        parts = self._open.setdefault(key, _Parts())
-        parts.add(offset, data, last=last)
-        whole = parts.joined()
-        if whole is not None:
-            del self._open[key]
-        elif parts.size > 2 * MAX_PACKET:
-            del self._open[key]
-            self.skipped["malformed IP packet"] += 1
-        elif len(self._open) > MAX_OPEN_PACKETS:
-            self._open.popitem(last=False)
-            self.skipped["IP packet with missing fragments"] += 1
-        return whole
-
-    def _udp(self, source: bytes, destination: bytes, data: bytes) -> Udp | None:
-        if len(data) < _UDP.size:
-            self.skipped["malformed UDP datagram"] += 1
-            return None
-        source_port, destination_port, given = _UDP.unpack_from(data)
-        length = given or len(data)
-        if length < _UDP.size:
-            self.skipped["malformed UDP datagram"] += 1
-            return None
-        if length > len(data):
-            self.skipped["UDP datagram cut short by the capture"] += 1
-            return None
-        return Udp((_address(source), source_port), (_address(destination), destination_port), data[8:length])
-
-
-_address: Final = lru_cache(maxsize=1024)(socket.inet_ntoa)
-
-
-def ip_packet(link_type: int, frame: bytes) -> bytes | None:
-    """The IPv4 packet in a frame of this link type, with padding; None for any other protocol."""
-    if link_type == ETHERNET:
-        return _after_ethertype(frame, 12)
-    if link_type == LINUX_SLL:
-        return _after_ethertype(frame, 14)
-    if link_type == LINUX_SLL2:
-        return frame[20:] if frame[:2] == _IPV4_TYPE.to_bytes(2, "big") else None
-    if link_type in (NULL, LOOP):
-        return frame[4:] if frame[:4] in _AF_INET else None
-    return frame
-
-
-def _after_ethertype(frame: bytes, offset: int) -> bytes | None:
-    while len(frame) >= offset + 2:
-        (kind,) = struct.unpack_from(">H", frame, offset)
-        if kind == _IPV4_TYPE:
-            return frame[offset + 2 :]
-        if kind not in _VLAN_TYPES:
-            return None
-        offset += 4
-    return None
 
 
 def from_hex(text: str) -> bytes:

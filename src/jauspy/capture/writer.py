@@ -1,4 +1,4 @@
-"""Writing pcapng: UDP datagrams with synthetic IPv4 and UDP headers."""
+"""Writing pcapng: UDP datagrams with synthetic IP and UDP headers."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ _PREAMBLE: Final = struct.pack("<IIIHHqI", 0x0A0D0D0A, 28, 0x1A2B3C4D, 1, 0, -1,
 """A section header, and an interface with timestamps in nanoseconds."""
 _BLOCK: Final = struct.Struct("<IIIIIII")
 _IP: Final = struct.Struct(">BBHHHBBHII")
+_IPV6: Final = struct.Struct(">IHBB")
 _UDP: Final = struct.Struct(">HHHH")
 _STATISTICS: Final = struct.Struct("<IIIIIHHQII")
 """With one option, `isb_ifdrop`."""
@@ -22,7 +23,7 @@ _LENGTH: Final = struct.Struct("<I")
 _MAX_PAYLOAD: Final = 65507
 
 Endpoint = tuple[str, int]
-"""IPv4 address and UDP port."""
+"""IPv4 or IPv6 address, and UDP port; any other text counts as the address 0.0.0.0."""
 
 
 def preamble() -> bytes:
@@ -40,8 +41,10 @@ def packet(source: Endpoint, destination: Endpoint, payload: bytes, nanoseconds:
 
 
 def ip_packet(source: Endpoint, destination: Endpoint, payload: bytes) -> bytes:
-    """The IPv4 packet of one datagram."""
+    """The IP packet of one datagram."""
     payload = payload[:_MAX_PAYLOAD]
+    if ":" in source[0]:
+        return _ipv6_packet(source, destination, payload)
     size = 28 + len(payload)
     sender, receiver, base = _addresses(source[0], destination[0])
     checksum = base + size
@@ -49,6 +52,18 @@ def ip_packet(source: Endpoint, destination: Endpoint, payload: bytes) -> bytes:
     checksum = ~((checksum & 0xFFFF) + (checksum >> 16)) & 0xFFFF
     head = _IP.pack(0x45, 0, size, 0, 0, 64, 17, checksum, sender, receiver)
     return head + _UDP.pack(source[1], destination[1], 8 + len(payload), 0) + payload
+
+
+def _ipv6_packet(source: Endpoint, destination: Endpoint, payload: bytes) -> bytes:
+    addresses = b"".join(socket.inet_pton(socket.AF_INET6, text) for text in (source[0], destination[0]))
+    length = _UDP.size + len(payload)
+    head = _UDP.pack(source[1], destination[1], length, 0)
+    covered = addresses + struct.pack(">II", length, socket.IPPROTO_UDP) + head + payload
+    checksum = sum(memoryview(covered + bytes(len(covered) % 2)).cast("H"))
+    while checksum > 0xFFFF:
+        checksum = (checksum & 0xFFFF) + (checksum >> 16)
+    native = struct.pack("=H", ~checksum & 0xFFFF or 0xFFFF)
+    return _IPV6.pack(0x60 << 24, length, socket.IPPROTO_UDP, 64) + addresses + head[:6] + native + payload
 
 
 def statistics(lost: int, nanoseconds: int) -> bytes:
@@ -59,6 +74,13 @@ def statistics(lost: int, nanoseconds: int) -> bytes:
 @lru_cache(maxsize=1024)
 def _addresses(source: str, destination: str) -> tuple[int, int, int]:
     """Both addresses as numbers, and the sum of the IP header without its length."""
-    sender, receiver = (int.from_bytes(socket.inet_aton(text), "big") for text in (source, destination))
+    sender, receiver = (int.from_bytes(_packed(text), "big") for text in (source, destination))
     words = (0x4500, 64 << 8 | 17, sender >> 16, sender & 0xFFFF, receiver >> 16, receiver & 0xFFFF)
     return sender, receiver, sum(words)
+
+
+def _packed(address: str) -> bytes:
+    try:
+        return socket.inet_aton(address)
+    except OSError:  # a JSerial line has no address
+        return bytes(4)

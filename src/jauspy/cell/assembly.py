@@ -7,26 +7,24 @@ way: the gripper turned, the part measured anew, another part of the type.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import partial
-from itertools import pairwise
 from typing import Final
 
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, tilt_between, turned
-from jauspy.cell.handling import Handling, PickPlan
-from jauspy.cell.held_load import MOST
-from jauspy.cell.interface import GRIPPER, Cell, SeenPart
-from jauspy.cell.motion import GENTLE, MotionPlanner, NoPath, Path, profile
-from jauspy.cell.scene import Clearance, Layout, connector_frame
-from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
+from jauspy.cell.carrying import HEAVY_TOUCH_SPEED, INSERT_SPEED, LIFT_SPEED, NEAR_SPEED, TOUCH_SPEED, Carrier
+from jauspy.cell.frames import se3, se3_of_pose, shifted, tilt_between, turned
+from jauspy.cell.handling import PickPlan
+from jauspy.cell.interface import GRIPPER
+from jauspy.cell.motion import NoPath, Path
+from jauspy.cell.scene import connector_frame
+from jauspy.cell.schedule import Schedule, TaskFailed
+from jauspy.cell.slots import FIVE_JOINTS, AssemblyResult, PartResult, Slot, Tip, slot_goals
 from jauspy.errors import JausError
-from jauspy.geometry.vectors import GRAVITY, Z
-from jauspy.platform.modular.connector import ConnectorError, ConnectorState
-from jauspy.platform.modular.parts import PartKind, PartType, mass_of
+from jauspy.geometry.vectors import GRAVITY
+from jauspy.platform.modular.connector import ConnectorState
+from jauspy.platform.modular.parts import PartKind, mass_of
 
 GRASPS: Final = 4
 """Attempts to grasp one part before another of its type is taken."""
@@ -34,171 +32,30 @@ JOINS: Final = 4
 """Attempts to join one part before it is put down."""
 PARTS: Final = 3
 """Parts that are tried for one place in the arm."""
-SEAL_TIME: Final = 0.06
-"""Seconds after which a connector that is not in contact, by its report, does not attach without a further press."""
-ATTACH_TIME: Final = 0.6
-"""Seconds in which a connector in contact must attach: it evacuates, or its latch closes."""
-PRESSES: Final = 3
-"""How often the arm presses on while a connector does not attach."""
-NEAR_SPEED: Final = 0.3
-INSERT_SPEED: Final = 0.15
-LIFT_SPEED: Final = 0.3
-"""Fractions of the UR10's speed on the way to what it is about to touch, and away from there."""
-TOUCH_SPEED: Final = 0.004
-"""m/s of the tool in the last millimetres before contact. Its mass of some 20 kg then stops within the give of a plate,
-about 5 ms, with 20 N."""
-HEAVY_TOUCH_SPEED: Final = 0.002
-"""The same towards what is bolted down, or heavy: it gives way less than a part in a bin."""
-CONTACT_FORCE: Final = 8.0
-"""Newtons by which the force on the gripper must change for what it holds to be in contact."""
-STEP: Final = 1e-6
-"""Radians of a difference quotient."""
-LEANS: Final = 24
-LEAN_SPEED: Final = 0.02
-LEAN_TIME: Final = 0.1
-"""Parts in which a load is taken up, the fraction of the UR10's speed, and seconds in which the force settles."""
-TAKEN_UP: Final = 0.9
-"""Fraction of a load's weight from which on the gripper carries it."""
 MAX_TILT: Final = math.radians(2.0)
 MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
-STALE: Final = 0.5
-"""Seconds since a part was last seen from which on it is looked for again before it is grasped."""
 WEIGHT_TOLERANCE: Final = 0.3
 """Fraction of a part's mass by which what hangs on the gripper may differ, beside the uncertainty."""
 SURE: Final = 3.0
 """Standard deviations of the mass by the UR10's motors within which it is certain."""
+SEARCH: Final = (0.0, 0.0015, -0.0015, 0.003)
+"""Metres beside the connector at which the attempts to join press the part down."""
 CHECK_ANGLE: Final = 0.06
-"""Radians that a joint turns to and fro when it is checked."""
 CHECK_TIME: Final = 0.5
-PUT_DOWN: Final = ((-0.45, 0.0), (-0.45, 0.12), (-0.45, -0.12), (0.5, 0.0), (0.0, 0.45), (0.0, -0.45))
-"""Places on the floor where parts are put down that could not be joined, metres."""
-PUT_DOWN_HEIGHT: Final = 0.2
-"""Height of the gripper above the floor, metres."""
-PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
-"""The UR10's posture away from platforms and conveyor, in radians."""
-QUARTERS: Final = (0.0, math.pi, math.pi / 2.0, -math.pi / 2.0)
-WHEEL_TURNS: Final = 12
-"""Angles about its axis at which a wheel may be joined."""
-BACK: Final = 0.02
-BACK_STEPS: Final = 4
-"""Metres, and how often, that the gripper moves back from what it has released until there is room around it."""
+"""Radians that a joint turns to and fro when it is checked, and seconds of each turn."""
 FULL: Final = 0.85
 """Fraction of the whole vacuum from which on a part is lifted: a cup that leaks does not reach it."""
 EVACUATED_TIME: Final = 0.15
 """Seconds after an attachment in which the gripper's pump reaches the full vacuum."""
 RELEASE_TIME: Final = 0.2
 """Seconds until a connector has let go."""
-POLL: Final = 0.02
-"""Seconds between two queries of a connector."""
-STRAIGHT: Final = 0.999
-"""Cosine of the angle from which on two axes count as parallel."""
-OUT_OF_CONTACT: Final = (ConnectorError.NO_CONTACT, ConnectorError.TOO_FAR, ConnectorError.NOT_ALIGNED)
-SEARCH: Final = (0.0, 0.0015, -0.0015, 0.003)
-"""Metres beside the connector at which the attempts to join press the part down."""
 
 
-@dataclass(frozen=True, slots=True)
-class Slot:
-    """A place in the arm: what it is called in the results, and the types that fit, the best first."""
-
-    name: str
-    types: tuple[str, ...]
-    connector: str = "output"
-    """The connector of the part in this place to which the next one is attached."""
-    turns: tuple[float, ...] = ()
-    """Radians about the connector's normal from where the part is square to the one before: as it is wanted, and then
-    others with which it does as well. Empty: by its type."""
-
-
-FIVE_JOINTS: Final = (
-    Slot("joint 1", ("x5_9_inline", "x5_4_inline")),
-    Slot("bracket", ("bracket_straight",)),
-    Slot("joint 2", ("x8_16_elbow", "x8_9_elbow")),
-    Slot("upper arm", ("tube_long",)),
-    Slot("joint 3", ("x8_9_elbow", "x5_9_elbow")),
-    Slot("forearm", ("tube_short",)),
-    Slot("joint 4", ("x8_9_elbow", "x5_9_elbow")),
-    Slot("joint 5", ("x5_4_inline", "x5_1_inline")),
-)
-"""The arm with five joints, base to tip."""
-
-
-@dataclass(slots=True)
-class PartResult:
-    """Measurements of one part."""
-
-    slot: str
-    part: str = ""
-    fetch_time: float = 0.0
-    join_time: float = 0.0
-    attempts: list[str] = field(default_factory=list)
-    """Texts of the failed attempts."""
-    grasp_force: float = 0.0
-    """Newtons that the gripper measured while the part hung still."""
-    mass: float = 0.0
-    """Kilograms by the UR10's motors, and their standard deviation; zero while they are not known."""
-    mass_deviation: float = 0.0
-    joint_force: float = 0.0
-    joint_moment: float = 0.0
-    shift: float = 0.0
-    """Metres off the connector, and radians, by the connector's own report."""
-    tilt: float = 0.0
-
-
-@dataclass(slots=True)
-class AssemblyResult:
-    """Measurements of the whole task."""
-
-    base: str
-    parts: list[PartResult] = field(default_factory=list)
-    clearance: Clearance = field(default_factory=lambda: Clearance(1.0))
-    """The smallest distance along all motions, without those that end in contact."""
-    duration: float = 0.0
-    timeline: Timeline = field(default_factory=Timeline)
-    failure: str = ""
-    """Why it ended early; empty after a success."""
-
-    @property
-    def retries(self) -> int:
-        """Attempts that failed."""
-        return sum(len(part.attempts) for part in self.parts)
-
-
-@dataclass(slots=True)
-class Held:
-    """The part in the gripper."""
-
-    name: str
-    grasp: pin.SE3
-    """The gripper in the part's frame, as the gripper reports it."""
-
-
-class Assembler:
+class Assembler(Carrier):
     """Builds arms; one object for one task."""
 
-    def __init__(self, cell: Cell, layout: Layout, *, seed: int = 0) -> None:
-        self.cell = cell
-        self.layout = layout
-        self.scene = layout.scene()
-        self.planner = MotionPlanner(self.scene, layout.kinematics, seed=seed)
-        self.handling = Handling(layout, self.scene, self.planner)
-        self.at: Array = layout.home
-        """The UR10's present posture."""
-        self.rejected: set[str] = set()
-        """Parts that are not tried again."""
-        self.out_of_reach: set[str] = set()
-        """Parts that cannot be had for the present place; for another one they may."""
-        self.used: set[str] = set()
-        self.carried: set[str] = set()
-        """Parts that are attached to another one and move with it: their shapes are with those of the other."""
-        self.placed: dict[str, tuple[float, pin.SE3]] = {}
-        """When and where this robot put down a part, which counts until the sensor sees it again."""
-        self.clearance = Clearance(1.0)
-        self.held: Held | None = None
-        self.seen: Mapping[str, SeenPart] = {}
-
-    # --- the task -------------------------------------------------------------------------------------------------
+    # --- the task ---
 
     async def build(
         self, base: str = "platform_1", connector: str = "top", slots: tuple[Slot, ...] = FIVE_JOINTS
@@ -238,74 +95,6 @@ class Assembler:
         result.clearance = self.clearance
         return result
 
-    async def go_home(self) -> None:
-        """Move the UR10 to its posture at the start."""
-        await self.go(await self._path_to(self.layout.home))
-
-    async def park(self) -> None:
-        """Move the UR10 out of the way of what stands on the platforms and on the conveyor."""
-        await self.look()
-        await self.back_off()
-        await self.go(await self._path_to(PARKED))
-
-    async def back_off(self) -> None:
-        """Move straight back from what the gripper has released while that is too close to plan a path from here."""
-        for _ in range(BACK_STEPS):
-            here = self.scene.clearance(self.at).distance
-            if here >= self.planner.margin:
-                return
-            back = self.handling.retreat(self.at, BACK)
-            if self.scene.clearance(back.end).distance <= here:
-                return
-            await self.go(back, speed=LIFT_SPEED, contact=True)
-
-    async def _path_to(self, posture: Array) -> Path:
-        return await self.cell.compute(partial(self.planner.to_posture, self.at, posture))
-
-    async def go(
-        self,
-        path: Path,
-        *,
-        speed: float = 1.0,
-        tool_speed: float = math.inf,
-        contact: bool = False,
-        gentle: bool = False,
-    ) -> None:
-        """Move along a path; paths that do not end in contact count for the smallest distance.
-
-        It speeds up slowly where what the gripper holds would load it too much otherwise. Raises `NoPath` where it does
-        at any acceleration.
-        """
-        if not gentle and self.load_used(path, speed, 1.0) > MOST:
-            gentle = True
-        if gentle and (used := self.load_used(path, speed, GENTLE)) > MOST:
-            raise NoPath(f"the gripper would use {used:.0%} of its strength on the way, at most {MOST:.0%} is safe")
-        if not contact and path.clearance.distance < self.clearance.distance:
-            self.clearance = path.clearance
-        self.at = path.end
-        try:
-            await self.cell.follow(path, speed=speed, tool_speed=tool_speed, gentle=gentle)
-        except JausError:
-            self.at = await self.cell.posture()
-            raise
-
-    def load_used(self, path: Path, speed: float, acceleration: float) -> float:
-        """Largest fraction of the gripper's strength that what it holds uses along a path.
-
-        `speed` and `acceleration` are fractions of the UR10's, as in a motion along it.
-        """
-        load, layout = self.planner.load, self.layout
-        if load is None:
-            return 0.0
-        used = 0.0
-        for start, goal in pairwise(path.points):
-            rates = profile(start, goal, layout.speeds * speed, layout.accelerations * acceleration).accelerations
-            change = np.sign(goal - start) * np.where(goal == start, 0.0, rates)
-            for posture, sign in ((start, 1.0), (goal, -1.0)):
-                tool, jacobian = layout.kinematics.forward(posture), layout.kinematics.jacobian(posture)
-                used = max(used, load.utilisation(tool, sign * jacobian[:3] @ change))
-        return used
-
     async def _make_safe(self) -> None:
         """Leave the UR10 at rest; it keeps holding its part, which would fall otherwise."""
         self.at = await self.cell.posture()
@@ -316,7 +105,7 @@ class Assembler:
             except JausError:
                 return  # it stands where it is, at rest
 
-    # --- fetching -------------------------------------------------------------------------------------------------
+    # --- fetching ---
 
     async def fetch_for(self, slot: Slot, row: PartResult, tip: Tip) -> None:
         """Grasp a part that fits this place at the tip, and lift it; raises `TaskFailed`."""
@@ -343,44 +132,6 @@ class Assembler:
                 self.rejected.add(part)
         tried = "; ".join(row.attempts) or "none is left"
         raise TaskFailed(f"no {' or '.join(slot.types)} could be grasped for {slot.name}: {tried}")
-
-    def know(self, frames: Mapping[str, pin.SE3]) -> None:
-        """Take parts for where connectors and joints report them, until the sensor sees them; they are not grasped."""
-        self.placed |= {name: (self.cell.now(), frame) for name, frame in frames.items()}
-        self.rejected |= set(frames)
-
-    def stands(self, frames: Mapping[str, pin.SE3]) -> None:
-        """Parts stand where connectors and joints report them, whatever the sensor sees, until they are taken off."""
-        self.used |= set(frames)
-        self.rejected -= set(frames)
-        for name, frame in frames.items():
-            self.scene.put(name, self.handling.pieces(name), frame)
-
-    async def look(self, *, fresh: bool = False) -> None:
-        """Measure where the parts are, and put them there in the scene."""
-        self.seen = await self.cell.observe(fresh=fresh)
-        for name, seen in self.seen.items():
-            if name not in self.used and name not in self.carried and (self.held is None or name != self.held.name):
-                moved, pose = self.placed.get(name, (-math.inf, seen.pose))
-                hidden_since = moved > self.cell.now() - seen.age
-                self.scene.put(name, self.handling.pieces(name), pose if hidden_since else seen.pose)
-        for part in self.layout.setup.parts:
-            if part.name in self.seen or part.fixed or part.name in self.used:
-                continue
-            if part.name in self.placed:
-                self.scene.put(part.name, self.handling.pieces(part.name), self.placed[part.name][1])
-            else:
-                self.scene.remove(part.name)
-
-    async def _see(self, part: str) -> bool:
-        """True if the sensor sees a part now, if need be after the UR10 has moved home, out of the cameras' view."""
-        for hidden in (False, True):
-            if hidden and self.held is None:
-                await self.go_home()
-                await self.look(fresh=True)
-            if part in self.seen and self.seen[part].age <= STALE:
-                return True
-        return False
 
     def _choose(self, slot: Slot) -> str | None:
         """The next part of a fitting type that lies somewhere and was not rejected."""
@@ -464,20 +215,6 @@ class Assembler:
         await self.cell.enable(GRIPPER, False)
         await self.go(self.handling.retreat(self.at), contact=True)
 
-    def _hold(self, part: str, grasp: pin.SE3) -> None:
-        self.held = Held(part, grasp)
-        self.planner.load = self.handling.load(part, grasp)
-        self.scene.hold(part, self.handling.pieces(part), grasp.inverse())
-
-    def forget_held(self) -> None:
-        """Plan without what the gripper has held."""
-        self.held = self.planner.load = None
-        self.scene.release()
-
-    def _drop(self, part: str) -> None:
-        self.forget_held()
-        self.used.discard(part)
-
     async def _put_back(self, plan: PickPlan, connector: str = "") -> None:
         await self.go(Path((self.at, *plan.lift.points[-2::-1])), speed=0.1, contact=True)
         if connector:
@@ -487,7 +224,7 @@ class Assembler:
         self._drop(plan.part)
         await self.go(self.handling.retreat(self.at), contact=True)
 
-    # --- joining --------------------------------------------------------------------------------------------------
+    # --- joining ---
 
     async def join_to(self, slot: Slot, row: PartResult, tip: Tip) -> None:
         """Join the held part to the tip, or another one when it is lost; raises `TaskFailed`."""
@@ -579,81 +316,6 @@ class Assembler:
         if slot.connector in self.layout.type_of(part).connectors:
             tip.advance(part, slot.connector, frame, self._connector(part, slot.connector), (*slot.turns, 0.0)[0])
 
-    async def put_here(self, part: str, frame: pin.SE3) -> None:
-        """Let go of the held part, which then is at `frame` in the world until the sensor sees it."""
-        await self.cell.enable(GRIPPER, False)
-        await self.cell.sleep(0.3)
-        self._drop(part)
-        self.placed[part] = self.cell.now(), frame
-        self.scene.put(part, self.handling.pieces(part), frame)
-        await self.go(self.handling.retreat(self.at), speed=LIFT_SPEED, contact=True)
-
-    async def put_down(self, part: str) -> None:
-        """Let the part lie where there is room on the floor, so that another one can be taken."""
-        self.rejected.add(part)
-        solve, down = self.layout.kinematics.solve, turned("x", math.pi)
-        postures = [solution for x, y in PUT_DOWN for solution in solve(shifted(x, y, PUT_DOWN_HEIGHT) * down, self.at)]
-        try:
-            path = await self.cell.compute(partial(self.planner.to_any, self.at, postures))
-        except NoPath as error:
-            raise TaskFailed(f"{part} cannot be joined, and cannot be put down: {error}") from error
-        await self.go(path)
-        await self.cell.enable(GRIPPER, False)
-        await self.cell.sleep(0.3)
-        self._drop(part)
-        await self.go(self.handling.retreat(self.at, 0.05), contact=True)
-
-    # --- verifying ------------------------------------------------------------------------------------------------
-
-    async def touch(self, path: Path, connector: str, frame: pin.SE3, *, speed: float = TOUCH_SPEED) -> ConnectorState:
-        """Move until a connector attaches something; press on, along -z of `frame`, while none does."""
-        for press in range(PRESSES + 1):
-            await self.cell.touch(path, connector, tool_speed=speed)
-            state = await self._wait_held(connector)
-            self.at = await self.cell.posture()
-            if state.attached_to or not state.enabled or press == PRESSES:
-                break
-            path = self.handling.pressed(self.at, frame)
-        return state
-
-    async def press(self, path: Path) -> None:
-        """Lower what the gripper holds along a path, until it is in contact or at the end."""
-        await self.cell.touch(path, GRIPPER, tool_speed=TOUCH_SPEED, contact=CONTACT_FORCE)
-        self.at = await self.cell.posture()
-
-    async def take_up(self, mass: float, center: Array) -> None:
-        """Lean against a load until the gripper carries its weight, so that it neither drops nor tilts when it is free.
-
-        `mass` in kilograms, `center` of mass in the world. What the gripper holds stands or is attached elsewhere, and
-        stays where it is; the joints are sent where the weight would bend them from. The UR10 has not found out the
-        load yet: it learns while it moves.
-        """
-        k, group = self.layout.kinematics, self.layout.group
-        local = k.forward(self.at).actInv(center)
-        height = float(center[2])
-        torques = np.array(
-            [(k.forward(self.at + STEP * axis).act(local)[2] - height) / STEP for axis in np.eye(len(self.at))]
-        )
-        stiffness = np.array([group.gains[name].position.p for name in group.joints])
-        bend = GRAVITY * mass * torques / stiffness
-        for _ in range(LEANS):
-            if (await self.cell.connector(GRIPPER)).force >= TAKEN_UP * GRAVITY * mass:
-                return
-            await self.go(Path((self.at, self.at + bend / LEANS)), speed=LEAN_SPEED, contact=True, gentle=True)
-            await self.cell.sleep(LEAN_TIME)
-
-    async def _wait_held(self, connector: str) -> ConnectorState:
-        """Wait until a connector has attached something, and locked it if it can, or reports why it does not."""
-        begun = self.cell.now()
-        while True:
-            state = await self.cell.connector(connector)
-            waited = self.cell.now() - begun
-            gives_up = not state.enabled or state.error in OUT_OF_CONTACT or (state.attached_to and state.last_error)
-            held = state.attached_to and (state.latched or not self.layout.locks(connector, state.attached_to))
-            if held or waited > (SEAL_TIME if gives_up else ATTACH_TIME):
-                return state
-            await self.cell.sleep(POLL)
-
     async def _check_joint(self, part: str) -> None:
         """Turn a new joint to and fro: it has power, belongs to the arm and moves."""
         if self.layout.type_of(part).kind is not PartKind.SERVO:
@@ -669,7 +331,7 @@ class Assembler:
             goal[index] = angle
             await self.cell.move_arm(goal, CHECK_TIME)
 
-    # --- geometry -------------------------------------------------------------------------------------------------
+    # --- geometry ---
 
     async def _base_pose(self, base: str) -> pin.SE3:
         await self.look()
@@ -682,41 +344,6 @@ class Assembler:
 
     def _connector(self, part: str, connector: str) -> pin.SE3:
         return connector_frame(self.layout.type_of(part), connector)
-
-
-class Tip:
-    """The connector to which the next part is joined."""
-
-    def __init__(self, connector: str, part: str, frame: pin.SE3) -> None:
-        self.connector = connector
-        self.part = part
-        self.frame = frame
-        """Frame of the part in the world."""
-        self.square = pin.SE3.Identity()
-        """The turn about the connector's axis after which a part is square to the base."""
-
-    def advance(self, part: str, connector: str, frame: pin.SE3, output: pin.SE3, turn: float = 0.0) -> None:
-        """The next part is joined to this one, whose frame is `frame`, and was to be turned by `turn` radians."""
-        wanted = self.frame * self.square * turned("z", turn) * output
-        self.connector, self.part, self.frame = f"{part}/{connector}", part, frame * output
-        x = self.frame.rotation.T @ wanted.rotation[:, 0]
-        self.square = turned("z", math.atan2(x[1], x[0]))
-
-
-def slot_goals(layout: Layout, slot: Slot, tip: Tip) -> list[pin.SE3]:
-    """The frames in the world that a part in a place may have: on the connector, square to the base."""
-    type = layout.setup.types[slot.types[0]]
-    turns: Sequence[float] = QUARTERS if is_straight(type) else QUARTERS[:1]
-    if type.kind is PartKind.WHEEL:
-        turns = [math.tau * number / WHEEL_TURNS for number in range(WHEEL_TURNS)]
-    return [tip.frame * tip.square * turned("z", turn) for turn in slot.turns or turns]
-
-
-def is_straight(type: PartType) -> bool:
-    """True if a part has all its axes along its own z: turned about it, it carries the next part as well."""
-    axes = [frame.rotate(Z) for frame in type.connectors.values()]
-    axes += [type.servo.axis] if type.servo is not None else []
-    return all(axis[2] > STRAIGHT for axis in axes)
 
 
 def _wrong_weight(state: ConnectorState, mass: float) -> str:

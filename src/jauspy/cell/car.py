@@ -10,7 +10,8 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.assembly import GRASPS, HEAVY_TOUCH_SPEED, NEAR_SPEED, PARKED, Assembler, PartResult, Slot, Tip
+from jauspy.cell.assembly import GRASPS, Assembler
+from jauspy.cell.carrying import HEAVY_TOUCH_SPEED, NEAR_SPEED, PARKED
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
 from jauspy.cell.handling import LINE_MARGIN, PRESS, SLOW
@@ -20,6 +21,7 @@ from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath, Path
 from jauspy.cell.scene import Layout, Piece, connector_frame, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
+from jauspy.cell.slots import PartResult, Slot, Tip
 from jauspy.cell.standing import base_frame, standing_on
 from jauspy.platform.modular.parts import PartKind
 

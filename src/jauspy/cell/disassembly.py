@@ -10,13 +10,15 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.assembly import GRASPS, INSERT_SPEED, Assembler, PartResult
+from jauspy.cell.assembly import GRASPS, Assembler
+from jauspy.cell.carrying import INSERT_SPEED
 from jauspy.cell.frames import se3_of_pose, shifted
 from jauspy.cell.handling import LIFT, PickPlan
 from jauspy.cell.interface import Cell
 from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
+from jauspy.cell.slots import PartResult
 from jauspy.cell.standing import Joined, base_frame, frames_of, standing_on
 
 ABOVE: Final = 0.002

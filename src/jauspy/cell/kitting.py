@@ -17,7 +17,8 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.assembly import PARKED, Assembler, PartResult, Slot
+from jauspy.cell.assembly import Assembler
+from jauspy.cell.carrying import PARKED
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, shifted, turned
 from jauspy.cell.interface import GRIPPER
@@ -26,6 +27,7 @@ from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout, Piece
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.cell.shares import ALONE, Planned, Share, StepTimes, best_share, estimated
+from jauspy.cell.slots import PartResult, Slot
 from jauspy.errors import JausError
 from jauspy.platform.modular.parts import PartKind
 

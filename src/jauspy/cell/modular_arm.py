@@ -13,7 +13,7 @@ import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.arm_loads import Used, largest_load, sampled_states, smooth_states
-from jauspy.cell.assembly import PARKED
+from jauspy.cell.carrying import PARKED
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, turned
 from jauspy.cell.held_load import MOST

@@ -13,6 +13,7 @@ OPTIONAL_PACKAGES: Final = frozenset(
         "foxglove",
         "mcap",
         "numpy",
+        "orjson",
         "prometheus_client",
         "pyarrow",
         "pydantic",

@@ -11,7 +11,7 @@ import typer
 
 from jauspy.codec.build import load_schema
 from jauspy.codec.message import Message
-from jauspy.codec.registry import Hints, Registry
+from jauspy.codec.registry import NO_HINTS, Hints, Registry
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.schema import Schema, load_builtin, model
@@ -62,7 +62,8 @@ class Definitions:
             hints = Hints(**{what: wanted})
             if not any(map(hints.fit, entries)):
                 raise _unknown(what, str(wanted), known)
-        return Hints(service, version, message)
+        found = Hints(service, version, message)
+        return NO_HINTS if found == NO_HINTS else found  # which decoding asks for by identity
 
 
 def definitions(sources: list[str] | None) -> Definitions:

@@ -18,7 +18,7 @@ from jauspy.cli.processes import run
 from jauspy.cli.render import field_lines
 from jauspy.codec.layout import Composite
 from jauspy.codec.message import Message
-from jauspy.codec.rounding import rounded
+from jauspy.codec.rounding import rounded_dict
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
@@ -167,7 +167,7 @@ def _show_json(answer: Message, source: JausID, *, first: bool) -> None:  # noqa
         "source": str(source),
         "message": answer.NAME,
         "code": f"{answer.CODE:04X}",
-        "fields": rounded(answer).to_dict(),
+        "fields": rounded_dict(answer),
     }
     if has_axes(answer):
         shown["axes"] = "JAUS"

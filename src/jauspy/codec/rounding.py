@@ -13,7 +13,7 @@ from weakref import WeakKeyDictionary
 from jauspy.codec.items import Blob, Choice, Formatted, Item, Number, Real
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Message
-from jauspy.codec.scalars import Scaling, exact_raw
+from jauspy.codec.scalars import FLOATS, Scaling, exact_raw
 
 SAFE_PART: Final = 0.49
 """Part of a step by which a number may differ from the decoded one; half a step is the limit."""
@@ -34,6 +34,10 @@ _rounders: WeakKeyDictionary[type[Message], Rounder] = WeakKeyDictionary()
 """Rounders of message classes, made at the first use of each."""
 
 
+_converters: WeakKeyDictionary[type[Message], Rounder] = WeakKeyDictionary()
+"""Functions of message classes for `rounded_dict`, made at the first use of each."""
+
+
 def rounded(message: M) -> M:
     """A copy of a decoded message with the fewest digits in each number that are encoded as the same bytes.
 
@@ -44,6 +48,16 @@ def rounded(message: M) -> M:
     if rounder is None:
         rounder = _rounders[kind] = _composite(kind.layout())
     found: M = rounder(message)
+    return found
+
+
+def rounded_dict(message: Message) -> dict[str, Any]:
+    """The same as `rounded(message).to_dict()`, in half the time: no message is made."""
+    kind = type(message)
+    convert = _converters.get(kind)
+    if convert is None:
+        convert = _converters[kind] = _composite_converter(kind.layout())
+    found: dict[str, Any] = convert(message)
     return found
 
 
@@ -69,10 +83,10 @@ def _real(scaling: Scaling) -> Rounder:
             return value
         raw = floor((value - lower) * factor + 0.5)
         centre = upper if raw >= top else lower + raw * step
-        least, most = max(lower, centre - margin), min(upper, centre + margin)
+        least, most = centre - margin, centre + margin
         for scale in scales:  # a whole number by a power of ten is the double that is nearest to the decimal
             number = floor(value * scale + 0.5) / scale
-            if least <= number <= most and number:
+            if least <= number <= most and number and lower <= number <= upper:
                 return number
             if not number and exact_raw(0.0, scaling) == exact_raw(value, scaling):
                 return 0.0  # halfway between two steps of a symmetric range, so beyond the margin
@@ -166,6 +180,60 @@ def _blob(_: Any) -> Rounder:
 
 def _formatted(_: Any) -> Rounder:
     return lambda value: replace(value, data=rounded(value.data)) if isinstance(value.data, Message) else value
+
+
+def _converter(item: Item) -> Rounder:
+    """The function that rounds a value of an item and converts it to its JSON form."""
+    if isinstance(item, Real):
+        return _real(item.scaling)
+    if isinstance(item, Composite):
+        return _composite_converter(item)
+    if isinstance(item, Repeat):
+        convert = _converter(item.item)
+        return lambda parts: [convert(part) for part in parts]
+    if isinstance(item, Choice):
+        return _choice_converter(item)
+    if isinstance(item, Number) and item.code not in FLOATS:
+        names = {member.value: member.name for member in item.values.enum or ()}
+        return lambda value: names.get(value, value)
+    rounder, to_json = _rounder(item), item.to_json
+    return to_json if rounder is None else lambda value: to_json(rounder(value))
+
+
+def _choice_converter(item: Choice) -> Rounder:
+    converters = {choice: _converter(chosen) for choice, chosen in item.items.items()}
+    to_json, name_of = item.to_json, item.index.to_json
+
+    def convert(choice: Any) -> Any:
+        function = converters.get(choice.choice)
+        if function is None:
+            return to_json(choice)
+        return {"choice": name_of(choice.choice), "value": function(choice.value)}
+
+    return convert
+
+
+def _composite_converter(item: Any) -> Rounder:
+    converters = [(slot.name, _converter(slot.item)) for slot in item.slots]
+
+    def convert(record: Any) -> dict[str, Any]:
+        data = {}
+        for name, function in converters:
+            value = getattr(record, name)
+            if value is not None:
+                data[name] = function(value)
+        return data
+
+    if not item.undefined:
+        return convert
+
+    def convert_with_reserved(record: Any) -> dict[str, Any]:
+        data = convert(record)
+        if record.reserved_presence:
+            data["reserved_presence"] = record.reserved_presence
+        return data
+
+    return convert_with_reserved
 
 
 _CONTAINERS: Final[dict[type[Item], Callable[[Any], Rounder | None]]] = {

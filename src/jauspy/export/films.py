@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from jauspy.capture.reader import Datagram
+from jauspy.codec.names import unique
 from jauspy.errors import ConfigError, ProtocolError
 from jauspy.export.tables import MAX_NAME, make_folder
 from jauspy.recording.mcap_capture import MAGIC, MAX_CHUNK, open_capture_file
@@ -25,7 +26,7 @@ DYNAMIC_TYPES: Final = range(96, 128)
 RTP_VERSION: Final = 0x80
 VIDEO_SCHEMA: Final = "foxglove.CompressedVideo"
 H264: Final = "h264"
-_UNSAFE: Final = re.compile(r"[^A-Za-z0-9]+")
+_UNSAFE: Final = re.compile(r"[^A-Za-z0-9.]+")
 
 
 class RecordedPicture(NamedTuple):
@@ -63,7 +64,7 @@ def _rtp_pictures(datagrams: Iterator[Datagram]) -> Iterator[RecordedPicture]:
         except ProtocolError:
             continue
         for picture in streams.setdefault(key, Depacketiser()).feed(packet):
-            yield RecordedPicture(f"{key[0]}-{key[1]}", datagram.time, picture)
+            yield RecordedPicture(_UNSAFE.sub("-", f"{key[0]}-{key[1]}"), datagram.time, picture)
 
 
 def _channel_pictures(path: Path) -> Iterator[RecordedPicture]:
@@ -79,20 +80,23 @@ def _channel_pictures(path: Path) -> Iterator[RecordedPicture]:
                 raise ConfigError(f"{path} has no summary, as after a crash; `mcap recover` makes one")
             video = {number for number, schema in summary.schemas.items() if schema.name == VIDEO_SCHEMA}
             topics = [channel.topic for channel in summary.channels.values() if channel.schema_id in video]
+            cameras: dict[str, str] = {}
+            for topic in sorted(set(topics)):
+                cameras[topic] = unique(_camera_of(topic), lambda name: name in cameras.values())
             for _, channel, message in reader.iter_messages(topics=topics) if topics else ():
                 format, time, data = compressed_video(message.data)
                 if format != H264:
                     continue
                 ticks = (time or message.log_time) * CLOCK_RATE // 1_000_000_000
                 picture = Picture(ticks & 0xFFFFFFFF, tuple(split_nals(data)), whole=True)
-                yield RecordedPicture(_camera_of(channel.topic), message.log_time / 1e9, picture)
+                yield RecordedPicture(cameras[channel.topic], message.log_time / 1e9, picture)
     except (McapError, ProtocolError, ValueError, EOFError) as error:
         raise ConfigError(f"{path} is damaged: {error}") from None
 
 
 def _camera_of(topic: str) -> str:
     """A topic as a name that is safe in a path."""
-    return _UNSAFE.sub("-", topic).strip("-")[:MAX_NAME] or "camera"
+    return _UNSAFE.sub("-", topic).strip("-.")[:MAX_NAME] or "camera"
 
 
 # --- foxglove.CompressedVideo -----------------------------------------------------------------------------------------

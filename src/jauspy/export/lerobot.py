@@ -21,7 +21,7 @@ from av.video.stream import VideoStream
 from numpy.typing import NDArray
 from pyarrow import parquet
 
-from jauspy.codec.rounding import rounded
+from jauspy.codec.rounding import rounded_dict
 from jauspy.errors import ConfigError
 from jauspy.export.films import RecordedPicture, pictures
 from jauspy.export.tables import flattened, make_folder
@@ -160,7 +160,7 @@ def _read(path: Path, messages: Iterable[SeenMessage], settings: DatasetSettings
             signals, component = run.action, packet.destination  # clients have other ids in each run
         else:
             continue
-        numbers = _numbers(rounded(message).to_dict())
+        numbers = _numbers(rounded_dict(message))
         if not numbers:
             continue
         count += 1

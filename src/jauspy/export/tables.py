@@ -11,7 +11,7 @@ from typing import Any, Final, NamedTuple, TypeAlias
 
 from jauspy.codec.message import Message
 from jauspy.codec.names import unique
-from jauspy.codec.rounding import rounded
+from jauspy.codec.rounding import rounded_dict
 from jauspy.errors import ConfigError
 from jauspy.inspection.traffic import SeenMessage
 
@@ -76,7 +76,7 @@ def rows(messages: Iterable[SeenMessage], left_out: Counter[str]) -> Iterator[Ro
 
 
 def _fields(message: Message) -> Iterator[tuple[str, Scalar]]:
-    for number, pair in enumerate(flattened(rounded(message).to_dict())):
+    for number, pair in enumerate(flattened(rounded_dict(message))):
         if number >= MAX_COLUMNS:
             return
         yield pair

@@ -6,7 +6,8 @@ from collections import OrderedDict
 from collections.abc import Iterable, Iterator
 from typing import Final, NamedTuple
 
-from jauspy.capture.dissect import Part, dissect, local_control
+from jauspy.capture.dissect import Part, local_control
+from jauspy.capture.dissector import Dissector
 from jauspy.capture.reader import Datagram
 from jauspy.codec.registry import NO_HINTS, Hints, Registry
 from jauspy.protocol.header import OVERHEAD, Ack, DataFlag
@@ -38,7 +39,7 @@ class SeenMessage(NamedTuple):
     @property
     def size(self) -> int:
         """Bytes of the packet, header included."""
-        return OVERHEAD + len(self.part.content.payload)
+        return OVERHEAD + len(self.part.packet.payload)
 
 
 def seen_messages(
@@ -46,10 +47,11 @@ def seen_messages(
 ) -> Iterator[SeenMessage]:
     """The messages in datagrams; copies of one are left out unless `copies`."""
     recent: OrderedDict[tuple[int, int, int, bytes], float] = OrderedDict()
+    dissector = Dissector(registry, wanted)
     for datagram in datagrams:
         if datagram.source == datagram.destination and local_control(datagram.payload) is not None:
             continue
-        for part in dissect(datagram.payload, registry, wanted).parts:
+        for part in dissector.dissect(datagram.payload, datagram.time).parts:
             packet = part.packet
             key = int(packet.source), int(packet.destination), packet.sequence, bytes(packet.payload)
             before = recent.get(key)

@@ -165,7 +165,7 @@ def parse_header(data: bytes | memoryview, start: int = 0) -> RawPacket:
         raise ProtocolError("truncated", f"a data size of {size} in {left} bytes")
     if flags & 0x3F:
         raise ProtocolError("message_type", f"message type {flags & 0x3F} is reserved")
-    return RawPacket(start, start + size, payload_start, control, destination, source=source)
+    return _new(RawPacket, (start, start + size, payload_start, control, destination, source))
 
 
 _id: Final = lru_cache(maxsize=1024)(JausID.from_int)

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator
 from io import BufferedReader
 from typing import Any, Final
 
-from jauspy.capture.reader import JAUS_PORT, CaptureReader, Datagram, DatagramAssembler
+from jauspy.capture.ip import JAUS_PORT, DatagramAssembler
+from jauspy.capture.reader import CaptureReader, Datagram
 from jauspy.errors import ConfigError
 from jauspy.recording.run_files import DATAGRAMS, ENCODING
 
@@ -39,13 +40,11 @@ class McapCapture:
         number = 0
         try:
             for number, (time, packet) in enumerate(self._packets(), 1):
-                udp = self._assembler.add(packet)
-                if udp is None:
-                    continue
-                if self._port not in (None, udp.source[1], udp.destination[1]):
-                    self.skipped[f"other UDP port than {self._port}"] += 1
-                    continue
-                yield Datagram(number, time / 1e9, udp.source, udp.destination, udp.payload)
+                for udp in self._assembler.add(packet):
+                    if self._port not in (None, udp.source[1], udp.destination[1]):
+                        self.skipped[f"other UDP port than {self._port}"] += 1
+                        continue
+                    yield Datagram(number, time / 1e9, *udp)
         except _Damaged as error:
             raise ConfigError(f"{self._name} is damaged or cut off after datagram {number} ({error})") from None
 

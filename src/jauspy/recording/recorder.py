@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
-from jauspy.capture.dissect import Part, dissect
+from jauspy.capture.dissect import Part
+from jauspy.capture.dissector import Dissector
 from jauspy.capture.reader import Datagram
 from jauspy.codec.registry import Registry
 from jauspy.recording.run_files import RunFile, create
@@ -57,6 +58,7 @@ class Recorder:
     ) -> None:
         self.recorded = Recorded()
         self._path, self._registry, self._limits, self._fits = path, registry, limits, fits
+        self._dissector = Dissector(registry)
         self._number = 0
         self._start = self._flushed = 0.0
         self._file: RunFile | None = self._open() if not limits.rotates else None
@@ -72,7 +74,7 @@ class Recorder:
 
     def add(self, datagram: Datagram) -> None:
         """Record a datagram if one of its messages fits."""
-        parts = dissect(datagram.payload, self._registry).parts
+        parts = self._dissector.dissect(datagram.payload, datagram.time).parts
         if self._fits is not None:
             parts = tuple(filter(self._fits, parts))
             if not parts:

@@ -12,7 +12,7 @@ from jauspy.capture.reader import Datagram
 from jauspy.codec.json_schema import json_schema
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.codec.rounding import rounded
+from jauspy.codec.rounding import rounded_dict
 from jauspy.errors import ConfigError
 
 CHUNK_SIZE: Final = 1 << 20
@@ -148,7 +148,7 @@ class McapFile:
                 context=self._context,
             )
             self._channels[source, kind] = channel
-        channel.log(rounded(message).to_dict(), log_time=time)
+        channel.log(rounded_dict(message), log_time=time)
 
     def _attach(self, kind: type[Message], time: int) -> None:
         """Attach the file that defines a message, once; definitions that were built in Python have none."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Final, NamedTuple
 
@@ -14,15 +14,10 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import ANY_SUBSYSTEM, JausID
 from jauspy.inspection.traffic import seen_messages
-from jauspy.logs import get_logger
-from jauspy.protocol.counters import Counters
-from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Ack, DataFlag, Packet
-from jauspy.protocol.reassembly import Reassembly
 from jauspy.recording.mcap_capture import open_capture_file
 from jauspy.replay.answers import AnswerMatcher
 
-_LOG: Final = get_logger("jauspy.replay")
 MAX_REQUESTS: Final = 1_000_000
 """Requests of a recording that are replayed at once."""
 MAX_CLIENTS: Final = 16
@@ -75,20 +70,13 @@ class Recording:
 
 def read_messages(path: Path, registry: Registry) -> Iterator[RecordedMessage]:
     """The messages in a pcap, pcapng or MCAP file in the order of their ends; raises `ConfigError`."""
-    reassembly = Reassembly(Delivery(), Counters(_LOG))
     try:
         with path.open("rb") as file:
             for seen in seen_messages(open_capture_file(file, name=str(path), port=None), registry):
                 packet, content = seen.part.packet, seen.part.content
-                if packet.ack is Ack.ACK and content.message is None:
-                    continue
-                if content.message is not None or packet.data_flag is DataFlag.SINGLE:
-                    yield RecordedMessage(seen.time, packet, content.message)
-                    continue
-                reassembly.handle_timeout(seen.time)
-                _, whole = reassembly.add(packet, hash(packet.payload), seen.time)
-                if whole is not None:
-                    yield RecordedMessage(seen.time, whole, read_message(whole.payload, registry).message)
+                is_whole = packet.data_flag is DataFlag.SINGLE or len(content.payload) > len(packet.payload)
+                if content.message is not None or (is_whole and packet.ack is not Ack.ACK):
+                    yield RecordedMessage(seen.time, replace(packet, payload=content.payload), content.message)
     except OSError as error:
         raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
 

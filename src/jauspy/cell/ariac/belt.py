@@ -12,12 +12,13 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.assembly import Assembler, PartResult
+from jauspy.cell.assembly import Assembler
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3_of_pose, shifted, turned
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Piece
+from jauspy.cell.slots import PartResult
 from jauspy.platform.modular.connector import ConnectorState
 
 STILL: Final = 0.005

@@ -19,13 +19,15 @@ import pinocchio as pin
 from jauspy.cell.ariac.belt import STILL, BeltPicker
 from jauspy.cell.ariac.board import OpenOrder, OrderBoard
 from jauspy.cell.ariac.workcell import PLACES, QUALITY_CONTROL, TrayPlace
-from jauspy.cell.assembly import INSERT_SPEED, Assembler, PartResult, Slot, Tip
+from jauspy.cell.assembly import Assembler
+from jauspy.cell.carrying import INSERT_SPEED
 from jauspy.cell.client import SILENT, CellClient
 from jauspy.cell.frames import se3, se3_of_pose, shifted, turned
 from jauspy.cell.handling import APPROACH, CONDITION, TURNS
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.scene import Layout, connector_frame
 from jauspy.cell.schedule import TaskFailed
+from jauspy.cell.slots import PartResult, Slot, Tip
 from jauspy.errors import JausError
 from jauspy.platform.modular.parts import PartKind
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final
 
-from jauspy.cell.assembly import QUARTERS, Slot, Tip, is_straight, slot_goals
 from jauspy.cell.design.chains import Element
 from jauspy.cell.design.search import Design, Found
 from jauspy.cell.design.surroundings import LOAD
@@ -13,6 +12,7 @@ from jauspy.cell.frames import se3_of_pose
 from jauspy.cell.handling import Handling
 from jauspy.cell.motion import MotionPlanner, NoPath
 from jauspy.cell.scene import Layout, connector_frame
+from jauspy.cell.slots import QUARTERS, Slot, Tip, is_straight, slot_goals
 from jauspy.platform.modular.parts import PartType
 
 NODES: Final = 60
