@@ -123,6 +123,25 @@ def test_mp4_of_a_channel_of_compressed_video(tmp_path: Path, packets: list[tupl
     assert frames[-1][0] == pytest.approx((PICTURES - 1) / RATE, abs=1e-3)
 
 
+def test_damaged_mcap_files_are_said_to_be_damaged(tmp_path: Path, packets: list[tuple[float, bytes]]) -> None:
+    mcap_with_video(tmp_path / "run.mcap", packets)
+    whole = (tmp_path / "run.mcap").read_bytes()
+    for place in range(10, len(whole), len(whole) // 9):
+        cut = tmp_path / f"cut{place}.mcap"
+        cut.write_bytes(whole[:place])
+        assert "damaged" in run(cut, "--mp4", status=1).stderr
+        cut.write_bytes(whole[:place] + b"\xff" * 40 + whole[place + 40 :])
+        assert CliRunner().invoke(app, ["export", str(cut), "--mp4"]).exit_code in {0, 1}
+
+
+def test_tables_are_bounded(run_file: RunFile, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("jauspy.export.tables.MAX_TABLES", 2)
+    monkeypatch.setattr("jauspy.export.tables.MAX_COLUMNS", 4)
+    assert "30 42.1.1 SetJointPositions, beyond 2 tables are in no table" in run(run_file(), "--csv").stderr
+    assert len(list((tmp_path / "run-csv").iterdir())) == 2
+    assert all(len(csv_rows(path)[0]) <= 4 for path in (tmp_path / "run-csv").iterdir())
+
+
 @pytest.mark.parametrize("data", [b"\x1a\xff", b"\xff" * 20, b"\x0b", b"\x1a\x05ab", b"\x08"])
 def test_damaged_protobuf_is_an_error(data: bytes) -> None:
     with pytest.raises(ProtocolError):

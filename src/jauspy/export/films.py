@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, BinaryIO, Final, NamedTuple
 
 from jauspy.capture.reader import Datagram
 from jauspy.codec.names import unique
@@ -68,30 +68,34 @@ def _rtp_pictures(datagrams: Iterator[Datagram]) -> Iterator[RecordedPicture]:
 
 
 def _channel_pictures(path: Path) -> Iterator[RecordedPicture]:
-    """The pictures of the channels with video; their clock is the time stamp of each message, else its log time."""
-    from mcap.exceptions import McapError  # noqa: PLC0415 - of the extra `recording`
-    from mcap.reader import SeekingReader  # noqa: PLC0415
-
+    """The pictures of the channels with video; raises `ConfigError` for a damaged file."""
     try:
         with path.open("rb") as file:
-            reader = SeekingReader(file, record_size_limit=MAX_CHUNK)
-            summary = reader.get_summary()
-            if summary is None:
-                raise ConfigError(f"{path} has no summary, as after a crash; `mcap recover` makes one")
-            video = {number for number, schema in summary.schemas.items() if schema.name == VIDEO_SCHEMA}
-            topics = [channel.topic for channel in summary.channels.values() if channel.schema_id in video]
-            cameras: dict[str, str] = {}
-            for topic in sorted(set(topics)):
-                cameras[topic] = unique(_camera_of(topic), lambda name: name in cameras.values())
-            for _, channel, message in reader.iter_messages(topics=topics) if topics else ():
-                format, time, data = compressed_video(message.data)
-                if format != H264:
-                    continue
-                ticks = (time or message.log_time) * CLOCK_RATE // 1_000_000_000
-                picture = Picture(ticks & 0xFFFFFFFF, tuple(split_nals(data)), whole=True)
-                yield RecordedPicture(cameras[channel.topic], message.log_time / 1e9, picture)
-    except (McapError, ProtocolError, ValueError, EOFError) as error:
-        raise ConfigError(f"{path} is damaged: {error}") from None
+            yield from _decoded_channels(file, path)
+    except (ConfigError, OSError):
+        raise
+    except Exception as error:  # noqa: BLE001 - what a parser of others raises for damaged files is not listed
+        raise ConfigError(f"{path} is damaged: {str(error) or type(error).__name__}") from None
+
+
+def _decoded_channels(file: BinaryIO, path: Path) -> Iterator[RecordedPicture]:
+    """The pictures of all channels; their clock is the time stamp of each message, else its log time."""
+    from mcap.reader import SeekingReader  # noqa: PLC0415 - of the extra `recording`
+
+    reader = SeekingReader(file, record_size_limit=MAX_CHUNK)
+    summary = reader.get_summary()
+    if summary is None:
+        raise ConfigError(f"{path} has no summary, as after a crash; `mcap recover` makes one")
+    video = {number for number, schema in summary.schemas.items() if schema.name == VIDEO_SCHEMA}
+    cameras: dict[str, str] = {}
+    for topic in sorted({channel.topic for channel in summary.channels.values() if channel.schema_id in video}):
+        cameras[topic] = unique(_camera_of(topic), lambda name: name in cameras.values())
+    for _, channel, message in reader.iter_messages(topics=list(cameras)) if cameras else ():
+        format, time, data = compressed_video(message.data)
+        if format == H264:
+            ticks = (time or message.log_time) * CLOCK_RATE // 1_000_000_000
+            picture = Picture(ticks & 0xFFFFFFFF, tuple(split_nals(data)), whole=True)
+            yield RecordedPicture(cameras[channel.topic], message.log_time / 1e9, picture)
 
 
 def _camera_of(topic: str) -> str:
