@@ -55,7 +55,7 @@ async def session(network: VirtualNetwork) -> None:
                 requested_periodic_rate=2.0,
                 query_message=QueryHeartbeatPulse(),
             ),
-            CancelEvent(request_id=4, event_id=0),
+            CancelEvent(request_id=4, event_id=1),
             QueryTime(presence_vector=255),
             Standby(),
             QueryStatus(),

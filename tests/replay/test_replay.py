@@ -22,6 +22,10 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import (
+    CancelEvent,
+    ConfirmEventRequest,
+    CreateEvent,
+    QueryHeartbeatPulse,
     ReportStatus,
     RequestControl,
     Resume,
@@ -133,6 +137,24 @@ async def test_a_fault_of_the_target_is_found(
     first = result.differences[0]
     assert (first.request, first.live, first.source) == (request_name, live, str(ROBOT))
     assert 0.0 < first.time < 3.0
+
+
+async def test_ids_of_events_are_those_of_now(recording: Path) -> None:
+    """Another client has an event already, which takes the id that was recorded."""
+    event = CreateEvent(
+        request_id=1,
+        event_type=CreateEvent.EventType.PERIODIC,
+        requested_periodic_rate=1.0,
+        query_message=QueryHeartbeatPulse(),
+    )
+    async with target() as (network, _), network.component("50.1.1", []) as other:
+        other.send(ROBOT, event)
+        await asyncio.sleep(0.1)
+        result = await play(network, load(recording, registry))
+        (cancelled,) = network.sent(CancelEvent)
+        ids = [ConfirmEventRequest.decode(row.payload).event_id for row in network.sent(ConfirmEventRequest)]
+    assert result.differences == []
+    assert ids[0] != ids[1] == ids[2] == CancelEvent.decode(cancelled.payload).event_id
 
 
 async def test_refused_control_is_a_difference(recording: Path) -> None:

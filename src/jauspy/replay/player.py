@@ -101,9 +101,7 @@ class Playback:
 class _Client:
     """One recorded client, by its id of now."""
 
-    def __init__(
-        self, id: JausID, registry: Registry, timeout: float, on_answer: Callable[[int, JausID, Message], None]
-    ) -> None:
+    def __init__(self, id: JausID, registry: Registry, timeout: float, on_answer: OnAnswer) -> None:
         self.id = id
         self.matcher = AnswerMatcher(registry, timeout)
         self.event_ids: dict[tuple[JausID, int], int] = {}
@@ -155,12 +153,10 @@ class _Player:
         self._recorded_ids: dict[tuple[int, int, int], JausID] = {}
         """Recorded ids of the clients, by the parts of their ids of now."""
         self._result = Result()
-        ids = _ids_for(recording.clients, playback.client)
-        self._clients = {
-            recorded: _Client(id, registry, playback.timeout, self._on_answer)
-            for recorded, id in zip(recording.clients, ids, strict=True)
-        }
-        for recorded, id in zip(recording.clients, ids, strict=True):
+        self._clients: dict[JausID, _Client] = {}
+        """The clients by their recorded ids."""
+        for recorded, id in zip(recording.clients, _ids_for(recording.clients, playback.client), strict=True):
+            self._clients[recorded] = _Client(id, registry, playback.timeout, self._on_answer)
             self._recorded_ids[id.subsystem, id.node, id.component] = recorded
 
     @asynccontextmanager
@@ -225,8 +221,8 @@ class _Player:
                 payload = message.encode(strict=False)
         if message is not None:
             client.matcher.sent(number, destination, message, loop_time())
-        if isinstance(message, RequestControl) and not destination.is_wildcard:
-            client.controlled.add(destination)
+            if message.CODE == RequestControl.CODE and not destination.is_wildcard:
+                client.controlled.add(destination)
         packet = request.packet
         ack = Ack.REQUIRED if packet.ack is Ack.REQUIRED else Ack.NONE
         assert client.component is not None
