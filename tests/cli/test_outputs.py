@@ -12,6 +12,7 @@ from typer.testing import CliRunner
 from jauspy.cli.main import GROUPS, app, load_verb
 
 PRINT_NOTHING_TO_READ = {
+    "export": "writes files",
     "record": "writes files",
     "up": "runs until Ctrl-C",
     "send": "has no answer",
@@ -37,6 +38,7 @@ PRINT_NOTHING_TO_READ = {
 }
 """Verbs without `--json`, and why."""
 WRITE_FILES = {
+    "export",
     "graph",
     "cell design",
     "demo",

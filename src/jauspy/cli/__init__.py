@@ -6,7 +6,22 @@ import sys
 from typing import Final
 
 OPTIONAL_PACKAGES: Final = frozenset(
-    {"construct", "dpkt", "numpy", "orjson", "prometheus_client", "pydantic", "rich", "typer", "xacro", "yaml"}
+    {
+        "av",
+        "construct",
+        "dpkt",
+        "foxglove",
+        "mcap",
+        "numpy",
+        "orjson",
+        "prometheus_client",
+        "pyarrow",
+        "pydantic",
+        "rich",
+        "typer",
+        "xacro",
+        "yaml",
+    }
 )
 """Top-level packages that extras install and that verbs import."""
 
@@ -17,9 +32,11 @@ EXTRA_OF_VERB: Final = {
     "conformance": "conformance",
     "console": "console",
     "demo": "all",
+    "export": "export",
     "keys": "operators",
     "map": "map",
     "node-manager": "node-manager",
+    "replay": "recording",
     "still": "video",
     "teleop": "teleop",
     "tf": "robot",

@@ -67,6 +67,14 @@ VERBS: Final = {
         "jauspy.cli.record:info",
         "Tell what is in a recording: its time, and messages by sender and name.",
     ),
+    "export": (
+        "jauspy.cli.export:export",
+        "Write a recording as tables, video, a capture, or a data set for learning.",
+    ),
+    "replay": (
+        "jauspy.cli.replay:replay",
+        "Send again what clients sent in a recording, and compare the answers with the recorded ones.",
+    ),
     "audit": (
         "jauspy.cli.operators:audit",
         "Verify an audit log: name the first line that was changed or removed, or cut off at the end.",

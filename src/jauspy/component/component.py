@@ -333,7 +333,19 @@ class Component:
 
         With `Ack.REQUIRED` it is resent until it is acknowledged or given up, which is counted; `deliver` waits for it.
         """
-        self._send(JausID.of(destination), message, priority, broadcast, ack)
+        self._send(JausID.of(destination), message.encode(), priority, broadcast, ack)
+
+    def send_encoded(
+        self,
+        destination: str | JausID,
+        payload: bytes,
+        *,
+        priority: Priority = Priority.STANDARD,
+        broadcast: Broadcast = Broadcast.NONE,
+        ack: Ack = Ack.NONE,
+    ) -> None:
+        """Send the bytes of a message, with its id, as `send` does; they may be no valid message."""
+        self._send(JausID.of(destination), payload, priority, broadcast, ack)
 
     async def deliver(
         self, destination: str | JausID, message: Message, *, priority: Priority = Priority.STANDARD
@@ -345,7 +357,7 @@ class Component:
         receiver = JausID.of(destination)
         if receiver.is_wildcard:
             raise ProtocolError("not_acknowledged", f"{receiver} is a broadcast, which is not acknowledged")
-        ticket = self._send(receiver, message, priority, Broadcast.NONE, Ack.REQUIRED)
+        ticket = self._send(receiver, message.encode(), priority, Broadcast.NONE, Ack.REQUIRED)
         await self._acknowledgements.wait(ticket, f"{receiver} did not acknowledge {message.NAME}")
 
     def move(self, id: str | JausID) -> None:
@@ -382,10 +394,9 @@ class Component:
         return await transport_for(self.id, self._connect)
 
     def _send(
-        self, destination: JausID, message: Message, priority: Priority, broadcast: Broadcast, ack: Ack
+        self, destination: JausID, payload: bytes, priority: Priority, broadcast: Broadcast, ack: Ack
     ) -> int | None:
-        transport = self._require_open()
-        payload, now = message.encode(), self._clock()
+        transport, now = self._require_open(), self._clock()
         ticket = self._endpoint.send(destination, payload, now=now, priority=priority, broadcast=broadcast, ack=ack)
         self._transmit(transport)
         self._set_timer()

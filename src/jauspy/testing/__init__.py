@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from jauspy.testing.assertions import until as until
     from jauspy.testing.node import LocalNode as LocalNode
+    from jauspy.testing.recordings import replay as replay
     from jauspy.virtual.clock import VirtualClock as VirtualClock
     from jauspy.virtual.environment import Environment
     from jauspy.virtual.network import VirtualNetwork as VirtualNetwork
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 _EXPORTS = {
     "LocalNode": "jauspy.testing.node:LocalNode",
     "TestEnvironment": "jauspy.virtual.environment:Environment",
+    "replay": "jauspy.testing.recordings:replay",
     "until": "jauspy.testing.assertions:until",
     "VirtualClock": "jauspy.virtual.clock:VirtualClock",
     "VirtualNetwork": "jauspy.virtual.network:VirtualNetwork",
