@@ -6,7 +6,19 @@ import sys
 from typing import Final
 
 OPTIONAL_PACKAGES: Final = frozenset(
-    {"construct", "dpkt", "numpy", "prometheus_client", "pydantic", "rich", "typer", "xacro", "yaml"}
+    {
+        "construct",
+        "dpkt",
+        "foxglove",
+        "mcap",
+        "numpy",
+        "prometheus_client",
+        "pydantic",
+        "rich",
+        "typer",
+        "xacro",
+        "yaml",
+    }
 )
 """Top-level packages that extras install and that verbs import."""
 
@@ -18,8 +30,10 @@ EXTRA_OF_VERB: Final = {
     "console": "console",
     "demo": "all",
     "keys": "operators",
+    "live": "recording",
     "map": "map",
     "node-manager": "node-manager",
+    "record": "recording",
     "still": "video",
     "teleop": "teleop",
     "tf": "robot",
