@@ -9,8 +9,10 @@ waited for it is gone; when it connects again, it is sent the present states.
 from __future__ import annotations
 
 import asyncio
+import secrets
 import socket
 from collections import Counter, OrderedDict
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from typing import Any, Final
 
@@ -26,8 +28,8 @@ MAX_STATES: Final = 256
 """States of a topic that a new client is sent."""
 BULK_BACKLOG: Final = 256 << 10
 """Bytes that a client has not read from which on it is sent no bulk."""
-MAX_BACKLOG: Final = 4 << 20
-"""Bytes that a client has not read from which on it is disconnected."""
+MAX_BACKLOG: Final = 24 << 20
+"""Bytes that a client has not read from which on it is disconnected; more than the meshes of a robot."""
 MAX_INBOUND: Final = 1 << 20
 """Bytes from a client that the SDK has not read, from which on the client is disconnected."""
 SEND_BUFFER: Final = 128 << 10
@@ -56,6 +58,8 @@ class LiveView:
         """The first sample of each topic, of whose form its channel is."""
         self._states: dict[str, OrderedDict[str, Sample]] = {}
         self._server: asyncio.Server | None = None
+        self._session = secrets.token_hex(8)
+        """Tells a client that connects again that it is the same view."""
 
     async def start(self, host: str, port: int) -> int:
         """Listen; returns the port. Raises `TransportError`."""
@@ -102,7 +106,9 @@ class LiveView:
 
     async def _serve(self, side: _Side) -> None:
         """One client, from its connection to its end."""
-        client = _Client(side, self._topics.values(), self._states, self.counters)
+        client = _Client(
+            side, topics=self._topics.values(), states=self._states, counters=self.counters, session=self._session
+        )
         try:
             await client.open()
             self._clients.add(client)
@@ -119,7 +125,7 @@ class _Side(asyncio.Protocol):
 
     transport: asyncio.Transport
 
-    def __init__(self, accept: Any = None) -> None:
+    def __init__(self, accept: Callable[[_Side], None] | None = None) -> None:
         self._accept = accept
         self.other: _Side | None = None
         self.ended = asyncio.Event()
@@ -154,11 +160,14 @@ class _Client:
     def __init__(
         self,
         side: _Side,
-        topics: Any,
+        *,
+        topics: Iterable[Sample],
         states: dict[str, OrderedDict[str, Sample]],
         counters: Counter[str],
+        session: str,
     ) -> None:
         self._side, self._topics, self._states, self._counters = side, topics, states, counters
+        self._session = session
         self._context = foxglove.Context()
         self._channels = Channels(self._context)
         self._server: foxglove.websocket.WebSocketServer | None = None
@@ -181,6 +190,7 @@ class _Client:
             host=LOOPBACK,
             port=0,
             context=self._context,
+            session_id=self._session,
             server_listener=_Listener(subscribed),
         )
         connection = self._side.transport.get_extra_info("socket")
@@ -235,7 +245,7 @@ class _Client:
 class _Listener(ServerListener):
     """Tells which topics a client subscribes to; called in a thread of the SDK."""
 
-    def __init__(self, subscribed: Any) -> None:
+    def __init__(self, subscribed: Callable[[str], None]) -> None:
         self._subscribed = subscribed
 
     def on_subscribe(self, client: Any, channel: Any) -> None:  # noqa: ARG002 - of the SDK

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Final
@@ -12,7 +13,7 @@ from jauspy.geometry.denavit_hartenberg import manipulator_geometry, reversed_ax
 from jauspy.geometry.frames import FrameTree, joint_frame
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Element, numbers, origin, parse_tree
-from jauspy.geometry.vectors import quaternion
+from jauspy.geometry.vectors import X, quaternion, rotation_about
 from jauspy.recording.described_robot import DescribedRobot
 
 LOCAL: Final = "local"
@@ -26,10 +27,14 @@ MEDIA_TYPES: Final = {
     ".dae": "model/vnd.collada+xml",
 }
 """Formats of meshes that Foxglove shows."""
-MAX_MESHES: Final = 64 << 20
+MAX_MESHES: Final = 16 << 20
 """Bytes of the meshes of a robot; those beyond are left out."""
 PLAIN: Final = (0.6, 0.62, 0.65, 1.0)
 """Red, green, blue and opacity of a shape without a material."""
+
+
+_Y_UP: Final = Transform(rotation_about(X, math.pi / 2.0))
+"""How Foxglove turns meshes without an axis that is up."""
 
 
 def frame_id(subsystem: int, name: str) -> str:
@@ -185,11 +190,11 @@ class _Shapes:
                 width = 2.0 * numbers(kind, "radius", 1)[0]
                 return fox.SpherePrimitive(pose=pose, size=vector3((width, width, width)), color=painted)
             case "mesh":
-                return self._mesh(kind, pose, colour)
+                return self._mesh(kind, Transform.from_pose(origin(visual)), colour)
             case _:
                 return None
 
-    def _mesh(self, mesh: Element, pose: fox.Pose, colour: fox.Color | None) -> fox.ModelPrimitive | None:
+    def _mesh(self, mesh: Element, pose: Transform, colour: fox.Color | None) -> fox.ModelPrimitive | None:
         path = Path(str(mesh.get("filename")))
         media_type = MEDIA_TYPES.get(path.suffix.lower())
         if media_type is None or not path.is_file() or path.stat().st_size > self._left:
@@ -197,9 +202,12 @@ class _Shapes:
         data = path.read_bytes()
         self._left -= len(data)
         has_own_colours = path.suffix.lower() in (".glb", ".dae")
+        x, y, z = numbers(mesh, "scale", 3, "1 1 1")
+        if not has_own_colours:  # nor an axis that is up: Foxglove takes it to be y, and turns the mesh
+            pose, (y, z) = pose @ _Y_UP.inverse(), (z, y)
         return fox.ModelPrimitive(
-            pose=pose,
-            scale=vector3(numbers(mesh, "scale", 3, "1 1 1")),
+            pose=sdk_pose(pose),
+            scale=vector3((x, y, z)),
             color=colour or _color(PLAIN),
             override_color=colour is not None or not has_own_colours,
             media_type=media_type,
