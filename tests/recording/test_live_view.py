@@ -52,9 +52,10 @@ class Client:
                 channel = self._channels[int.from_bytes(data[1:5], "little")]
                 schema = base64.b64decode(channel["schema"])
                 return channel["topic"], decoded(channel["schemaName"], schema, data[13:])
-            for channel in json.loads(data).get("channels", ()):
-                self._channels[channel["id"]] = channel
-                wanted = [{"id": channel["id"], "channelId": channel["id"]}]
+            new = json.loads(data).get("channels", ())
+            self._channels |= {channel["id"]: channel for channel in new}
+            wanted = [{"id": channel["id"], "channelId": channel["id"]} for channel in new]
+            if wanted:
                 await self.ws.send(json.dumps({"op": "subscribe", "subscriptions": wanted}))
 
     async def lines(self, last: str) -> tuple[list[str], list[int]]:
@@ -106,6 +107,7 @@ async def test_a_new_client_gets_the_present_states_and_then_what_happens(view: 
     for number in range(20):
         server.publish(line(f"a{number}", "a"))
     server.publish(line("b", "b"))
+    server.publish(frame(0))
     async with connected(port) as client:
         assert (await client.lines("b"))[0] == ["a19", "b"]
         server.publish(line("c", "c"))
@@ -150,6 +152,7 @@ async def test_a_client_that_was_cut_off_finds_the_present_states_and_no_old_dat
     monkeypatch.setattr(live_view, "CHECK_INTERVAL", 0.05)
     server, port = view
     server.publish(line("first", "first"))
+    server.publish(frame(0, 10))
     async with connected(port) as client:
         await client.lines("first")
         for number in range(2000):  # nothing is read, for longer than `STALL`
