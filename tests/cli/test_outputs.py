@@ -14,6 +14,7 @@ from jauspy.cli.main import GROUPS, app, load_verb
 PRINT_NOTHING_TO_READ = {
     "export": "writes files",
     "record": "writes files",
+    "live": "runs until Ctrl-C",
     "up": "runs until Ctrl-C",
     "send": "has no answer",
     "teleop": "is operated with keys",

@@ -63,6 +63,10 @@ VERBS: Final = {
     ),
     "graph": ("jauspy.cli.rates:graph", "Show who talks to whom: the messages between components, with their rates."),
     "record": ("jauspy.cli.record:record", "Record what the node manager of this machine routes, until Ctrl-C."),
+    "live": (
+        "jauspy.cli.live:live",
+        "Show what the node manager of this machine routes in Foxglove, live.",
+    ),
     "info": (
         "jauspy.cli.record:info",
         "Tell what is in a recording: its time, and messages by sender and name.",

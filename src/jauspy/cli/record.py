@@ -12,9 +12,10 @@ import typer
 
 from jauspy.capture.filters import Filter
 from jauspy.capture.reader import CaptureReader
-from jauspy.cli import console
+from jauspy.cli import client, console
 from jauspy.cli.definitions import SchemasOption, definitions
-from jauspy.cli.options import DEFAULT_ROOT, FilterOption, Json, LocalRoot
+from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, Json, LocalRoot, OwnId, Timeout
+from jauspy.cli.recorded import Cameras, Robots, cameras, described, pictures_taken
 from jauspy.cli.traffic import CaptureFile, open_capture
 from jauspy.errors import ConfigError
 from jauspy.inspection.traffic import seen_messages
@@ -41,17 +42,24 @@ def record(
     keep: Annotated[
         int | None, typer.Option("--keep", min=1, metavar="N", help="Keep so many files, and delete older ones.")
     ] = None,
+    robot: Robots = None,
+    video: Cameras = None,
     file: CaptureFile = None,
     root: LocalRoot = DEFAULT_ROOT,
+    connect: Connect = None,
+    own_id: OwnId = None,
+    timeout: Timeout = 5.0,
     schemas: SchemasOption = None,
 ) -> None:
     """Record what the node manager of this machine routes, until Ctrl-C.
 
     A .pcapng file has the datagrams, for Wireshark. A .mcap file has them, too, and each message as JSON on the topic
-    /SENDER/MESSAGE, with a schema made from its definition; it opens in Foxglove. The definitions are attached.
+    /SENDER/MESSAGE, with a schema made from its definition. The definitions are attached. It opens in Foxglove, with
+    frames, poses, scans, joints and a log in Foxglove's schemas; with --robot also meshes, with --video pictures.
 
     Examples:
       jauspy record run.mcap
+      jauspy record run.mcap --robot inc1 --video 101.1.106
       jauspy record run.mcap --split-time 600 --keep 6
       jauspy record run.pcapng --filter 'src == 101.*' --for 60
       jauspy record run.mcap --capture run.pcapng
@@ -59,18 +67,25 @@ def record(
     known = definitions(schemas)
     if keep is not None and split_size is None and split_time is None:
         raise ConfigError("--keep needs --split-size or --split-time")
+    wanted = cameras(video)
+    if wanted and (output.suffix != ".mcap" or file is not None):
+        raise ConfigError("--video needs a .mcap file, and cameras that send now, not --capture")
     limits = Limits(None if split_size is None else _bytes(split_size), split_time, keep)
     fits = None if only is None else Filter(only, known.registry)
+    ocu = client.make_ocu(own_id, connect, timeout) if wanted else None
     with open_capture(file, root, seconds) as capture:
-        recorder = Recorder(output, known.registry, limits, fits)
+        recorder = Recorder(output, known.registry, limits, fits, described(robot))
         if file is None:
             console.note("recording" + ("; Ctrl-C ends it" if seconds is None else f" for {seconds:g} s"))
         try:
-            recorder.run(capture)
+            with pictures_taken(ocu, wanted, recorder.add_picture):
+                recorder.run(capture)
         finally:
             found = recorder.recorded
             files = ", ".join(map(str, found.files)) or "no file"
-            console.note(f"{found.datagrams} datagrams, {found.messages} messages, {found.bytes} bytes: {files}")
+            pictures = f"{found.pictures} pictures, " if wanted else ""
+            counts = f"{found.datagrams} datagrams, {found.messages} messages, {pictures}{found.bytes} bytes"
+            console.note(f"{counts}: {files}")
 
 
 def info(
@@ -118,7 +133,7 @@ def _mcap_info(path: Path) -> dict[str, Any]:
     rows = []
     for number, channel in summary.channels.items():
         source, _, name = channel.topic.removeprefix("/").rpartition("/")
-        if source:
+        if source and channel.message_encoding == "json":
             rows.append({"message": name, "source": source, "count": counts.get(number, 0)})
     has_any = bool(summary.statistics.message_count)
     return {

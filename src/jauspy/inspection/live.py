@@ -6,6 +6,7 @@ import io
 import socket
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -46,6 +47,10 @@ class LiveCapture(CaptureReader):
             if not self._raw.ended:  # the end may be in the middle of a block
                 raise
 
+    def interrupt(self) -> None:
+        """End the iteration, also from another thread."""
+        self._raw.interrupt()
+
     def close(self) -> None:
         """Stop."""
         self._stream.close()
@@ -73,6 +78,11 @@ class _UntilDeadline(io.RawIOBase):
             count = 0
         self.ended = not count
         return count
+
+    def interrupt(self) -> None:
+        """Wake the reader with the end."""
+        with suppress(OSError):  # it has ended
+            self._socket.shutdown(socket.SHUT_RDWR)
 
     def close(self) -> None:
         """Close the socket."""

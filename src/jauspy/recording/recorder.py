@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Final
+from typing import Final, NamedTuple
 
 from jauspy.capture.dissect import Part
 from jauspy.capture.dissector import Dissector
 from jauspy.capture.reader import Datagram
 from jauspy.codec.registry import Registry
-from jauspy.recording.run_files import RunFile, create
+from jauspy.recording.described_robot import DescribedRobot
+from jauspy.recording.run_files import NO_ROBOTS, RunFile, create
 
 FLUSH_INTERVAL: Final = 0.5
 """Seconds of the traffic after which what was recorded is handed to the operating system."""
+MAX_PICTURES: Final = 1000
+"""Pictures that wait for the next datagram; the oldest go first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,10 +44,21 @@ class Recorded:
 
     datagrams: int = 0
     messages: int = 0
+    pictures: int = 0
     bytes: int = 0
     """Of files that were deleted, too."""
     files: list[Path] = field(default_factory=list)
     """Files that there are now."""
+
+
+class Picture(NamedTuple):
+    """A picture of a camera's H.264, as a byte stream of annex B."""
+
+    camera: str
+    time: float
+    """Seconds since 1970, UTC."""
+    access_unit: bytes
+    is_idr: bool
 
 
 class Recorder:
@@ -55,8 +70,11 @@ class Recorder:
         registry: Registry,
         limits: Limits = Limits(),
         fits: Callable[[Part], bool] | None = None,
+        robots: Mapping[int, DescribedRobot] = NO_ROBOTS,
     ) -> None:
         self.recorded = Recorded()
+        self._robots = robots
+        self._pictures: deque[Picture] = deque(maxlen=MAX_PICTURES)
         self._path, self._registry, self._limits, self._fits = path, registry, limits, fits
         self._dissector = Dissector(registry)
         self._number = 0
@@ -74,6 +92,8 @@ class Recorder:
 
     def add(self, datagram: Datagram) -> None:
         """Record a datagram if one of its messages fits."""
+        if self._file is not None:
+            self._add_pictures(self._file)
         parts = self._dissector.dissect(datagram.payload, datagram.time).parts
         if self._fits is not None:
             parts = tuple(filter(self._fits, parts))
@@ -92,10 +112,21 @@ class Recorder:
             self._file.flush()
             self._flushed = datagram.time
 
+    def add_picture(self, picture: Picture) -> None:
+        """Record a picture, from any thread; it is written with the next datagram."""
+        self._pictures.append(picture)
+
+    def _add_pictures(self, file: RunFile) -> None:
+        while self._pictures:
+            camera, time, access_unit, is_idr = self._pictures.popleft()
+            file.add_picture(camera, time, access_unit, is_idr=is_idr)
+            self.recorded.pictures += 1
+
     def close(self) -> None:
         """Complete the file that is written."""
         file, self._file = self._file, None
         if file is not None:
+            self._add_pictures(file)
             file.close()
             self.recorded.bytes += file.size
 
@@ -109,7 +140,7 @@ class Recorder:
         if self._limits.rotates:
             self._number += 1
             path = path.with_stem(f"{path.stem}-{self._number:04d}")
-        file = create(path, self._registry)
+        file = create(path, self._registry, self._robots)
         self._start = 0.0
         files = self.recorded.files
         files.append(path)

@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, BinaryIO, Final, Protocol, cast
+from types import MappingProxyType
+from typing import TYPE_CHECKING, BinaryIO, Final, Protocol, cast
 
 from jauspy.capture import writer
 from jauspy.capture.dissect import Part
 from jauspy.capture.reader import Datagram
-from jauspy.codec.json_schema import json_schema
-from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.codec.rounding import rounded_dict
 from jauspy.errors import ConfigError
+from jauspy.recording.described_robot import DescribedRobot
+
+if TYPE_CHECKING:
+    from jauspy.recording.samples import Sample
 
 CHUNK_SIZE: Final = 1 << 20
 """Bytes of an MCAP chunk before it is compressed; each `flush` ends one."""
-MAX_TOPICS: Final = 10_000
-"""Senders and kinds of messages in a file; those beyond are only among the datagrams."""
 DATAGRAMS: Final = "/datagrams"
 """Topic with all datagrams of an MCAP file: IPv4 packets with UDP, as in pcap's link type 101."""
 ENCODING: Final = "ipv4"
+NO_ROBOTS: Final[Mapping[int, DescribedRobot]] = MappingProxyType({})
 SUFFIXES: Final = (".pcapng", ".mcap")
 
 
@@ -36,6 +37,9 @@ class RunFile(Protocol):
     def add(self, datagram: Datagram, parts: Sequence[Part]) -> None:
         """Add a datagram with the messages that are in it."""
 
+    def add_picture(self, camera: str, time: float, access_unit: bytes, *, is_idr: bool) -> None:
+        """Add a picture of H.264 (a byte stream of annex B), if the format has room for it."""
+
     def flush(self) -> None:
         """Hand over all that was added to the operating system."""
 
@@ -43,8 +47,8 @@ class RunFile(Protocol):
         """Complete the file."""
 
 
-def create(path: Path, registry: Registry) -> RunFile:
-    """A new file, by its suffix; the registry has the definitions of the messages.
+def create(path: Path, registry: Registry, robots: Mapping[int, DescribedRobot] = NO_ROBOTS) -> RunFile:
+    """A new file, by its suffix; the registry has the definitions of the messages, `robots` are described ones.
 
     Raises:
         ConfigError: another suffix, a file that exists, or one that cannot be written.
@@ -58,7 +62,7 @@ def create(path: Path, registry: Registry) -> RunFile:
     except OSError as error:
         raise ConfigError(f"{path} cannot be written: {error.strerror}") from None
     if path.suffix == ".mcap":
-        return McapFile(cast("BinaryIO", file), registry)
+        return McapFile(cast("BinaryIO", file), registry, robots)
     return PcapngFile(cast("BinaryIO", file))
 
 
@@ -74,6 +78,9 @@ class PcapngFile:
         """Add a datagram."""
         time = round(datagram.time * 1e9)
         self._blocks.append(writer.packet(datagram.source, datagram.destination, datagram.payload, time))
+
+    def add_picture(self, camera: str, time: float, access_unit: bytes, *, is_idr: bool) -> None:
+        """Do nothing: pcapng has datagrams only."""
 
     def flush(self) -> None:
         """Write what was added."""
@@ -93,29 +100,24 @@ class PcapngFile:
 
 
 class McapFile:
-    """Datagrams, and each message as JSON on a topic of its sender and name, with a schema made from its definition.
+    """Datagrams; each message as JSON, on a topic of its sender and name; and what Foxglove's schemas tell of them.
 
     The definitions of the services that were met are attached, so that the file can be read without jauspy.
     """
 
-    def __init__(self, file: BinaryIO, registry: Registry) -> None:
+    def __init__(self, file: BinaryIO, registry: Registry, robots: Mapping[int, DescribedRobot] = NO_ROBOTS) -> None:
         import foxglove  # noqa: PLC0415 - of the extra `recording`
 
-        self._foxglove = foxglove
+        from jauspy.recording.feed import Feed  # noqa: PLC0415 - needs foxglove
+        from jauspy.recording.samples import Channels  # noqa: PLC0415 - needs foxglove
+
         self._registry = registry
         self._out = _CountedFile(file)
-        self._context = foxglove.Context()
+        context = foxglove.Context()
         options = foxglove.mcap.MCAPWriteOptions(profile="jaus", chunk_size=CHUNK_SIZE, compression_threads=0)
-        self._writer = foxglove.open_mcap(cast("BinaryIO", self._out), context=self._context, writer_options=options)
-        self._datagrams = foxglove.Channel(
-            DATAGRAMS,
-            message_encoding=ENCODING,
-            schema=foxglove.Schema(
-                name="IPv4", encoding="", data=b"IPv4 packet with UDP (LINKTYPE_RAW); its payload is SAE AS5669A"
-            ),
-            context=self._context,
-        )
-        self._channels: dict[tuple[str, type[Message]], Any] = {}
+        self._writer = foxglove.open_mcap(cast("BinaryIO", self._out), context=context, writer_options=options)
+        self._feed = Feed(registry, robots)
+        self._channels = Channels(context, self._attach)
         self._attached: set[str] = set()
         """Files of definitions that are in the file."""
 
@@ -126,32 +128,22 @@ class McapFile:
 
     def add(self, datagram: Datagram, parts: Sequence[Part]) -> None:
         """Add a datagram with the messages that are in it."""
-        time = round(datagram.time * 1e9)
-        packet = writer.ip_packet(datagram.source, datagram.destination, datagram.payload)
-        self._datagrams.log(packet, log_time=time)
-        for part in parts:
-            if part.content.message is not None:
-                self._add_message(part, part.content.message, time)
+        for sample in self._feed.samples(datagram, parts):
+            self._channels.add(sample)
         self._out.check()
 
-    def _add_message(self, part: Part, message: Message, time: int) -> None:
-        source, kind = str(part.packet.source), type(message)
-        channel = self._channels.get((source, kind))
-        if channel is None:
-            if len(self._channels) >= MAX_TOPICS:
-                return
-            self._attach(kind, time)
-            channel = self._foxglove.Channel(
-                f"/{source}/{kind.NAME}",
-                schema=json_schema(kind),
-                metadata={"service": kind.SERVICE, "version": kind.VERSION, "code": f"{kind.CODE:04X}"},
-                context=self._context,
-            )
-            self._channels[source, kind] = channel
-        channel.log(rounded_dict(message), log_time=time)
+    def add_picture(self, camera: str, time: float, access_unit: bytes, *, is_idr: bool) -> None:
+        """Add a picture of a camera's H.264."""
+        from jauspy.recording.foxglove_messages import picture  # noqa: PLC0415 - needs foxglove
 
-    def _attach(self, kind: type[Message], time: int) -> None:
+        self._channels.add(picture(camera, round(time * 1e9), access_unit, is_idr=is_idr))
+        self._out.check()
+
+    def _attach(self, sample: Sample) -> None:
         """Attach the file that defines a message, once; definitions that were built in Python have none."""
+        kind = sample.form.kind
+        if kind is None:
+            return
         entries = self._registry.entries_of(kind.CODE)
         entry = next(
             (entry for entry in entries if (entry.service, entry.version) == (kind.SERVICE, kind.VERSION)), None
@@ -162,7 +154,11 @@ class McapFile:
         self._attached.add(str(path))
         name = f"{kind.SERVICE.rpartition(':')[2]}-{kind.VERSION}{path.suffix}"
         self._writer.attach(
-            log_time=time, create_time=time, name=name, media_type="application/xml", data=path.read_bytes()
+            log_time=sample.time,
+            create_time=sample.time,
+            name=name,
+            media_type="application/xml",
+            data=path.read_bytes(),
         )
 
     def flush(self) -> None:
