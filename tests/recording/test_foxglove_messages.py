@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 from tests.recording.protobuf import decoded
 
-from jauspy.capture.dissect import dissect
+from jauspy.capture.dissector import Dissector
 from jauspy.capture.reader import Datagram
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -68,6 +68,7 @@ class Reader:
 
     def __init__(self, robots: dict[int, DescribedRobot] | None = None) -> None:
         self._feed = Feed(registry, robots or {})
+        self._dissector = Dissector(registry)
         self._number = 0
 
     def take(self, message: Any, source: JausID = ROBOT, destination: JausID = OCU) -> dict[str, Any]:
@@ -79,7 +80,7 @@ class Reader:
             part, flag = fragment_at(payload, index)
             packet = replace(Packet(source, destination, part, self._number), data_flag=flag)
             row = datagram(packet, START + self._number * 0.1)
-            for sample in self._feed.samples(row, dissect(row.payload, registry).parts):
+            for sample in self._feed.samples(row, self._dissector.dissect(row.payload, row.time).parts):
                 form = sample.form
                 if form.encoding == "protobuf":
                     found[sample.topic] = decoded(form.schema.name, form.schema.data, sample.data)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from jauspy.capture.dissect import dissect
+from jauspy.capture.dissector import Dissector
 from jauspy.capture.filters import Filter
 from jauspy.cli import client, console
 from jauspy.cli.definitions import SchemasOption, definitions
@@ -63,13 +63,14 @@ def live(
     foxglove.set_log_level(logging.CRITICAL)  # it would print a line for each bad frame of a client
     known, wanted = definitions(schemas), cameras(video)
     fits = None if only is None else Filter(only, known.registry)
+    dissector = Dissector(known.registry)
     feed, view = Feed(known.registry, described(robot)), LiveView()
     capture = LiveCapture(root, seconds)
     ocu = client.make_ocu(own_id, connect, timeout) if wanted else None
 
     def samples() -> Iterator[list[Sample]]:
         for datagram in capture:
-            parts = dissect(datagram.payload, known.registry).parts
+            parts = dissector.dissect(datagram.payload, datagram.time).parts
             kept = parts if fits is None else tuple(filter(fits, parts))
             if kept or fits is None:
                 yield list(feed.samples(datagram, kept))

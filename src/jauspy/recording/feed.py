@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import Final
 
 import foxglove
+import orjson
 
 from jauspy.capture import writer
 from jauspy.capture.dissect import Part, read_message
@@ -16,14 +16,10 @@ from jauspy.codec.json_schema import json_schema
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.codec.rounding import rounded_dict
-from jauspy.logs import get_logger
 from jauspy.messages.core.v1_0 import access_control, management
 from jauspy.messages.core.v1_0.events import Event as Event1
 from jauspy.messages.core.v1_1.events import Event as Event2
-from jauspy.protocol.counters import Counters
-from jauspy.protocol.delivery import Delivery
-from jauspy.protocol.header import Ack, DataFlag, Packet
-from jauspy.protocol.reassembly import Reassembly
+from jauspy.protocol.header import Packet
 from jauspy.recording.described_robot import DescribedRobot
 from jauspy.recording.foxglove_messages import Translator
 from jauspy.recording.run_files import DATAGRAMS, ENCODING, NO_ROBOTS
@@ -34,12 +30,11 @@ LARGE: Final = 16_384
 
 
 class Feed:
-    """Makes samples of datagrams. Large messages are put together again from their fragments."""
+    """Makes samples of datagrams, and of what `Dissector` found in them."""
 
     def __init__(self, registry: Registry, robots: Mapping[int, DescribedRobot] = NO_ROBOTS) -> None:
         self._registry = registry
         self._translator = Translator(robots)
-        self._reassembly = Reassembly(Delivery(), Counters(get_logger("jauspy.recording")))
         self._forms: dict[type[Message], ChannelForm] = {}
         self._datagram_form = ChannelForm(
             ENCODING,
@@ -54,20 +49,10 @@ class Feed:
         packet = writer.ip_packet(datagram.source, datagram.destination, datagram.payload)
         yield Sample(DATAGRAMS, time, packet, self._datagram_form, is_bulk=True)
         for part in parts:
-            found = self._message(part, datagram.time)
+            found = part.content.message
             if found is not None:
                 yield self._json(part.packet, found, time)
                 yield from self._translator.translate(part.packet, self._reported(found), time)
-
-    def _message(self, part: Part, now: float) -> Message | None:
-        """The message of a packet, or the large one that it completes."""
-        packet = part.packet
-        if packet.data_flag is DataFlag.SINGLE or packet.ack is Ack.ACK:
-            return part.content.message
-        self._reassembly.handle_timeout(now)
-        payload = bytes(packet.payload)
-        _, whole = self._reassembly.add(replace(packet, payload=payload), hash(payload), now)
-        return None if whole is None else read_message(bytes(whole.payload), self._registry).message
 
     def _reported(self, message: Message) -> Message:
         """The report in an event, or the message itself."""
@@ -89,7 +74,7 @@ class Feed:
                 {"service": kind.SERVICE, "version": kind.VERSION, "code": f"{kind.CODE:04X}"},
                 kind,
             )
-        data = json.dumps(rounded_dict(message)).encode()
+        data = orjson.dumps(rounded_dict(message))
         is_state = isinstance(message, management.ReportStatus | access_control.ReportControl)
         topic, state = f"/{packet.source}/{kind.NAME}", "" if is_state else None
         return Sample(topic, time, data, form, state, is_bulk=len(data) >= LARGE)
