@@ -28,6 +28,7 @@ PRINT_NOTHING_TO_READ = {
     "new definition": "writes a file",
     "new robot": "writes a file",
     "schema generate": "writes files",
+    "dissector": "writes a file",
     "keys new": "prints lines of a TOML file",
     "keys show": "prints lines of a TOML file",
     "cell all": "writes its results as files",
@@ -38,6 +39,7 @@ PRINT_NOTHING_TO_READ = {
 """Verbs without `--json`, and why."""
 WRITE_FILES = {
     "graph",
+    "dissector",
     "cell design",
     "demo",
     "map",
