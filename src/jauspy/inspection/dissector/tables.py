@@ -26,8 +26,7 @@ _PATH: Final = re.compile(r"[a-z0-9_.]+")
 ARRAY: Final = ""
 """The key of a table's array part."""
 _OWN_NAMES: Final = frozenset(
-    ("data", "destination", "failed", "fragment", "header", "limit", "malformed", "message", "old_header")
-    + ("reassembled", "source", "unknown")
+    "data destination failed fragment header limit malformed message old_header reassembled source unknown".split()
 )
 """Names behind `jaus.` that the dissector itself uses."""
 
@@ -116,9 +115,7 @@ class _Body:
             case layout.Composite():
                 return self._record(item, name, path)
             case layout.Repeat():
-                made = {"kind": "list", "name": name, **_count(item.count)}
-                made["item"] = {**self.node(item.item, name, path), "inline": True}
-                return made | {"count_path": self._path(f"{path}.count")}
+                return self._list(item, name, path)
             case layout.Union():
                 arms = [self.node(arm, arm_name, f"{path}.{arm_name}") for arm_name, arm in item.arms.items()]
                 names = dict(enumerate(item.arms))
@@ -151,7 +148,7 @@ class _Body:
                 made = {"kind": "blob", "name": name, "path": self._path(f"{path}.data"), **_count(item.count)}
                 made |= {"format_path": self._path(f"{path}.format"), **self._values(item.formats)}
                 made["count_path"] = self._path(f"{path}.data.count")
-                nested = {index: True for index in sorted(item.nested_formats)} if item.nested else {}
+                nested = dict.fromkeys(sorted(item.nested_formats), True) if item.nested else {}
                 return made | ({"nested": nested} if nested else {})
             case items.Number() | items.Real():
                 return {**self._number(item), "name": name, "path": self._path(path)}
@@ -160,11 +157,24 @@ class _Body:
     def _record(self, item: layout.Composite, name: str, path: str) -> Node:
         parts = []
         for slot in item.slots:
-            part = self.node(slot.item, slot.jaus, f"{path}.{slot.name}")
+            part = self.node(slot.item, slot.jaus or slot.name, f"{path}.{slot.name}")
             parts.append(part | ({"optional": True} if slot.optional else {}))
         made: Node = {"kind": "record", "name": name, ARRAY: parts}
         if item.presence:
             made |= {"presence": item.presence, "presence_path": self._path(f"{path}.presence_vector")}
+        return made
+
+    def _list(self, item: layout.Repeat, name: str, path: str) -> Node:
+        """A list in a list has the same path; of the two counts the outer one gets the plain name.
+
+        In other lists the fields of the elements come first, so that one called `count` keeps its name.
+        """
+        made: Node = {"kind": "list", "name": name, **_count(item.count)}
+        if isinstance(item.item, layout.Repeat):
+            made["count_path"] = self._path(f"{path}.count")
+        made["item"] = {**self.node(item.item, name, path), "inline": True}
+        if "count_path" not in made:
+            made["count_path"] = self._path(f"{path}.count")
         return made
 
     def _number(self, item: items.Number | items.Real) -> Node:
