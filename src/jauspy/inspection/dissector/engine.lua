@@ -1,4 +1,4 @@
--- The engine: reads packets, and the fields of messages along the tables above. `MESSAGES` has the definitions by
+-- The engine reads packets, and the fields of messages along the tables above. `MESSAGES` has the definitions by
 -- message id, `AMBIGUOUS` the ids with several meanings, `ENUMS` the named values.
 --
 -- Nothing here may raise an error, whatever a packet contains: every read is preceded by a check of the length, the
@@ -7,6 +7,7 @@
 local MAX_ITEMS = 100000        -- tree items of one frame; Wireshark itself gives up at 1,000,000
 local MAX_NESTING = 8           -- messages inside messages
 local MAX_PENDING = 64 * 2^20   -- bytes of fragments that wait for others, all together
+local FRAGMENT_COST = 256       -- bytes that a fragment takes besides its own
 local MAX_GAP = 1024            -- fragments of one sender that wait for an earlier one
 
 local SIZES = { B = 1, H = 2, I = 4, Q = 8, b = 1, h = 2, i = 4, q = 8, f = 4, d = 8 }
@@ -133,8 +134,13 @@ jaus.fields = fields
 
 local TOO_MANY = {}             -- raised when a frame has more than MAX_ITEMS
 
+-- %d refuses numbers beyond an integer, which a count of 64 bits may be.
+local function shown(value)
+    return value == math.floor(value) and string.format("%.0f", value) or string.format("%.9g", value)
+end
+
 local function plural(number, word)
-    return string.format("%d %s%s", number, word, number == 1 and "" or "s")
+    return string.format("%s %s%s", shown(number), word, number == 1 and "" or "s")
 end
 
 -- A position in the bytes of a message. `budget` is shared by all of a frame.
@@ -181,10 +187,6 @@ local function allowed(node, value)
         if ranges[i] <= value and value <= ranges[i + 1] then return true end
     end
     return false
-end
-
-local function shown(value)
-    return value == math.floor(value) and string.format("%.0f", value) or string.format("%.9g", value)
 end
 
 local function check(reader, item, node, value)
@@ -253,7 +255,7 @@ function READ.real(node, reader, tree)
     spend(reader.budget)
     local item = tree:add(node.field, range, scaled(node, raw))
     if node.units then item:append_text(" " .. node.units) end
-    if raw < 0 then complain(reader, item, X.value, string.format("%s: raw value %d is below 0", node.name, raw)) end
+    if raw < 0 then complain(reader, item, X.value, string.format("%s: raw value %s is below 0", node.name, shown(raw))) end
 end
 
 function READ.bits(node, reader, tree)
@@ -296,7 +298,7 @@ function READ.choice(node, reader, tree)
     if chosen.kind == "number" then
         check(reader, shown_item, chosen, value)
     elseif value < 0 then
-        complain(reader, shown_item, X.value, string.format("%s: raw value %d is below 0", node.name, value))
+        complain(reader, shown_item, X.value, string.format("%s: raw value %s is below 0", node.name, shown(value)))
     end
 end
 
@@ -333,7 +335,8 @@ function READ.blob(node, reader, tree)
     local item = tree:add(node.field, range)
     if (node.nested == true or (node.nested and node.nested[format])) and size > 0 then
         if reader.depth < MAX_NESTING then
-            read_message(reader_of(reader.tvb, start, start + size, reader.budget, reader.depth + 1), item)
+            local inner = reader_of(reader.tvb, start, start + size, reader.budget, reader.depth + 1)
+            reader.inner = read_message(inner, item)
         else
             complain(reader, item, X.limit, string.format("messages are nested more than %d deep", MAX_NESTING))
         end
@@ -424,7 +427,7 @@ end
 
 read_node = function(node, reader, tree) READ[node.kind](node, reader, tree) end
 
--- A message from its id on; returns its name.
+-- A message from its id on; returns its name, with that of a message in it.
 read_message = function(reader, tree)
     local size = reader.stop - reader.at
     local whole = reader.tvb(reader.at, size)
@@ -455,7 +458,7 @@ read_message = function(reader, tree)
         local rest = item:add(F.data, reader.tvb(reader.at, left))
         complain(reader, rest, X.trailing, plural(left, "byte") .. " left over after the message")
     end
-    return message.name
+    return reader.inner and string.format("%s (%s)", message.name, reader.inner) or message.name
 end
 
 -- Large messages -----------------------------------------------------------------------------------------------------
@@ -483,7 +486,7 @@ local function advance(route)
             local bytes = ByteArray.new()
             for i = 1, #message do
                 bytes:append(message[i].bytes)
-                pending_bytes = pending_bytes - message[i].bytes:len()
+                pending_bytes = pending_bytes - message[i].bytes:len() - FRAGMENT_COST
                 message[i].bytes = nil
             end
             message.bytes, message.frame, message.last_key = bytes, route.frame, route.key
@@ -506,10 +509,13 @@ local function collect(pinfo, key, source, destination, sequence, flag, range)
         return  -- sent again
     end
     if route.waiting_count >= MAX_GAP then route.waiting, route.waiting_count = {}, 0 end
-    if pending_bytes + range:len() > MAX_PENDING then routes, pending_bytes = {}, 0 return end
+    if pending_bytes + range:len() > MAX_PENDING then
+        routes, pending_bytes = {}, 0
+        return
+    end
     if not route.waiting[sequence] then route.waiting_count = route.waiting_count + 1 end
     route.waiting[sequence] = { key = key, flag = flag, bytes = range:bytes() }
-    pending_bytes = pending_bytes + range:len()
+    pending_bytes = pending_bytes + range:len() + FRAGMENT_COST
     route.frame, route.key = pinfo.number, key
     advance(route)
 end
