@@ -33,7 +33,9 @@ WAYS: Final = {
 CHECKED: Final = ("urn", "version", "number", "guard", "const", "state", "type")
 """Places where most of this is refused."""
 LITERAL: Final = re.compile(r'"(?:[ !#-\[\]-~]|\\\d{3})*"')
-TABLES: Final = re.compile(r"(?:local [A-Z]+ = |[a-z_]+=|\[-?\d+\]=|[-{},\s]|\d+(?:\.\d+)?(?:e[+-]\d+)?|math\.huge|true|S)*")
+TABLES: Final = re.compile(
+    r"(?:local [A-Z]+ = |[a-z_]+=|\[-?\d+\]=|[-{},\s]|\d+(?:\.\d+)?(?:e[+-]\d+)?|math\.huge|true|S)*"
+)
 """What is left of tables when each string literal is S."""
 
 
@@ -64,7 +66,9 @@ def test_texts_of_a_definition_stay_texts(way: str, tmp_path: Path, monkeypatch:
         monkeypatch.chdir(tmp_path)
         lua = tmp_path / "jaus.lua"
         lua.write_text(text, encoding="utf-8")
-        payloads = [code.to_bytes(2, "little") + bytes([fill] * 40) for code in (0xD011, 0xD013) for fill in (0, 1, 255)]
+        payloads = [
+            code.to_bytes(2, "little") + bytes([fill] * 40) for code in (0xD011, 0xD013) for fill in (0, 1, 255)
+        ]
         datagrams = [b"\x02\0" + (len(p) + 14).to_bytes(2, "little") + bytes(9) + p + b"\0\0" for p in payloads]
         assert "jaus." in tshark(lua, capture_of(datagrams, tmp_path / "thing.pcapng"), "-T", "pdml")
         assert not (tmp_path / "written").exists()

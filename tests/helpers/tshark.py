@@ -73,9 +73,7 @@ class Frame:
 
 def frames(lua: Path, capture: Path, *options: str) -> list[Frame]:
     """All frames of a capture as tshark shows them."""
-    document = etree.fromstring(
-        tshark(lua, capture, "-T", "pdml", *options).encode(), etree.XMLParser(huge_tree=True)
-    )
+    document = etree.fromstring(tshark(lua, capture, "-T", "pdml", *options).encode(), etree.XMLParser(huge_tree=True))
     found = []
     for packet in document.iter("packet"):
         experts = [
@@ -106,7 +104,9 @@ def _message(element: Any) -> ShownMessage:
 def _fields(element: Any) -> Iterator[Shown]:
     for child in element:
         name = child.get("name") or ""
-        if name.startswith("jaus.") and not name.startswith(("jaus.message", "jaus.data", "jaus.malformed", "jaus.unknown")):
+        if name.startswith("jaus.") and not name.startswith(
+            ("jaus.message", "jaus.data", "jaus.malformed", "jaus.unknown")
+        ):
             nested = next((_message(inner) for inner in child if inner.get("name") == "jaus.message"), None)
             raw = child.get("value") or ""
             data = bytes.fromhex(raw) if len(raw) % 2 == 0 else b""  # of bits it is their number in hex

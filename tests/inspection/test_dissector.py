@@ -1,4 +1,4 @@
-"""The Lua dissector in tshark shows the fields that our decoder reads, and says what is wrong where our decoder does."""
+"""In tshark the Lua dissector shows the fields that our decoder reads, and what is wrong where our decoder does."""
 
 from __future__ import annotations
 
@@ -43,6 +43,7 @@ pytestmark = needs_tshark
 
 GOLDEN: Final = Path(__file__).parents[1] / "golden"
 CAPTURES: Final = Path(__file__).parents[2].parent / "shared" / "captures"
+USER_LINK_TYPE: Final = 'uat:user_dlts:"User 0 (DLT=147)","jserial","0","","0",""'
 ROBOT, OPERATOR = JausID(101, 1, 1), JausID(42, 1, 1)
 
 
@@ -84,7 +85,9 @@ def test_golden_vectors_are_shown_as_we_decode_them(name: str, tmp_path: Path) -
     wanted = Hints(version=rows[0]["version"])
     payloads = [bytes.fromhex(row["hex"]) for row in rows]
     contents = [read_message(payload, registry, wanted) for payload in payloads]
-    assert sum(c.message is not None and c.message.NAME == row["message"] for c, row in zip(contents, rows, strict=True))
+    assert sum(
+        c.message is not None and row["message"] == c.message.NAME for c, row in zip(contents, rows, strict=True)
+    )
     capture = capture_of(map(datagram, payloads), tmp_path / "vectors.pcapng")
     assert list(mismatches(written(tmp_path, registry, wanted), capture, contents)) == []
 
@@ -140,20 +143,41 @@ def test_no_packet_makes_the_dissector_fail(lua: Path, tmp_path: Path) -> None:
     """Random bytes, mutated datagrams, counts of four thousand million, a thousand packets in a datagram."""
     rng = Random(3)
     valid, _ = seeds()
-    hostile = [rng.randbytes(rng.randrange(1, 200)) for _ in range(1000)]
+    hostile = [rng.randbytes(rng.randrange(1, 200)) for _ in range(500)]
     hostile += [b"\x02" + rng.randbytes(rng.randrange(60)) for _ in range(500)]
-    for payload in valid[:1000]:
+    for payload in valid[:400]:
         data = bytearray(datagram(payload))
         for _ in range(3):
             data[rng.randrange(len(data))] = rng.randrange(256)
         hostile.append(bytes(data[: rng.randrange(1, len(data) + 1)]))
     hostile.append(b"\x02" + datagram(RequestControl(authority_code=1).encode())[1:] * 1000)
-    hostile += [datagram(payload[:2] + b"\xff" * 4000) for payload in valid[:300]]
+    hostile += [datagram(payload[:2] + b"\xff" * 4000) for payload in valid[:60]]
     capture = capture_of(hostile, tmp_path / "hostile.pcapng")
     shown = frames(lua, capture)
     assert len(shown) == len(hostile)
     assert not [number for number, frame in enumerate(shown) if "jaus.failed" in frame.experts]
     assert any("jaus.malformed.header" in frame.experts for frame in shown)
+
+
+def test_no_stream_and_no_serial_line_makes_the_dissector_fail(lua: Path, tmp_path: Path) -> None:
+    rng = Random(5)
+    good = datagram(RequestControl(authority_code=1).encode())
+    segments = [
+        *([good, good[1:]] * 3),
+        *(rng.randbytes(rng.randrange(1, 80)) for _ in range(300)),
+        b"\0",
+        b"\2",
+        b"\0\xff",
+    ]
+    shown = frames(lua, tcp_capture(segments, tmp_path / "tcp.pcap"))
+    marks = (b"\x10\x01", b"\x10\x02", b"\x10\x03", b"\x10", b"\x02\x0f\0")
+    records = [
+        b"".join(rng.choice((*marks, rng.randbytes(3))) for _ in range(rng.randrange(1, 12))) for _ in range(500)
+    ]
+    shown += frames(lua, serial_capture(records, tmp_path / "serial.pcap"), "-o", USER_LINK_TYPE)
+    assert len(shown) == len(segments) + 1 + len(records)
+    assert not [frame for frame in shown if "jaus.failed" in frame.experts]
+    assert sum("jaus.malformed.truncated" in frame.experts for frame in shown) > 10
 
 
 def test_filters_name_fields(lua: Path, tmp_path: Path) -> None:
@@ -190,7 +214,9 @@ def test_the_message_in_an_event_is_shown(lua: Path, tmp_path: Path) -> None:
 
 def test_the_list_of_packets_names_messages(lua: Path, tmp_path: Path) -> None:
     event = Event(event_id=3, sequence_number=9, report_message=ReportLocalPose(x=1.5)).encode()
-    capture = capture_of([datagram(event), datagram(b"", ack=Ack.ACK), datagram(b"\xff\xff")], tmp_path / "event.pcapng")
+    capture = capture_of(
+        [datagram(event), datagram(b"", ack=Ack.ACK), datagram(b"\xff\xff")], tmp_path / "event.pcapng"
+    )
     assert tshark(lua, capture, "-T", "fields", "-e", "_ws.col.Info").splitlines() == [
         "101.1.1 → 42.1.1 Event (ReportLocalPose)",
         "101.1.1 → 42.1.1 ACK",
@@ -259,8 +285,7 @@ def test_jserial_is_dissected_on_a_user_link_type(lua: Path, tmp_path: Path) -> 
     damaged = bytearray(frame)
     damaged[-1] ^= 1
     capture = serial_capture([frame, frame + frame, bytes(damaged), frame[:9]], tmp_path / "serial.pcap")
-    table = 'uat:user_dlts:"User 0 (DLT=147)","jserial","0","","0",""'
-    one, two, wrong, short = frames(lua, capture, "-o", table)
+    one, two, wrong, short = frames(lua, capture, "-o", USER_LINK_TYPE)
     assert [len(each.messages) for each in (one, two, wrong, short)] == [1, 2, 1, 0]
     assert difference(one.messages[0], expected(registry.decode(message))) == ""
     assert (one.experts, wrong.experts) == ([], ["jaus.malformed.checksum"])
@@ -289,6 +314,13 @@ MUTANTS: Final = {
     "units": ('if node.units then item:append_text(" " .. node.units) end', ""),
     "values": ("ranges[i] <= value and", ""),
     "arm": ("local arm = node[tag + 1]", "local arm = node[1]"),
+    "optional fields": (",optional=true", ""),
+    "bits": ("shift=4", "shift=3"),
+    "largest raw value": ("top=65535", "top=65534"),
+    "type of a number": ('code="f"', 'code="I"'),
+    "type of a count": ('count="H"', 'count="B"'),
+    "path": ("jaus.mobility.", "jaus.moblity."),
+    "name of a value": ('[1]="', '[2]="'),
     "nested": ("if reader.depth < MAX_NESTING then", "if false then"),
 }
 

@@ -21,12 +21,12 @@ Node: TypeAlias = dict[Any, Any]
 
 _ESCAPED: Final = re.compile(rb"[^ !#-\[\]-~]")
 """Bytes that a Lua string in double quotes does not have as they are."""
-_IDENTIFIER: Final = re.compile(r"[a-z][a-z_]*")
 _PATH: Final = re.compile(r"[a-z0-9_.]+")
 ARRAY: Final = ""
 """The key of a table's array part."""
 _OWN_NAMES: Final = frozenset(
-    "data destination failed fragment header limit malformed message old_header reassembled source unknown".split()
+    {"data", "destination", "failed", "fragment", "header", "limit", "malformed", "message", "old_header"}
+    | {"reassembled", "source", "unknown"}
 )
 """Names behind `jaus.` that the dissector itself uses."""
 
@@ -47,7 +47,7 @@ def number(value: float) -> str:
 
 
 def source(value: Any) -> str:
-    """A value as a Lua expression: texts, numbers, true, lists, tables."""
+    """A value as a Lua expression: texts, numbers, true, lists, tables. Keys are ours or numbers."""
     match value:
         case True:
             return "true"
@@ -64,9 +64,7 @@ def source(value: Any) -> str:
 
 
 def _key(key: str | int) -> str:
-    if isinstance(key, str) and _IDENTIFIER.fullmatch(key):
-        return key
-    return f"[{number(key) if isinstance(key, int) else quoted(key)}]"
+    return key if isinstance(key, str) else f"[{number(key)}]"
 
 
 class Tables:
