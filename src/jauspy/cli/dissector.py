@@ -40,7 +40,7 @@ def dissector(
     Examples:
       jauspy dissector -o ~/.local/lib/wireshark/plugins/jaus.lua
       jauspy dissector --schemas vendor/ -o jaus.lua
-      tshark -X lua_script:jaus.lua -r run.pcapng -Y 'jaus.message == "SetWrenchEffort"'
+      tshark -X lua_script:jaus.lua -r run.pcapng -Y 'jaus.message == "Event"'
     """
     known = definitions(schemas)
     made = make_dissector(known.registry, known.hints(service, version, message))

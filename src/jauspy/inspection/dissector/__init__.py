@@ -5,10 +5,9 @@ from __future__ import annotations
 from importlib.resources import files
 from typing import Final, NamedTuple
 
-from jauspy.codec.registry import NO_HINTS, Hints, Registry
+from jauspy.codec.registry import NO_HINTS, STANDARD, Hints, Registry
 from jauspy.inspection.dissector.tables import Tables, number, quoted, source
 
-STANDARD: Final = "urn:jaus:jss:"
 _HEAD: Final = """\
 -- JAUS for Wireshark and tshark, made by `jauspy dissector`; do not edit.
 -- Put this file into the folder that Wireshark lists as "Personal Lua Plugins" (Help, About, Folders), or load it with
