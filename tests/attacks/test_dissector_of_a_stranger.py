@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shutil
-from importlib.resources import files
 from pathlib import Path
 from typing import Final
 
@@ -14,7 +13,7 @@ from tests.helpers.tshark import capture_of, tshark
 from typer.testing import CliRunner
 
 from jauspy.cli.main import app
-from jauspy.inspection.dissector import make_dissector
+from jauspy.inspection.dissector import engine, make_dissector
 
 CALL: Final = "os.execute('touch written')"
 WAYS: Final = {
@@ -48,9 +47,8 @@ def made_of(way: str, holes: list[str], folder: Path) -> str | None:
 
 def assert_tables_only(text: str) -> None:
     """Behind the head's comments there are tables of numbers and strings, then the engine as it is."""
-    engine = files("jauspy.inspection.dissector").joinpath("engine.lua").read_text("utf-8")
-    assert text.endswith(engine)
-    head = text.removesuffix(engine)
+    assert text.endswith(engine())
+    head = text.removesuffix(engine())
     assert head.isascii()
     lines = [line for line in head.splitlines() if not line.startswith("--")]
     assert TABLES.fullmatch(LITERAL.sub("S", "\n".join(lines)))

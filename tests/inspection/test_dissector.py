@@ -180,6 +180,16 @@ def test_no_stream_and_no_serial_line_makes_the_dissector_fail(lua: Path, tmp_pa
     assert sum("jaus.malformed.truncated" in frame.experts for frame in shown) > 10
 
 
+def test_a_frame_shows_a_limited_number_of_items(lua: Path, tmp_path: Path) -> None:
+    few = tmp_path / "few.lua"
+    few.write_text(lua.read_text("utf-8").replace("MAX_ITEMS = 100000", "MAX_ITEMS = 50"), encoding="utf-8")
+    packet = datagram(RequestControl(authority_code=1).encode())
+    capture = capture_of([b"\x02" + packet[1:] * 20, packet], tmp_path / "many.pcapng")
+    many, one = frames(few, capture)
+    assert (many.experts, one.experts) == (["jaus.limit"], [])
+    assert 1 <= len(many.messages) < 20
+
+
 def test_filters_name_fields(lua: Path, tmp_path: Path) -> None:
     messages = [RequestControl(authority_code=code).encode() for code in (1, 127, 255)]
     capture = capture_of(map(datagram, messages), tmp_path / "control.pcapng")

@@ -8,6 +8,8 @@ from typing import Final, NamedTuple
 from jauspy.codec.registry import NO_HINTS, STANDARD, Hints, Registry
 from jauspy.inspection.dissector.tables import Tables, number, quoted, source
 
+ENGINE: Final = ("fields", "messages", "packets", "serial")
+"""Lua files of the engine, in their order."""
 _HEAD: Final = """\
 -- JAUS for Wireshark and tshark, made by `jauspy dissector`; do not edit.
 -- Put this file into the folder that Wireshark lists as "Personal Lua Plugins" (Help, About, Folders), or load it with
@@ -39,8 +41,13 @@ def make_dissector(registry: Registry, wanted: Hints = NO_HINTS) -> Dissector:
             ambiguous.append(f"[{number(code)}]={quoted(text)},\n")
     enums = [f"{source(dict(names))},\n" for names in tables.enums]
     parts = [_table("ENUMS", enums), _table("MESSAGES", messages), _table("AMBIGUOUS", ambiguous)]
-    engine = files(__name__).joinpath("engine.lua").read_text("utf-8")
-    return Dissector("\n".join([_HEAD, *parts, engine]), len(messages), tables.fields)
+    return Dissector("\n".join([_HEAD, *parts, engine()]), len(messages), tables.fields)
+
+
+def engine() -> str:
+    """The part of the file that is always the same: the Lua files beside this one, which share their local names."""
+    folder = files(__name__)
+    return "\n".join(folder.joinpath(f"{name}.lua").read_text("utf-8") for name in ENGINE)
 
 
 def _table(name: str, rows: list[str]) -> str:
