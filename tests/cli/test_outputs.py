@@ -30,6 +30,7 @@ PRINT_NOTHING_TO_READ = {
     "new definition": "writes a file",
     "new robot": "writes a file",
     "schema generate": "writes files",
+    "dissector": "writes a file",
     "keys new": "prints lines of a TOML file",
     "keys show": "prints lines of a TOML file",
     "cell all": "writes its results as files",
@@ -41,6 +42,7 @@ PRINT_NOTHING_TO_READ = {
 WRITE_FILES = {
     "export",
     "graph",
+    "dissector",
     "cell design",
     "demo",
     "map",

@@ -49,6 +49,10 @@ VERBS: Final = {
     ),
     "still": ("jauspy.cli.still:still", "Take a picture with a camera and save it."),
     "decode": ("jauspy.cli.decode:decode", "Print the JAUS messages in a capture file or in hex text."),
+    "dissector": (
+        "jauspy.cli.dissector:dissector",
+        "Write a dissector for Wireshark and tshark: a Lua file with all messages.",
+    ),
     "echo": (
         "jauspy.cli.echo:echo",
         "Print messages as the node manager of this machine routes them, until Ctrl-C.",
