@@ -6,6 +6,7 @@ import io
 import socket
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -46,6 +47,10 @@ class LiveCapture(CaptureReader):
             if not self._raw.ended:  # the end may be in the middle of a block
                 raise
 
+    def stop(self) -> None:
+        """End the iteration, which may wait in another thread."""
+        self._raw.stop()
+
     def close(self) -> None:
         """Stop."""
         self._stream.close()
@@ -73,6 +78,11 @@ class _UntilDeadline(io.RawIOBase):
             count = 0
         self.ended = not count
         return count
+
+    def stop(self) -> None:
+        """End the wait for bytes."""
+        with suppress(OSError):  # ended already
+            self._socket.shutdown(socket.SHUT_RDWR)
 
     def close(self) -> None:
         """Close the socket."""
