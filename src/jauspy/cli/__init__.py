@@ -6,7 +6,7 @@ import sys
 from typing import Final
 
 OPTIONAL_PACKAGES: Final = frozenset(
-    {"construct", "dpkt", "numpy", "prometheus_client", "pydantic", "rich", "typer", "xacro", "yaml"}
+    {"construct", "dpkt", "numpy", "prometheus_client", "pydantic", "rich", "textual", "typer", "xacro", "yaml"}
 )
 """Top-level packages that extras install and that verbs import."""
 
@@ -19,6 +19,7 @@ EXTRA_OF_VERB: Final = {
     "demo": "all",
     "keys": "operators",
     "map": "map",
+    "monitor": "monitor",
     "node-manager": "node-manager",
     "still": "video",
     "teleop": "teleop",

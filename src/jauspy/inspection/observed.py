@@ -220,7 +220,9 @@ class Observed:
 
     def streams_of(self, scope: str) -> list[tuple[Route, Stream]]:
         """The messages from and to a component, node or subsystem (`101.1.102`, `101.1`, `101`), by name."""
-        found = [item for item in self.streams.items() if within(item[0].source, scope) or within(item[0].destination, scope)]
+        found = [
+            item for item in self.streams.items() if within(item[0].source, scope) or within(item[0].destination, scope)
+        ]
         return sorted(found, key=lambda item: (item[0].message, item[0]))
 
     def controlled_by(self, id: JausID) -> list[JausID]:

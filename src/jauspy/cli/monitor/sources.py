@@ -1,4 +1,4 @@
-"""Where the screen's contents come from: a thread that listens to a node manager, or a capture with a position in time."""
+"""Where contents of the screen come from: a thread that listens to a node manager, or a capture and a time in it."""
 
 from __future__ import annotations
 
@@ -132,14 +132,14 @@ class CaptureSource:
 
     def __init__(self, timeline: Timeline) -> None:
         self.timeline = timeline
-        self.position = timeline.start
+        self.position = timeline.end  # all that the capture tells
         self.playing = False
         self.speed = 1.0
-        self.observed = timeline.at(timeline.start)
+        self.observed = timeline.at(timeline.end)
         self.series: Series | None = None
         self.problem = timeline.problem
         self.lost = 0
-        self._shown = timeline.start
+        self._shown = timeline.end
         self._jobs: queue.SimpleQueue[Callable[[], None]] = queue.SimpleQueue()
 
     @property
