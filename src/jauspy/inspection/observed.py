@@ -319,7 +319,7 @@ class Observed:
             sender.control = Control(client, authority, now)
 
     def _name(self, sender: ObservedComponent, message: discovery.ReportIdentification) -> None:
-        name = message.identification[:MAX_TEXT]
+        name = message.identification.partition("\0")[0][:MAX_TEXT]  # some send the rest of a buffer, too
         kinds = discovery.ReportIdentification.QueryType
         if message.query_type == kinds.COMPONENT:
             sender.name, sender.type = name, _named(message.type)

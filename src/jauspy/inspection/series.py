@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Iterator
 from dataclasses import fields
 from enum import Enum
-from typing import Final
+from typing import Any, Final
 
 from jauspy.capture.filters import printed_values
 from jauspy.codec.message import Message, Struct
@@ -50,7 +50,8 @@ def numeric_fields(message: Message) -> list[tuple[str, ...]]:
 
 def _numbers(value: object, path: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
     if isinstance(value, Struct):
-        for each in fields(value):
+        kind: Any = type(value)  # a dataclass
+        for each in fields(kind):
             yield from _numbers(getattr(value, each.name), (*path, each.name))
     elif isinstance(value, list | tuple):
         for inner in value[:1]:

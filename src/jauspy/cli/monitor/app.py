@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterator
 from itertools import pairwise
 from time import monotonic
-from typing import Any, ClassVar, Final
+from typing import ClassVar, Final
 
 from rich.text import Text
 from textual.app import App, ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical, VerticalScroll
 from textual.widgets import DataTable, Footer, Static, Tree
+from textual.widgets.tree import TreeNode
 
 from jauspy.capture.filters import Filter
 from jauspy.cli.monitor import texts
@@ -32,10 +33,32 @@ PLOT_SECONDS: Final = 60.0
 """Seconds that a plot of live values shows."""
 STEP, LEAP = 1.0, 10.0
 """Seconds by which keys move in a capture."""
-COLUMNS: Final = (("message", 24), ("peer", 12), ("count", 5), ("/s", 5), ("age", 6), ("bytes", 5), ("last 20 s", 20))
+COLUMNS: Final = {"message": 0, "peer": 0, "count": 5, "/s": 5, "age": 6, "bytes": 5, "last 20 s": 20}
+"""Names and widths of columns; the first two share what is left."""
+CELL_STYLES: Final = {"peer": texts.PURPLE, "last 20 s": texts.BLUE, "age": texts.FAINT, "message": "bold"}
+WIDE_COLUMNS: Final = frozenset({"bytes", "last 20 s"})
+RIGHT_ALIGNED: Final = frozenset({"count", "/s", "age", "bytes"})
+TREE_WIDTHS: Final = 26, 46
+"""Of a narrow and a wide terminal, as in monitor.tcss; borders included."""
 NARROW: Final = 100
 """Columns of the terminal below which the last two columns of the table are left out."""
 SORTINGS: Final = ("name", "rate", "count", "age")
+
+KEYS: Final = (
+    ("Tab, arrows", "tree, messages, fields; move within them"),
+    ("Enter, o", "open the message: header, fields, bytes"),
+    ("i", "all that is known about the component"),
+    ("/", "filter: list only messages that fit; empty lists all"),
+    ("p", "plot a field of the message; again to end it"),
+    ("a", "ask: send a query to the component, as its client (live only)"),
+    ("s", "sort by name, rate, count or age"),
+    ("Space", "live: stand still or go on; capture: play or pause"),
+    ("← →, Shift", "capture: a second back or on; with Shift ten"),
+    ("Home, End", "capture: its beginning, its end"),
+    ("+ -", "capture: play faster, more slowly"),
+    ("q", "quit"),
+)
+"""What keys do."""
 
 Ask = Callable[[JausID, str], Awaitable[Text]]
 """Sends the query that a line describes, and returns its answer or what is wrong."""
@@ -47,8 +70,14 @@ class MonitorApp(App[None]):
     CSS_PATH = "monitor.tcss"
     TITLE = "jauspy monitor"
     ENABLE_COMMAND_PALETTE = False
-    HORIZONTAL_BREAKPOINTS: ClassVar[list[tuple[int, str]] | None] = [(0, "-narrow"), (NARROW, "-wide")]
-    VERTICAL_BREAKPOINTS: ClassVar[list[tuple[int, str]] | None] = [(0, "-short"), (32, "-tall")]
+    HORIZONTAL_BREAKPOINTS = [  # noqa: RUF012 - declared by App
+        (0, "-narrow"),
+        (NARROW, "-wide"),
+    ]
+    VERTICAL_BREAKPOINTS = [  # noqa: RUF012
+        (0, "-short"),
+        (32, "-tall"),
+    ]
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("q", "quit", "Quit"),
         Binding("question_mark", "help", "Help", key_display="?"),
@@ -68,20 +97,6 @@ class MonitorApp(App[None]):
         Binding("plus", "speed(1)", "Faster", show=False),
         Binding("minus", "speed(-1)", "Slower", show=False),
     ]
-    HELP: ClassVar[tuple[tuple[str, str], ...]] = (
-        ("Tab, arrows", "tree, messages, fields; move within them"),
-        ("Enter, o", "open the message: header, fields, bytes"),
-        ("i", "all that is known about the component"),
-        ("/", "filter: list only messages that fit; empty lists all"),
-        ("p", "plot a field of the message; again to end it"),
-        ("a", "ask: send a query to the component, as its client (live only)"),
-        ("s", "sort by name, rate, count or age"),
-        ("Space", "live: stand still or go on; capture: play or pause"),
-        ("← →, Shift", "capture: a second back or on; with Shift ten"),
-        ("Home, End", "capture: its beginning, its end"),
-        ("+ -", "capture: play faster, more slowly"),
-        ("q", "quit"),
-    )
 
     def __init__(
         self,
@@ -100,8 +115,9 @@ class MonitorApp(App[None]):
         self._scope = ""
         self._route: Route | None = None
         self._sorting = SORTINGS[0]
+        self._widths: list[int] = []
         self._rows: dict[str, tuple[Route, tuple[str, ...]]] = {}
-        self._outline: tuple[Any, ...] = ()
+        self._outline: tuple[JausID, ...] = ()
         self._labels: dict[str, str] = {}
         self._before = monotonic()
         self._working = False
@@ -119,7 +135,7 @@ class MonitorApp(App[None]):
             yield tree
             with Vertical(id="right"):
                 yield Static(id="about", markup=False)
-                table: DataTable[Text] = DataTable(id="messages", cursor_type="row", zebra_stripes=True)
+                table: DataTable[Text] = DataTable(id="messages", cursor_type="row", zebra_stripes=True, cell_padding=0)
                 table.border_title = "messages"
                 yield table
                 with Horizontal(id="detail"):
@@ -144,9 +160,8 @@ class MonitorApp(App[None]):
 
     def on_resize(self) -> None:
         """Fit the table to the new width."""
-        if self.is_mounted:
-            self._make_columns()
-            self.call_after_refresh(self.update_screen)
+        self._make_columns()
+        self.call_after_refresh(self.update_screen)
 
     # --- updates ------------------------------------------------------------------------------------------------------
 
@@ -219,22 +234,24 @@ class MonitorApp(App[None]):
         ids = tuple(sorted(observed.components))
         if ids != self._outline:
             self._build_tree(tree, ids)
-        for node in tree.root.children:
-            self._label(node, texts.subsystem_label(int(node.data), observed))
-            for below in node.children:
-                subsystem, number = map(int, below.data.split("."))
-                self._label(below, texts.node_label(subsystem, number, observed))
-                for leaf in below.children:
-                    component = observed.components[JausID.parse(leaf.data)]
-                    self._label(leaf, texts.component_label(component, self.source.now))
+        for node in _below(tree.root):
+            scope = node.data or ""
+            match scope.split("."):
+                case [subsystem]:
+                    self._label(node, texts.subsystem_label(int(subsystem), observed))
+                case [subsystem, number]:
+                    self._label(node, texts.node_label(int(subsystem), int(number), observed))
+                case _:
+                    component = observed.components[JausID.parse(scope)]
+                    self._label(node, texts.component_label(component, self.source.now))
 
     def _build_tree(self, tree: Tree[str], ids: tuple[JausID, ...]) -> None:
         """Make the tree anew, as components have come or gone; what is folded and chosen stays so."""
-        folded = {each.data for top in tree.root.children for each in (top, *top.children) if not each.is_expanded}
+        folded = {node.data for node in _below(tree.root) if node.allow_expand and not node.is_expanded}
         tree.clear()
         self._labels.clear()
-        chosen = None
-        groups: dict[str, Any] = {}
+        chosen: TreeNode[str] | None = None
+        groups: dict[str, TreeNode[str]] = {}
         for id in ids:
             top, middle = str(id.subsystem), f"{id.subsystem}.{id.node}"
             if top not in groups:
@@ -246,16 +263,16 @@ class MonitorApp(App[None]):
                 chosen = leaf
         tree.root.expand()
         self._outline = ids
-        target = chosen or groups.get(self._scope) or (tree.root.children[0] if tree.root.children else None)
+        target = chosen or groups.get(self._scope) or next(iter(groups.values()), None)
         if target is not None:
-            self._scope = target.data
+            self._scope = target.data or ""
             self.call_after_refresh(tree.move_cursor, target)
 
-    def _label(self, node: Any, text: Text) -> None:
+    def _label(self, node: TreeNode[str], text: Text) -> None:
         """Set a label if it differs; setting it draws the tree."""
         key = f"{text.plain}\0{text.spans}"
-        if self._labels.get(node.data) != key:
-            self._labels[node.data] = key
+        if self._labels.get(node.data or "") != key:
+            self._labels[node.data or ""] = key
             node.set_label(text)
 
     def _show_about(self) -> None:
@@ -283,9 +300,14 @@ class MonitorApp(App[None]):
             self._fill(table)
         else:
             for key, (_, cells) in rows.items():
-                for column, new, old in zip(table.ordered_columns, cells, self._rows[key][1], strict=True):
-                    if new != old:
-                        table.update_cell(key, column.key, _cell(column.key.value or "", new))
+                old = self._rows[key][1]
+                if cells == old:
+                    continue
+                for column, cell, new, before in zip(
+                    table.ordered_columns, self._row(table, cells), cells, old, strict=True
+                ):
+                    if new != before:
+                        table.update_cell(key, column.key, cell)
             self._rows = rows
         table.border_title = f"messages by {self._sorting}"
 
@@ -294,13 +316,16 @@ class MonitorApp(App[None]):
         chosen = self._route
         table.clear()
         for key, (_, cells) in self._rows.items():
-            row = zip(table.ordered_columns, cells, strict=True)
-            table.add_row(*[_cell(column.key.value or "", text) for column, text in row], key=key)
+            table.add_row(*self._row(table, cells), key=key)
         keys = list(self._rows)
         at = keys.index("\0".join(chosen)) if chosen is not None and "\0".join(chosen) in keys else 0
         self._route = self._rows[keys[at]][0] if keys else None
         if keys:
             table.move_cursor(row=at)
+
+    def _row(self, table: DataTable[Text], cells: tuple[str, ...]) -> list[Text]:
+        columns = zip(table.ordered_columns, cells, self._widths, strict=True)
+        return [_cell(column.key.value or "", text, width) for column, text, width in columns]
 
     def _sorted(self, streams: list[tuple[Route, Stream]]) -> list[tuple[Route, Stream]]:
         now = self.source.now
@@ -320,12 +345,12 @@ class MonitorApp(App[None]):
         plot.display = series is not None
         if series is None:
             return
-        size = plot.content_size
         if isinstance(self.source, CaptureSource):
             start, end, cursor = self.source.timeline.start, self.source.timeline.end, self.source.now
         else:
             start, end, cursor = self.source.now - PLOT_SECONDS, self.source.now, None
-        plot.update(texts.plot(series, start, end, cursor, size.width or 30, size.height or 8))
+        width, height = plot.content_size
+        plot.update(texts.plot(series, start, end, (width or 30, height or 8), cursor=cursor))
 
     def _make_columns(self) -> None:
         """As many columns as there is room for, the first ones as wide as it allows."""
@@ -333,9 +358,15 @@ class MonitorApp(App[None]):
         table.clear(columns=True)
         self._rows = {}
         narrow = self.size.width < NARROW
-        for name, width in COLUMNS[:-2] if narrow else COLUMNS:
-            wide = {"message": 14, "peer": 11} if narrow else {"message": 26, "peer": 24}
-            table.add_column(name, width=wide.get(name, width), key=name)
+        names = [name for name in COLUMNS if not (narrow and name in WIDE_COLUMNS)]
+        frame = 1 if narrow else 3  # a scrollbar, and borders
+        fixed = sum(COLUMNS[name] + 1 for name in names)
+        rest = max(20, self.size.width - TREE_WIDTHS[not narrow] - frame - fixed)
+        shares = {"message": rest * 3 // 5, "peer": rest - rest * 3 // 5}
+        self._widths = [shares.get(name, COLUMNS[name]) for name in names]
+        for name, width in zip(names, self._widths, strict=True):
+            heading = f"{name:>{width}} " if name in RIGHT_ALIGNED else name
+            table.add_column(heading, width=width + 1, key=name)
 
     # --- what is chosen -----------------------------------------------------------------------------------------------
 
@@ -372,8 +403,8 @@ class MonitorApp(App[None]):
 
     def action_help(self) -> None:
         """Explain the keys."""
-        width = max(len(keys) for keys, _ in self.HELP)
-        lines = [Text.assemble((f"{keys:<{width}}  ", "bold"), what, "\n") for keys, what in self.HELP]
+        width = max(len(keys) for keys, _ in KEYS)
+        lines = [Text.assemble((f"{keys:<{width}}  ", "bold"), what, "\n") for keys, what in KEYS]
         notes = Text(
             "\nEverything is inferred from messages that were routed here; what none has told is unknown.\n"
             "State: reported by the component, or commanded and not confirmed yet. ◂ is the controlling client.\n"
@@ -489,9 +520,16 @@ class MonitorApp(App[None]):
             self.update_screen()
 
 
-def _cell(column: str, text: str) -> Text:
-    right = column in {"count", "/s", "age", "bytes"}
-    styles = {"peer": texts.PURPLE, "last 20 s": texts.BLUE, "age": texts.FAINT, "message": "bold"}
-    return Text(
-        text, style=styles.get(column, ""), justify="right" if right else "left", overflow="ellipsis", no_wrap=True
-    )
+def _below(node: TreeNode[str]) -> Iterator[TreeNode[str]]:
+    """All nodes below one."""
+    for child in node.children:
+        yield child
+        yield from _below(child)
+
+
+def _cell(column: str, text: str, width: int) -> Text:
+    """A cell with a space to its right."""
+    shown = Text(text, style=CELL_STYLES.get(column, ""))
+    shown.truncate(width, overflow="ellipsis")
+    shown.align("right" if column in RIGHT_ALIGNED else "left", width)
+    return shown.append(" ")

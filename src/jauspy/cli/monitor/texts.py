@@ -142,7 +142,7 @@ def about_group(scope: str, observed: Observed, now: float, width: int) -> Text:
         (f"{'node' if node else 'subsystem'} {scope} ", f"bold {BLUE}"),
         UNKNOWN if name is None else (printable(name), "bold"),
     )
-    text.append(f"\n{len(inside)} components: ", FAINT)
+    text.append(f"\n{len(inside)} component{'s' * (len(inside) != 1)}: ", FAINT)
     states: dict[str, int] = {}
     for each in inside:
         state = "unknown" if each.state is None else each.state.name
@@ -236,8 +236,9 @@ def message_text(seen: SeenMessage, *, head: bool = False) -> Text:
     return text
 
 
-def plot(series: Series, start: float, end: float, cursor: float | None, width: int, height: int) -> Text:
+def plot(series: Series, start: float, end: float, size: tuple[int, int], *, cursor: float | None = None) -> Text:
     """The curve of a field with its limits; `cursor` is a time to mark below it."""
+    width, height = size
     points = [point for point in series.points if start <= point[0] <= end]
     title = Text.assemble((".".join(series.path), "bold"), (f"  {series.route.source}", FAINT))
     if not points:

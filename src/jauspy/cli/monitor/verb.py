@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import shlex
+import sys
 from contextlib import closing
 from pathlib import Path
 from typing import Annotated
@@ -12,7 +13,7 @@ import typer
 from rich.text import Text
 
 from jauspy.capture.filters import Filter
-from jauspy.cli import client, console
+from jauspy.cli import client
 from jauspy.cli.definitions import Definitions, SchemasOption, definitions
 from jauspy.cli.fields import message_class, message_from
 from jauspy.cli.monitor import texts
@@ -54,7 +55,9 @@ def monitor(
     known = definitions(schemas)
     if only is not None:
         Filter(only, known.registry)  # an error is a sentence before the screen is taken
-    if not console.is_terminal():
+    if not all(
+        stream.isatty() for stream in (sys.stdin, sys.stdout, sys.__stderr__ or sys.stderr)
+    ):  # it draws on stderr
         raise ConfigError("the monitor needs a terminal; `jauspy echo`, `hz` and `graph` print the same in a pipe")
     if capture is not None:
         with open_capture(capture, root) as opened:
