@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Awaitable, Callable
 from itertools import pairwise
 from time import monotonic
 from typing import ClassVar, Final
@@ -21,7 +21,7 @@ from jauspy.cli.monitor.sources import CaptureSource, LiveSource
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.inspection.observed import Observed, Stream
+from jauspy.inspection.observed import Observed, ObservedComponent, Stream
 from jauspy.inspection.rates import Route
 from jauspy.inspection.series import Series, numeric_fields
 from jauspy.printable import printable
@@ -117,7 +117,7 @@ class MonitorApp(App[None]):
         self._sorting = SORTINGS[0]
         self._widths: list[int] = []
         self._rows: dict[str, tuple[Route, tuple[str, ...]]] = {}
-        self._outline: tuple[JausID, ...] = ()
+        self._branches: dict[str, TreeNode[str]] = {}
         self._labels: dict[str, str] = {}
         self._before = monotonic()
         self._working = False
@@ -231,42 +231,37 @@ class MonitorApp(App[None]):
 
     def _show_tree(self) -> None:
         observed, tree = self.observed, self.query_one("#tree", Tree)
-        ids = tuple(sorted(observed.components))
-        if ids != self._outline:
-            self._build_tree(tree, ids)
-        for node in _below(tree.root):
-            scope = node.data or ""
+        for id in self.source.ids:
+            if str(id) not in self._branches:
+                self._insert(tree, id)
+        for scope, node in self._branches.items():
             match scope.split("."):
                 case [subsystem]:
                     self._label(node, texts.subsystem_label(int(subsystem), observed))
                 case [subsystem, number]:
                     self._label(node, texts.node_label(int(subsystem), int(number), observed))
                 case _:
-                    component = observed.components[JausID.parse(scope)]
+                    id = JausID.parse(scope)
+                    component = observed.components.get(id) or ObservedComponent(id)
                     self._label(node, texts.component_label(component, self.source.now))
 
-    def _build_tree(self, tree: Tree[str], ids: tuple[JausID, ...]) -> None:
-        """Make the tree anew, as components have come or gone; what is folded and chosen stays so."""
-        folded = {node.data for node in _below(tree.root) if node.allow_expand and not node.is_expanded}
-        tree.clear()
-        self._labels.clear()
-        chosen: TreeNode[str] | None = None
-        groups: dict[str, TreeNode[str]] = {}
-        for id in ids:
-            top, middle = str(id.subsystem), f"{id.subsystem}.{id.node}"
-            if top not in groups:
-                groups[top] = tree.root.add(Text(top), data=top, expand=top not in folded)
-            if middle not in groups:
-                groups[middle] = groups[top].add(Text(middle), data=middle, expand=middle not in folded)
-            leaf = groups[middle].add_leaf(Text(str(id)), data=str(id))
-            if str(id) == self._scope:
-                chosen = leaf
-        tree.root.expand()
-        self._outline = ids
-        target = chosen or groups.get(self._scope) or next(iter(groups.values()), None)
-        if target is not None:
-            self._scope = target.data or ""
-            self.call_after_refresh(tree.move_cursor, target)
+    def _insert(self, tree: Tree[str], id: JausID) -> None:
+        """Add a component to the tree, in the order of ids; what is chosen and folded stays so."""
+        parent = tree.root
+        parent.expand()
+        for scope in (str(id.subsystem), f"{id.subsystem}.{id.node}", str(id)):
+            if scope not in self._branches:
+                number = int(scope.rpartition(".")[2])
+                before = sum(int((each.data or "").rpartition(".")[2]) < number for each in parent.children)
+                place = before if before < len(parent.children) else None
+                is_leaf = scope == str(id)
+                self._branches[scope] = parent.add(
+                    Text(scope), data=scope, before=place, expand=not is_leaf, allow_expand=not is_leaf
+                )
+            parent = self._branches[scope]
+        if not self._scope:
+            self._scope = str(id)
+            self.call_after_refresh(tree.move_cursor, parent)
 
     def _label(self, node: TreeNode[str], text: Text) -> None:
         """Set a label if it differs; setting it draws the tree."""
@@ -283,8 +278,9 @@ class MonitorApp(App[None]):
             about.update(Text("no messages yet", style=texts.FAINT))
         elif id is None:
             about.update(texts.about_group(self._scope, self.observed, self.source.now, width))
-        elif id in self.observed.components:
-            about.update(texts.about_component(self.observed.components[id], self.observed, self.source.now, width))
+        else:
+            component = self.observed.components.get(id) or ObservedComponent(id)
+            about.update(texts.about_component(component, self.observed, self.source.now, width))
 
     def _show_messages(self) -> None:
         table = self.query_one("#messages", DataTable)
@@ -295,7 +291,7 @@ class MonitorApp(App[None]):
             "\0".join(route): (route, texts.cells(route, stream, self._scope, self.source.now)[:shown])
             for route, stream in streams
         }
-        if list(rows) != list(self._rows):
+        if list(rows) != list(self._rows) or (rows and self._route is None):
             self._rows = rows
             self._fill(table)
         else:
@@ -518,13 +514,6 @@ class MonitorApp(App[None]):
         if isinstance(self.source, CaptureSource):
             self.source.move(self.source.position + seconds)
             self.update_screen()
-
-
-def _below(node: TreeNode[str]) -> Iterator[TreeNode[str]]:
-    """All nodes below one."""
-    for child in node.children:
-        yield child
-        yield from _below(child)
 
 
 def _cell(column: str, text: str, width: int) -> Text:

@@ -13,6 +13,7 @@ from typing import Final
 from jauspy.capture.filters import Filter
 from jauspy.codec.registry import Registry
 from jauspy.errors import JausError
+from jauspy.ids import JausID
 from jauspy.inspection.live import LiveCapture
 from jauspy.inspection.observed import Observed
 from jauspy.inspection.series import Series
@@ -59,6 +60,11 @@ class LiveSource:
     def observed(self) -> Observed:
         """What is known now, or when it was frozen."""
         return self._all if self._frozen is None else self._frozen[0]
+
+    @property
+    def ids(self) -> list[JausID]:
+        """The components that are known."""
+        return sorted(self._all.components)
 
     @property
     def now(self) -> float:
@@ -136,6 +142,8 @@ class CaptureSource:
         self.playing = False
         self.speed = 1.0
         self.observed = timeline.at(timeline.end)
+        self.ids = sorted(self.observed.components)
+        """All components of the capture, also before they are heard."""
         self.series: Series | None = None
         self.problem = timeline.problem
         self.lost = 0
