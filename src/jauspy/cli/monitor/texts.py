@@ -9,6 +9,7 @@ from typing import Final
 from rich.text import Text
 
 from jauspy.cli.render import styled_fields
+from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.inspection.observed import Control, Observed, ObservedComponent, State, Stream, within
 from jauspy.inspection.rates import Route
@@ -101,7 +102,7 @@ def component_label(component: ObservedComponent, now: float) -> Text:
 
 def about_component(component: ObservedComponent, observed: Observed, now: float, width: int) -> Text:
     """Four lines about a component."""
-    name = UNKNOWN if component.name is None else (printable(component.name), "bold")
+    name = ("name unknown", FAINT) if component.name is None else (printable(component.name), "bold")
     text = Text.assemble((f"{component.id} ", f"bold {BLUE}"), name)
     if component.type is not None:
         text.append(f"  {component.type.lower()}", FAINT)
@@ -140,7 +141,7 @@ def about_group(scope: str, observed: Observed, now: float, width: int) -> Text:
     name = observed.names.get((int(subsystem), int(node) if node else None))
     text = Text.assemble(
         (f"{'node' if node else 'subsystem'} {scope} ", f"bold {BLUE}"),
-        UNKNOWN if name is None else (printable(name), "bold"),
+        ("name unknown", FAINT) if name is None else (printable(name), "bold"),
     )
     text.append(f"\n{len(inside)} component{'s' * (len(inside) != 1)}: ", FAINT)
     states: dict[str, int] = {}
@@ -218,10 +219,7 @@ def message_text(seen: SeenMessage, *, head: bool = False) -> Text:
     for deviation in part.content.deviations:
         text.append(f"{printable(deviation)}\n", YELLOW)
     if part.content.message is not None:
-        for line in islice(styled_fields(part.content.message), MAX_LINES):
-            text.append_text(
-                Text.assemble(*((printable(piece), STYLES.get(style, style)) for piece, style in line), "\n")
-            )
+        text.append_text(fields_text(part.content.message))
     if head:
         text.append("\n")
         payload = part.content.payload
@@ -233,6 +231,14 @@ def message_text(seen: SeenMessage, *, head: bool = False) -> Text:
             text.append(f"{shown}\n", FAINT)
         if len(payload) > MAX_DUMP:
             text.append(f"{len(payload) - MAX_DUMP} more bytes\n", FAINT)
+    return text
+
+
+def fields_text(message: Message) -> Text:
+    """The fields of a message, one line each."""
+    text = Text()
+    for line in islice(styled_fields(message), MAX_LINES):
+        text.append_text(Text.assemble(*((printable(piece), STYLES.get(style, style)) for piece, style in line), "\n"))
     return text
 
 
@@ -281,7 +287,7 @@ def _append_state(text: Text, state: State | None, now: float) -> None:
         text.append(*UNKNOWN)
         return
     text.append(state.name, STATE_STYLES.get(state.name, ""))
-    text.append(f" {'reported' if state.reported else 'commanded'} {age(now - state.time)} ago", FAINT)
+    text.append(f"{'' if state.reported else ' commanded'} {age(now - state.time)} ago", FAINT)
 
 
 def _append_control(text: Text, control: Control | None, now: float) -> None:

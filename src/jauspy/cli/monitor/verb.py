@@ -20,13 +20,11 @@ from jauspy.cli.monitor import texts
 from jauspy.cli.monitor.app import Ask, MonitorApp
 from jauspy.cli.monitor.sources import CaptureSource, LiveSource
 from jauspy.cli.options import DEFAULT_ROOT, FilterOption, LocalRoot, OwnId
-from jauspy.cli.render import styled_fields
 from jauspy.cli.traffic import open_capture
 from jauspy.codec.registry import NO_HINTS
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.inspection.timeline import Timeline
-from jauspy.printable import printable
 
 ANSWER_SECONDS = 2.0
 
@@ -83,11 +81,6 @@ def asking(root: Path, own_id: str | None, known: Definitions) -> Ask:
                 answer = await ocu.query(to, query)
         except (JausError, ValueError) as error:  # ValueError: quotes that do not end
             return Text(str(error), style=texts.RED)
-        pieces = [
-            (printable(piece), texts.STYLES.get(style, style))
-            for line in styled_fields(answer)
-            for piece, style in (*line, ("\n", ""))
-        ]
-        return Text.assemble((f"{answer.NAME}\n", "bold"), *pieces)
+        return Text.assemble((f"{answer.NAME}\n", "bold"), texts.fields_text(answer))
 
     return ask
