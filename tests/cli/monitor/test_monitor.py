@@ -29,7 +29,6 @@ from jauspy.messages import registry
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
-from jauspy.services.core import Management
 from jauspy.testing import until
 
 OCU, ROBOT = JausID(42, 1, 1), JausID(101, 1, 102)
@@ -231,7 +230,7 @@ async def test_a_running_node_manager(node: NodeManager, tmp_path: Path) -> None
     source = await asyncio.to_thread(LiveSource, tmp_path, registry)
     try:
         await until(lambda: bool(node._mirrors))
-        async with Component(ROBOT, f"local:{tmp_path}", services=[Management()]):
+        async with Component(ROBOT, [], connect=f"local:{tmp_path}"):
             app = MonitorApp(source, registry, "live", asking(tmp_path, None, definitions(None)))
             async with app.run_test(size=(80, 24)) as pilot:
                 answer = await asking(tmp_path, None, definitions(None))(ROBOT, "QueryStatus")
@@ -267,9 +266,10 @@ async def test_messages_that_the_screen_is_too_slow_for_are_counted(
     source = await asyncio.to_thread(LiveSource, tmp_path, registry)
     try:
         await until(lambda: bool(node._mirrors))
-        async with Component(ROBOT, f"local:{tmp_path}") as component:
+        where = f"local:{tmp_path}"
+        async with Component(OCU, [], connect=where) as component, Component(ROBOT, [], connect=where):
             for _ in range(20):
-                component.send(OCU, registry.by_name("QueryStatus")())
+                component.send(ROBOT, registry.by_name("QueryStatus")())
             await until(lambda: source.dropped > 0)
         source.poll()
         assert source.observed.count == 5

@@ -35,10 +35,10 @@ STEP, LEAP = 1.0, 10.0
 """Seconds by which keys move in a capture."""
 COLUMNS: Final = {"message": 0, "peer": 0, "count": 5, "/s": 5, "age": 6, "bytes": 5, "last 20 s": 20}
 """Names and widths of columns; the first two share what is left."""
-CELL_STYLES: Final = {"peer": texts.PURPLE, "last 20 s": texts.BLUE, "age": texts.FAINT, "message": "bold"}
+CELL_STYLES: Final = {"peer": texts.PURPLE, "last 20 s": texts.BAR, "age": texts.FAINT, "message": "bold"}
 WIDE_COLUMNS: Final = frozenset({"bytes", "last 20 s"})
 RIGHT_ALIGNED: Final = frozenset({"count", "/s", "age", "bytes"})
-TREE_WIDTHS: Final = 26, 46
+TREE_WIDTHS: Final = 26, 40
 """Of a narrow and a wide terminal, as in monitor.tcss; borders included."""
 NARROW: Final = 100
 """Columns of the terminal below which the last two columns of the table are left out."""

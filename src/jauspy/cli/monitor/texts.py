@@ -17,7 +17,8 @@ from jauspy.inspection.series import Series, curve
 from jauspy.inspection.traffic import SeenMessage
 from jauspy.printable import printable
 
-BLUE, GREEN, YELLOW, RED, PURPLE, FAINT = "#7aa2f7", "#9ece6a", "#e0af68", "#f7768e", "#bb9af7", "#737aa2"
+BLUE, GREEN, YELLOW, RED, PURPLE = "#7aa2f7", "#9ece6a", "#e0af68", "#f7768e", "#bb9af7"
+BAR, FAINT = "#3d59a1", "#737aa2"
 STATE_STYLES: Final = {
     "READY": GREEN,
     "STANDBY": YELLOW,
@@ -114,7 +115,7 @@ def about_component(component: ObservedComponent, observed: Observed, now: float
     _append_control(text, component.control, now)
     text.append("\nsent ", FAINT)
     text.append(f"{amount(component.sent)}  {rate(component.history.rate(now))}/s  ")
-    text.append(bars(component.history.counts(now)[-20:]), BLUE)
+    text.append(bars(component.history.counts(now)[-20:]), BAR)
     text.append("  last ", FAINT)
     text.append("never" if component.heard is None else age(now - component.heard))
     sequence = component.sequence
