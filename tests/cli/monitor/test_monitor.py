@@ -38,7 +38,7 @@ HOSTILE = "[red]x[/]\x1b[31m\x85"
 SHOWN = "[red]x[/]\\x1b[31m\\x85"
 
 
-def said(time: float, source: JausID, to: JausID, name: str, number: int, fields: dict[str, Any]) -> Datagram:
+def said(time: float, source: JausID, to: JausID, name: str, number: int, fields: dict[str, Any]) -> Datagram:  # noqa: PLR0917
     data = judp.pack(Packet(source, to, registry.by_name(name).from_dict(fields).encode(), number))
     return Datagram(1, time, *ADDRESSES, data)
 

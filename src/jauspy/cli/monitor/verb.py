@@ -7,13 +7,13 @@ import shlex
 import sys
 from contextlib import closing
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 from rich.text import Text
 
 from jauspy.capture.filters import Filter
-from jauspy.cli import client
+from jauspy.cli import client, console
 from jauspy.cli.definitions import Definitions, SchemasOption, definitions
 from jauspy.cli.fields import message_class, message_from
 from jauspy.cli.monitor import texts
@@ -25,8 +25,9 @@ from jauspy.codec.registry import NO_HINTS
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.inspection.timeline import Timeline
+from jauspy.printable import printable_lines
 
-ANSWER_SECONDS = 2.0
+ANSWER_SECONDS: Final = 2.0
 
 
 def monitor(
@@ -53,11 +54,11 @@ def monitor(
     known = definitions(schemas)
     if only is not None:
         Filter(only, known.registry)  # an error is a sentence before the screen is taken
-    if not all(
-        stream.isatty() for stream in (sys.stdin, sys.stdout, sys.__stderr__ or sys.stderr)
-    ):  # it draws on stderr
+    screen = (sys.stdin, sys.stdout, sys.__stderr__ or sys.stderr)  # textual draws on the last
+    if not all(stream.isatty() for stream in screen):
         raise ConfigError("the monitor needs a terminal; `jauspy echo`, `hz` and `graph` print the same in a pipe")
     if capture is not None:
+        console.note(f"reading {capture}")
         with open_capture(capture, root) as opened:
             timeline = Timeline(opened, known.registry)
         MonitorApp(CaptureSource(timeline), known.registry, capture.name, None, only).run()
@@ -80,7 +81,7 @@ def asking(root: Path, own_id: str | None, known: Definitions) -> Ask:
             async with ocu:
                 answer = await ocu.query(to, query)
         except (JausError, ValueError) as error:  # ValueError: quotes that do not end
-            return Text(str(error), style=texts.RED)
+            return Text(printable_lines(str(error)), style=texts.RED)
         return Text.assemble((f"{answer.NAME}\n", "bold"), texts.fields_text(answer))
 
     return ask
