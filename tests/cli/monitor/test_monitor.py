@@ -209,6 +209,33 @@ async def test_messages_are_sorted() -> None:
         assert [row[0] for row in shown_rows(app)] == sorted(row[0] for row in shown_rows(app))
 
 
+async def test_the_chosen_message_stays_chosen_when_rows_move() -> None:
+    async with screen() as (app, pilot):
+        await choose(app, pilot, "ReportStatus")
+        for _ in range(4):
+            await pilot.press("s")
+            await pilot.pause()
+            assert app._route is not None
+            assert app._route.message == "ReportStatus"
+            table: DataTable[Text] = app.query_one("#messages", DataTable)
+            assert shown_rows(app)[table.cursor_row][0] == "ReportStatus"
+
+
+async def test_components_come_in_order_and_do_not_move_what_is_chosen() -> None:
+    async with screen() as (app, pilot):
+        tree: Tree[str] = app.query_one("#tree", Tree)
+        source = app.source
+        assert isinstance(source, CaptureSource)
+        source.ids += [JausID(7, 1, 1), JausID(101, 1, 9), JausID(101, 1, 200)]
+        app.update_screen()
+        await pilot.pause()
+        assert [node.data for node in tree.root.children] == ["7", "42", "101"]
+        leaves = [node.data for node in tree.root.children[2].children[0].children]
+        assert leaves == ["101.1.9", "101.1.102", "101.1.200"]
+        assert tree.cursor_node is not None
+        assert tree.cursor_node.data == "101.1.102"
+
+
 async def test_a_capture_has_no_queries() -> None:
     async with screen() as (app, pilot):
         await pilot.press("a")

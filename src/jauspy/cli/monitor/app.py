@@ -42,6 +42,7 @@ TREE_WIDTHS: Final = 26, 40
 """Of a narrow and a wide terminal, as in monitor.tcss; borders included."""
 NARROW: Final = 100
 """Columns of the terminal below which the last two columns of the table are left out."""
+PANELS: Final = "#head, #tree, #about, #messages, #fields, #fields-frame, #plot"
 SORTINGS: Final = ("name", "rate", "count", "age")
 
 KEYS: Final = (
@@ -160,7 +161,8 @@ class MonitorApp(App[None]):
 
     def on_resize(self) -> None:
         """Fit the table to the new width."""
-        self._make_columns()
+        if self.query("#messages"):
+            self._make_columns()
         self.call_after_refresh(self.update_screen)
 
     # --- updates ------------------------------------------------------------------------------------------------------
@@ -180,6 +182,8 @@ class MonitorApp(App[None]):
             self._work(self.source)
         self._before = now
         if len(self.screen_stack) > 1:  # the dialog above is read
+            return
+        if len(self.query(PANELS)) < PANELS.count("#"):  # the screen is not made yet, or is being closed
             return
         self._show_head()
         self._show_tree()
