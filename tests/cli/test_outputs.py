@@ -18,6 +18,7 @@ PRINT_NOTHING_TO_READ = {
     "up": "runs until Ctrl-C",
     "send": "has no answer",
     "teleop": "is operated with keys",
+    "monitor": "is a full screen",
     "console": "runs until Ctrl-C",
     "console certificate": "writes files",
     "console user add": "changes a file",

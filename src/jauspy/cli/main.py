@@ -65,6 +65,10 @@ VERBS: Final = {
         "jauspy.cli.rates:bw",
         "Measure how many bytes a second messages take: packets with their headers, without those of UDP and IP.",
     ),
+    "monitor": (
+        "jauspy.cli.monitor.verb:monitor",
+        "Watch subsystems, components and their messages on a full screen, live or from a capture.",
+    ),
     "graph": ("jauspy.cli.rates:graph", "Show who talks to whom: the messages between components, with their rates."),
     "record": ("jauspy.cli.record:record", "Record what the node manager of this machine routes, until Ctrl-C."),
     "live": (
