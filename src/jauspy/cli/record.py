@@ -15,7 +15,7 @@ from jauspy.capture.reader import CaptureReader
 from jauspy.cli import console
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, FilterOption, Json, LocalRoot
-from jauspy.cli.traffic import CaptureFile, open_capture
+from jauspy.cli.traffic import CaptureFile, Interface, Multicast, NetworkPort, chosen_network, open_capture
 from jauspy.errors import ConfigError
 from jauspy.inspection.traffic import seen_messages
 from jauspy.messages import registry as public
@@ -42,6 +42,9 @@ def record(
         int | None, typer.Option("--keep", min=1, metavar="N", help="Keep so many files, and delete older ones.")
     ] = None,
     file: CaptureFile = None,
+    interface: Interface = None,
+    multicast: Multicast = None,
+    port: NetworkPort = None,
     root: LocalRoot = DEFAULT_ROOT,
     schemas: SchemasOption = None,
 ) -> None:
@@ -54,6 +57,7 @@ def record(
       jauspy record run.mcap
       jauspy record run.mcap --split-time 600 --keep 6
       jauspy record run.pcapng --filter 'src == 101.*' --for 60
+      jauspy record run.pcapng --interface eth0
       jauspy record run.mcap --capture run.pcapng
     """
     known = definitions(schemas)
@@ -61,7 +65,8 @@ def record(
         raise ConfigError("--keep needs --split-size or --split-time")
     limits = Limits(None if split_size is None else _bytes(split_size), split_time, keep)
     fits = None if only is None else Filter(only, known.registry)
-    with open_capture(file, root, seconds) as capture:
+    network = chosen_network(interface, multicast, port, file)
+    with open_capture(file, root, seconds, network=network) as capture:
         recorder = Recorder(output, known.registry, limits, fits)
         if file is None:
             console.note("recording" + ("; Ctrl-C ends it" if seconds is None else f" for {seconds:g} s"))
