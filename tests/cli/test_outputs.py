@@ -14,6 +14,7 @@ from jauspy.cli.main import GROUPS, app, load_verb
 PRINT_NOTHING_TO_READ = {
     "record": "writes files",
     "up": "runs until Ctrl-C",
+    "flight-recorder": "writes files",
     "send": "has no answer",
     "teleop": "is operated with keys",
     "console": "runs until Ctrl-C",
@@ -38,6 +39,7 @@ PRINT_NOTHING_TO_READ = {
 """Verbs without `--json`, and why."""
 WRITE_FILES = {
     "graph",
+    "flight-recorder",
     "cell design",
     "demo",
     "map",

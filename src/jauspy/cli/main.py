@@ -63,6 +63,10 @@ VERBS: Final = {
     ),
     "graph": ("jauspy.cli.rates:graph", "Show who talks to whom: the messages between components, with their rates."),
     "record": ("jauspy.cli.record:record", "Record what the node manager of this machine routes, until Ctrl-C."),
+    "flight-recorder": (
+        "jauspy.cli.flight_recorder:flight_recorder",
+        "Keep the last traffic of this machine in memory, and write it to a file when something happens, until Ctrl-C.",
+    ),
     "info": (
         "jauspy.cli.record:info",
         "Tell what is in a recording: its time, and messages by sender and name.",
