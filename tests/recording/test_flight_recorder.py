@@ -35,6 +35,7 @@ from jauspy.recording.flight_recorder import OVERHEAD, FlightRecorder, Folder, R
 from jauspy.recording.incidents import Incident, IncidentDetector, Kind, may_show_incident
 
 OCU, ROBOT, OTHER = JausID(42, 1, 1), JausID(101, 1, 102), JausID(102, 1, 102)
+SECOND = JausID(42, 1, 2)
 START = 1_700_000_000.0
 
 CONFIRM = ConfirmControl(ConfirmControl.ResponseCode.CONTROL_ACCEPTED)
@@ -87,6 +88,12 @@ CASES: dict[str, Case] = {
     "timed out": ([(CONFIRM, ROBOT, OCU), (REJECT, ROBOT, OCU)], [Kind.CONTROL_LOST]),
     "older than the recorder": ([(REJECT, ROBOT, OCU)], [Kind.CONTROL_LOST]),
     "released": ([(CONFIRM, ROBOT, OCU), (ReleaseControl(), OCU, ROBOT), (REJECT, ROBOT, OCU)], []),
+    "taken over": ([(CONFIRM, ROBOT, OCU), (REJECT, ROBOT, OCU), (CONFIRM, ROBOT, SECOND)], [Kind.CONTROL_LOST]),
+    "taken over, told late": (
+        [(CONFIRM, ROBOT, OCU), (CONFIRM, ROBOT, SECOND), (REJECT, ROBOT, OCU), (REJECT, ROBOT, OCU)],
+        [Kind.CONTROL_LOST],
+    ),
+    "lost again": ([(CONFIRM, ROBOT, OCU), (REJECT, ROBOT, OCU)] * 2, [Kind.CONTROL_LOST] * 2),
     "reported as lost": ([(CLIENT, ROBOT, OCU), (NOBODY, ROBOT, OCU)], [Kind.CONTROL_LOST]),
     "told twice": ([(CONFIRM, ROBOT, OCU), (REJECT, ROBOT, OCU), (NOBODY, ROBOT, OCU)], [Kind.CONTROL_LOST]),
     "reported by an event": ([(Event(1, 2, status("EMERGENCY")), ROBOT, OCU)], [Kind.EMERGENCY]),

@@ -88,7 +88,8 @@ class IncidentDetector:
     def __init__(self, subsystem: int | None, kinds: Collection[Kind] = tuple(Kind)) -> None:
         """`subsystem` None is any."""
         self._subsystem, self._kinds = subsystem, frozenset(kinds)
-        self._states, self._emergencies, self._controllers = _Memory(), _Memory(), _Memory()
+        self._states, self._emergencies = _Memory(), _Memory()
+        self._controllers, self._ended = _Memory(), _Memory()
 
     def incidents(self, parts: Iterable[Part]) -> Iterator[Incident]:
         """What the messages of a datagram show."""
@@ -116,14 +117,20 @@ class IncidentDetector:
                 self._emergencies.change((source, destination), False)
             case ConfirmControl.CODE if _code(message) == ConfirmControl.ResponseCode.CONTROL_ACCEPTED:
                 self._controllers.change(source, destination)
-            case ReleaseControl.CODE if self._controllers.get(destination, source) == source:
-                self._controllers.change(destination, None)
+                self._ended.change((destination, source), False)
+            case ReleaseControl.CODE:
+                self._control_ends(source, destination)
             case RejectControl.CODE if _code(message) == RejectControl.ResponseCode.CONTROL_RELEASED:
-                if self._controllers.get(source, destination) == destination:  # unknown: control is older than this
-                    self._controllers.change(source, None)
+                if self._control_ends(destination, source):
                     yield Incident(Kind.CONTROL_LOST, source)
             case ReportControl.CODE:
                 yield from self._reported(source, message)
+
+    def _control_ends(self, client: JausID, component: JausID) -> bool:
+        """False if it has ended before, as if it was released; true also if its beginning was not seen."""
+        if self._controllers.get(component) == client:
+            self._controllers.change(component, None)
+        return self._ended.change((client, component), True)
 
     def _reported(self, component: JausID, message: object) -> Iterator[Incident]:
         """A component tells who controls it; that another client has taken over is told to the loser."""
