@@ -76,18 +76,20 @@ def flight_recorder(
         end_with_parent()
     with suppress(OSError):  # not allowed everywhere
         os.nice(NICENESS)
+    known = definitions(schemas)
     prefix = "all" if subsystem is None else str(subsystem)
     suffix = ".mcap" if find_spec("foxglove") is not None else ".pcapng"
-    recorder = FlightRecorder(
-        Folder(output, prefix, suffix),
-        definitions(schemas).registry,
-        IncidentDetector(subsystem, kinds),
-        before=before,
-        after=after,
-        log=lambda line: console.print_if_read(line, file=sys.stderr),
-    )
-    with stoppable(), suppress(KeyboardInterrupt):
-        _Listener(recorder, root).run(f"{output}/{prefix}-*{suffix} on {', '.join(kinds)}")
+    with stoppable(), suppress(KeyboardInterrupt), closing(LiveCapture(root)) as capture:
+        recorder = FlightRecorder(
+            Folder(output, prefix, suffix),
+            known.registry,
+            IncidentDetector(subsystem, kinds),
+            before=before,
+            after=after,
+            log=lambda line: console.print_if_read(line, file=sys.stderr),
+        )
+        console.print_lines(f"{output}/{prefix}-*{suffix} on {', '.join(kinds)}")
+        _Listener(recorder, root).run(capture)
 
 
 class _Listener:
@@ -98,10 +100,8 @@ class _Listener:
         self._lock = threading.Lock()
         """Held while the recorder works: the traffic and the clock come from two threads."""
 
-    def run(self, ready: str) -> None:
-        """Listen until interrupted; raises `TransportError` if no node manager shows its traffic at the start."""
-        capture = LiveCapture(self._root)
-        console.print_lines(ready)
+    def run(self, capture: LiveCapture) -> None:
+        """Listen until interrupted."""
         threading.Thread(target=self._tick, name="clock", daemon=True).start()
         try:
             while True:
