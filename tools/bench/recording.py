@@ -128,6 +128,7 @@ async def measure(how: str, seconds: float, rate: float, backend: str) -> None:
         where = ("--local-root", root, "--port", str(free_port()), "--address", "127.0.0.1", "--plain")
         robot = stack.enter_context(child("up", "inc1", "--backend", backend, *where, said="stop it"))
         async with client(root, rate):
+            said = ""
             with recorder(how, root) as process:
                 await asyncio.sleep(1.0)  # its start is over
                 watched = None if process is None else psutil.Process(process.pid)
@@ -141,16 +142,11 @@ async def measure(how: str, seconds: float, rate: float, backend: str) -> None:
                     assert process.stdout is not None
                     said = await asyncio.to_thread(process.stdout.read)
         clock = f"{(late_after - late_before) / (all_after - all_before):7.2%} of {all_after - all_before} steps late"
-        if process is None or how == "flight recorder":
-            wrote = " " * 40
-            lost = 0 if process is None else said.count("lost")
-        else:
-            messages, size = (int(number) for number in re.search(r"(\d+) messages, (\d+) bytes", said).groups())  # type: ignore[union-attr]
-            duration = seconds + 1.0
-            wrote = f"{messages / duration:7.0f} messages/s {size / duration / 1e6:6.3f} MB/s written"
-            found = re.search(r"(\d+) packets were lost", said)
-            lost = int(found[1]) if found else 0
-        print(f"  {how:16}{wrote:42}{used / seconds:7.1%} of a core  lost {lost}  {clock}", flush=True)
+        found = re.search(r"(\d+) messages, (\d+) bytes", said)
+        messages, size = (int(number) / (seconds + 1.0) for number in found.groups()) if found else (0.0, 0.0)
+        wrote = f"{messages:5.0f} messages/s {size / 1e6:6.3f} MB/s written" if found else ""
+        lost = max(map(int, re.findall(r"(\d+) packets were lost", said)), default=0)
+        print(f"  {how:16}{wrote:40}{used / seconds:7.1%} of a core  lost {lost}  {clock}", flush=True)
 
 
 def main() -> None:
