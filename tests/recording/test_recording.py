@@ -243,3 +243,20 @@ def test_the_verbs(tmp_path: Path) -> None:
     assert "--keep needs" in run("record", tmp_path / "x.mcap", "--keep", 2, status=1).stderr
     output.write_bytes(output.read_bytes()[:500])
     assert "mcap recover" in run("info", output, status=1).stderr
+
+
+@pytest.mark.parametrize("suffix", ["mcap", "pcapng"])
+def test_a_full_disk_is_said_at_once(tmp_path: Path, suffix: str) -> None:
+    if suffix == "mcap":
+        pytest.importorskip("foxglove", reason="foxglove-sdk is of the extra `recording`")
+    source, path = tmp_path / "run.pcapng", tmp_path / f"short.{suffix}"
+    Recorder(source, registry).run(datagram(number % 900) for number in range(3000))
+    limited = "import resource, signal; signal.signal(signal.SIGXFSZ, signal.SIG_IGN); "
+    limited += "resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000)); from jauspy.cli import main; main()"
+    command = [sys.executable, "-c", limited, "record", str(path), "--capture", str(source)]
+    result = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert result.returncode == 1
+    assert "File too large" in result.stderr
+    assert str(path) in result.stderr.replace("\n", "")
+    assert "Traceback" not in result.stderr
+    assert path.stat().st_size <= 20_000

@@ -14,7 +14,17 @@ from jauspy.cli.decode import part_json
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, FilterOption, Json, LocalRoot
 from jauspy.cli.render import Styled, styled_fields
-from jauspy.cli.traffic import CaptureFile, MessageName, Sender, combined, traffic
+from jauspy.cli.traffic import (
+    CaptureFile,
+    Interface,
+    MessageName,
+    Multicast,
+    NetworkPort,
+    Sender,
+    chosen_network,
+    combined,
+    traffic,
+)
 from jauspy.inspection.rates import Route
 from jauspy.inspection.traffic import SeenMessage
 from jauspy.printable import printable
@@ -35,6 +45,9 @@ def echo(
     count: Annotated[int | None, typer.Option("--count", min=1, help="End after so many messages.")] = None,
     json: Json = False,
     file: CaptureFile = None,
+    interface: Interface = None,
+    multicast: Multicast = None,
+    port: NetworkPort = None,
     root: LocalRoot = DEFAULT_ROOT,
     schemas: SchemasOption = None,
 ) -> None:
@@ -51,7 +64,8 @@ def echo(
     known = definitions(schemas)
     due: dict[Route, float] = {}
     printer = _Printer(tuple(tuple(name.lower().split(".")) for name in field or ()), json)
-    with traffic(file, root, known, combined(source, message, only)) as found:
+    network = chosen_network(interface, multicast, port, file)
+    with traffic(file, root, known, combined(source, message, only), network=network) as found:
         for seen in found:
             if rate is not None:
                 route = Route(str(seen.part.packet.source), "", seen.name)

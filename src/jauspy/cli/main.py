@@ -75,6 +75,10 @@ VERBS: Final = {
         "jauspy.cli.live:live",
         "Show what the node manager of this machine routes in Foxglove, live.",
     ),
+    "flight-recorder": (
+        "jauspy.cli.flight_recorder:flight_recorder",
+        "Keep the last traffic of this machine in memory, and write it to a file when something happens, until Ctrl-C.",
+    ),
     "info": (
         "jauspy.cli.record:info",
         "Tell what is in a recording: its time, and messages by sender and name.",

@@ -11,7 +11,18 @@ import typer
 from jauspy.cli import console
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, FilterOption, Json, LocalRoot
-from jauspy.cli.traffic import CaptureFile, MessageName, Sender, combined, traffic
+from jauspy.cli.traffic import (
+    CaptureFile,
+    Interface,
+    MessageName,
+    Multicast,
+    Network,
+    NetworkPort,
+    Sender,
+    chosen_network,
+    combined,
+    traffic,
+)
 from jauspy.errors import ConfigError
 from jauspy.inspection.graph import Graph
 from jauspy.inspection.rates import Rate, Rates, Route
@@ -29,6 +40,9 @@ def hz(
     seconds: Seconds = 5.0,
     json: Json = False,
     file: CaptureFile = None,
+    interface: Interface = None,
+    multicast: Multicast = None,
+    port: NetworkPort = None,
     root: LocalRoot = DEFAULT_ROOT,
     schemas: SchemasOption = None,
 ) -> None:
@@ -39,7 +53,14 @@ def hz(
       jauspy hz 101.1.102 'Report*' --for 10
       jauspy hz --capture run.pcap --json
     """
-    rates = _listen(file, root, seconds, combined(source, message, only), schemas)
+    rates = _listen(
+        file,
+        root,
+        seconds,
+        combined(source, message, only),
+        schemas,
+        network=chosen_network(interface, multicast, port, file),
+    )
     rows = sorted(rates.routes.items(), key=lambda row: (-(row[1].frequency or 0.0), row[0]))
     if json:
         _print_json(rows, rates.seconds)
@@ -65,6 +86,9 @@ def bw(
     seconds: Seconds = 5.0,
     json: Json = False,
     file: CaptureFile = None,
+    interface: Interface = None,
+    multicast: Multicast = None,
+    port: NetworkPort = None,
     root: LocalRoot = DEFAULT_ROOT,
     schemas: SchemasOption = None,
 ) -> None:
@@ -75,7 +99,14 @@ def bw(
       jauspy bw 101.* --for 10
       jauspy bw --capture run.pcap
     """
-    rates = _listen(file, root, seconds, combined(source, message, only), schemas)
+    rates = _listen(
+        file,
+        root,
+        seconds,
+        combined(source, message, only),
+        schemas,
+        network=chosen_network(interface, multicast, port, file),
+    )
     rows = sorted(rates.routes.items(), key=lambda row: (-row[1].bytes, row[0]))
     if json:
         _print_json(rows, rates.seconds)
@@ -103,6 +134,9 @@ def graph(
     ] = None,
     json: Json = False,
     file: CaptureFile = None,
+    interface: Interface = None,
+    multicast: Multicast = None,
+    port: NetworkPort = None,
     root: LocalRoot = DEFAULT_ROOT,
     schemas: SchemasOption = None,
 ) -> None:
@@ -114,7 +148,14 @@ def graph(
     """
     if output is not None and output.suffix not in (".svg", ".dot"):
         raise ConfigError(f"{output} is neither a .svg nor a .dot file")
-    rates = _listen(file, root, seconds, combined(source, message, only), schemas)
+    rates = _listen(
+        file,
+        root,
+        seconds,
+        combined(source, message, only),
+        schemas,
+        network=chosen_network(interface, multicast, port, file),
+    )
     found = Graph(rates)
     if output is not None:
         try:
@@ -129,9 +170,17 @@ def graph(
         console.note("no messages")
 
 
-def _listen(file: Path | None, root: Path, seconds: float, only: str | None, schemas: list[str] | None) -> Rates:
+def _listen(
+    file: Path | None,
+    root: Path,
+    seconds: float,
+    only: str | None,
+    schemas: list[str] | None,
+    *,
+    network: Network | None,
+) -> Rates:
     rates = Rates()
-    with traffic(file, root, definitions(schemas), only, seconds) as found:
+    with traffic(file, root, definitions(schemas), only, seconds, network=network) as found:
         if file is None:
             console.note(f"listening for {seconds:g} s")
         for seen in found:

@@ -16,7 +16,7 @@ from jauspy.cli import client, console
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, Json, LocalRoot, OwnId, Timeout
 from jauspy.cli.recorded import Cameras, Robots, cameras, described, pictures_taken
-from jauspy.cli.traffic import CaptureFile, open_capture
+from jauspy.cli.traffic import CaptureFile, Interface, Multicast, NetworkPort, chosen_network, open_capture
 from jauspy.errors import ConfigError
 from jauspy.inspection.traffic import seen_messages
 from jauspy.messages import registry as public
@@ -45,6 +45,9 @@ def record(
     robot: Robots = None,
     video: Cameras = None,
     file: CaptureFile = None,
+    interface: Interface = None,
+    multicast: Multicast = None,
+    port: NetworkPort = None,
     root: LocalRoot = DEFAULT_ROOT,
     connect: Connect = None,
     own_id: OwnId = None,
@@ -62,6 +65,7 @@ def record(
       jauspy record run.mcap --robot inc1 --video 101.1.106
       jauspy record run.mcap --split-time 600 --keep 6
       jauspy record run.pcapng --filter 'src == 101.*' --for 60
+      jauspy record run.pcapng --interface eth0
       jauspy record run.mcap --capture run.pcapng
     """
     known = definitions(schemas)
@@ -72,8 +76,9 @@ def record(
         raise ConfigError("--video needs a .mcap file, and cameras that send now, not --capture")
     limits = Limits(None if split_size is None else _bytes(split_size), split_time, keep)
     fits = None if only is None else Filter(only, known.registry)
+    network = chosen_network(interface, multicast, port, file)
     ocu = client.make_ocu(own_id, connect, timeout) if wanted else None
-    with open_capture(file, root, seconds) as capture:
+    with open_capture(file, root, seconds, network=network) as capture:
         recorder = Recorder(output, known.registry, limits, fits, described(robot))
         if file is None:
             console.note("recording" + ("; Ctrl-C ends it" if seconds is None else f" for {seconds:g} s"))

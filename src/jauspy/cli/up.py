@@ -17,6 +17,7 @@ import typer
 
 from jauspy import backends
 from jauspy.cli import console
+from jauspy.cli.flight_recorder import MAX_AFTER, MAX_BEFORE, chosen_options, flight_recorder_beside
 from jauspy.cli.operator_console import DEFAULT_PORT as CONSOLE_PORT, console_beside
 from jauspy.cli.options import (
     DEFAULT_ADDRESS,
@@ -154,6 +155,28 @@ def up(
             "syslog://HOST:PORT (UDP) or syslog+tcp://HOST:PORT.",
         ),
     ] = None,
+    record_on: Annotated[
+        str | None,
+        typer.Option(
+            "--record-on",
+            metavar="KINDS",
+            help="Run a flight recorder, which writes a file on emergency, control-lost or failure; several are "
+            "separated by commas.",
+        ),
+    ] = None,
+    before: Annotated[
+        float | None,
+        typer.Option(
+            "--before", min=0.0, max=MAX_BEFORE, metavar="SECONDS", help="What it records before. Default: 30."
+        ),
+    ] = None,
+    after: Annotated[
+        float | None,
+        typer.Option("--after", min=0.0, max=MAX_AFTER, metavar="SECONDS", help="What it records after. Default: 10."),
+    ] = None,
+    record_to: Annotated[
+        Path | None, typer.Option("--record-to", metavar="DIR", help="Folder of its files. Default: recordings.")
+    ] = None,
     plain: Annotated[
         bool, typer.Option("--plain", help="Print lines of text and no live table, as in a pipe and with --verbose.")
     ] = False,
@@ -172,8 +195,10 @@ def up(
     Examples:
       jauspy up inc1 --backend kinematic
       jauspy up inc1 --id 102
+      jauspy up inc1 --record-on emergency,control-lost,failure --before 30 --after 10
     """
     file_mode(socket_mode)
+    flight = chosen_options(record_on, before, after, record_to)
     if verbose:
         console.log_to_stderr("DEBUG")
     if with_parent:
@@ -212,7 +237,8 @@ def up(
     node = None if no_node_manager else node_manager(local_root, port, options)
     live = not (plain or verbose) and console.is_interactive()
     page = console_beside(local_root, console_port, config.subsystem) if with_console else None
-    run(run_robot(runner, node, local_root, clouds, live=live, page=page))
+    recorder = flight_recorder_beside(flight, config.subsystem, local_root) if flight else None
+    run(run_robot(runner, node, local_root, clouds, live=live, page=page, recorder=recorder))
     if own_root:
         remove_if_empty(local_root)
 
@@ -243,7 +269,7 @@ LONG_CONTROL_TIMEOUT: Final = 30
 warning."""
 
 
-def print_summary(runner: RobotRunner, where: str, root: Path, page: str = "") -> None:
+def print_summary(runner: RobotRunner, where: str, root: Path, page: str = "", records: str = "") -> None:
     """Print what runs, and commands to try."""
     config = runner.config
     first = runner.components[0].id
@@ -260,6 +286,7 @@ def print_summary(runner: RobotRunner, where: str, root: Path, page: str = "") -
         *(f"failed:    {id}: {printable(why)}; `jauspy send {id} Reset{connect}` tries again" for id, why in faults),
         f"  node manager: {where}",
         *([f"  audit log: {runner.audit.path}, head {runner.audit.head}"] if runner.audit else []),
+        *[f"records:   {printable(records)}"] * bool(records),
         *[f"console:   {page}"] * bool(page),
         *[f"see it:    jauspy ls{connect}"] * discoverable,
         f"ask it:    jauspy query {first} QueryStatus{connect}",
@@ -425,10 +452,12 @@ async def run_robot(
     *,
     live: bool,
     page: AbstractAsyncContextManager[str] | None = None,
+    recorder: AbstractAsyncContextManager[str] | None = None,
 ) -> None:
     """Run the robot until cancelled.
 
-    `node` starts and stops the node manager, `page` the console; `live` shows a table on the terminal.
+    `node` starts and stops the node manager, `page` the console, `recorder` the flight recorder; `live` shows a table
+    on the terminal.
     """
     if live:  # before the motors are enabled, which the import would hold up
         from jauspy.cli.up_table import live_table
@@ -454,7 +483,9 @@ async def run_robot(
         note_at_end("stopping the modules, the cameras and the robot")
         asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, print_all_counters)
         url = await stack.enter_async_context(page) if page else ""
-        print_summary(runner, supervisor.where if supervisor else f"none started, local sockets in {root}", root, url)
+        records = await stack.enter_async_context(recorder) if recorder else ""
+        where = supervisor.where if supervisor else f"none started, local sockets in {root}"
+        print_summary(runner, where, root, url, records)
         await stack.enter_async_context(clouds.published(runner))
         if live:
             await stack.enter_async_context(live_table(runner, root))

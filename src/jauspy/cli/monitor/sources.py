@@ -110,7 +110,7 @@ class LiveSource:
         self._stop.set()
         capture = self._capture
         if capture is not None:
-            capture.stop()
+            capture.interrupt()
         self._thread.join(timeout=2.0)
 
     def _listen(self) -> None:
