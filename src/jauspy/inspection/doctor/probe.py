@@ -30,7 +30,9 @@ MAX_DATAGRAM: Final = 1 << 16
 MAX_REPLIES: Final = 4096
 """Replies that are kept; further ones are counted only."""
 _IP_RECVTTL: Final = 12
-"""Socket option of linux/in.h; Python has no name for it."""
+_IP_RECVERR: Final = 11
+_MSG_ERRQUEUE: Final = 0x2000
+"""Socket options of linux/in.h and linux/socket.h; Python has no names for them."""
 
 
 class Reply(NamedTuple):
@@ -68,8 +70,8 @@ class Probe:
         self.not_kept = 0
         self.errors: dict[str, str] = {}
         """Why sending failed, by address of the interface."""
-        self.refused: set[Address] = set()
-        """Addresses from which the kernel reported that no program has the port."""
+        self.unreachable: dict[Address, int] = {}
+        """Addresses that a machine on the way, or the peer's, has reported as unreachable, with the error number."""
         self.group_heard: dict[Address, int | None] = {}
         self.own_multicast: set[str] = set()
         self.group_problem = ""
@@ -154,6 +156,7 @@ class Probe:
             sock.setblocking(False)
             multicast.prepare_sender(sock, interface, judp.MULTICAST_TTL)
             sock.setsockopt(socket.IPPROTO_IP, _IP_RECVTTL, 1)
+            sock.setsockopt(socket.IPPROTO_IP, _IP_RECVERR, 1)
             sock.bind((interface, 0))
         except OSError as error:
             sock.close()
@@ -181,20 +184,21 @@ class Probe:
     def _flush(self, interface: str, address: Address, padding: int = 0) -> None:
         sock = next(sock for sock, name in self._sockets.items() if name == interface)
         for datagram in self._endpoints[interface].poll_output():
-            try:
-                sock.sendto(datagram + bytes(padding), address)
-            except ConnectionRefusedError:
-                self.refused.add(address)
-            except OSError as error:
-                self.errors[interface] = error.strerror or str(error)
+            for last_attempt in (False, True):
+                try:
+                    sock.sendto(datagram + bytes(padding), address)
+                except OSError as error:
+                    # An error that was reported for an earlier datagram is returned instead of sending this one.
+                    if self._read_errors(sock) and not last_attempt:
+                        continue
+                    self.errors[interface] = error.strerror or str(error)
+                break
 
     def _read(self, sock: socket.socket) -> None:
         try:
             datagram, ancillary, _, sender = sock.recvmsg(MAX_DATAGRAM, 64)
-        except BlockingIOError:
-            return
-        except OSError as error:
-            self.errors.setdefault(self._sockets.get(sock, "group"), error.strerror or str(error))
+        except OSError:
+            self._read_errors(sock)
             return
         address, ttl = (str(sender[0]), int(sender[1])), _ttl(ancillary)
         if sock is self._group_socket:
@@ -212,6 +216,19 @@ class Probe:
             content = read_message(bytes(packet.payload), registry, NO_HINTS)
             self.replies.append(Reply(packet.source, address, ttl, content, interface))
         self._flush(interface, address)
+
+    def _read_errors(self, sock: socket.socket) -> bool:
+        """Read what the kernel has queued about earlier datagrams; true if there was anything."""
+        found = False
+        while True:
+            try:
+                _, ancillary, _, destination = sock.recvmsg(0, 256, _MSG_ERRQUEUE)
+            except OSError:
+                return found
+            found = True
+            for level, kind, data in ancillary:
+                if level == socket.IPPROTO_IP and kind == _IP_RECVERR and destination and len(data) >= 4:
+                    self.unreachable[str(destination[0]), int(destination[1])] = struct.unpack_from("=I", data)[0]
 
     def _note_multicast(self, datagram: bytes, address: Address, ttl: int | None) -> None:
         own = {(name, sock.getsockname()[1]): name for sock, name in self._sockets.items()}
