@@ -14,7 +14,7 @@ from typing import Any, Final
 
 import psutil
 
-from jauspy.inspection.doctor.findings import Finding, fail, ok, warn
+from jauspy.inspection.doctor.findings import Finding, Severity, fail, ok, warn
 from jauspy.protocol import junior
 from jauspy.transport import local, node_status
 from jauspy.transport.multicast import ANY
@@ -225,9 +225,17 @@ def memberships(table: str) -> dict[str, frozenset[str]]:
 
 
 def check_joined(
-    joined: Mapping[str, frozenset[str]], found: Sequence[Interface], group: str, chosen: Sequence[str]
+    joined: Mapping[str, frozenset[str]],
+    found: Sequence[Interface],
+    group: str,
+    chosen: Sequence[str],
+    *,
+    is_free: bool = False,
 ) -> Finding:
-    """Whether the group is joined on the interfaces that lead to other machines."""
+    """Whether the group is joined on the interfaces that lead to other machines.
+
+    `is_free`: no program has the port, so that nobody is expected to have joined.
+    """
     wanted = [i for i in found if set(chosen) & {i.name, *i.addresses}] if chosen else _outward(found)
     members = [i.name for i in wanted if group in joined.get(i.name, ())]
     others = [i.name for i in wanted if i.is_up and i.name not in members]
@@ -235,8 +243,10 @@ def check_joined(
         return ok("group", f"{group} is joined on {', '.join(members) or 'no interface'}")
     evidence = f"/proc/net/igmp has it on {', '.join(n for n in joined if group in joined[n]) or 'no interface'}"
     if not members:
-        return fail(
+        severity = Severity.WARN if is_free else Severity.FAIL
+        return Finding(
             "group",
+            severity,
             f"no program of this machine has joined {group} on {', '.join(others)}: broadcasts and discovery of others "
             "are not heard",
             evidence,
@@ -328,6 +338,6 @@ def check_machine(port: int, root: Path, group: str, chosen: Sequence[str]) -> I
     except OSError as error:
         yield warn("group", "the joined groups are not known", f"{IGMP_TABLE}: {error.strerror}", "run it on Linux")
     else:
-        yield check_joined(memberships(table), found, group, chosen)
+        yield check_joined(memberships(table), found, group, chosen, is_free=_is_free(port))
     yield from check_status(status)
     yield check_clock(datetime.now(UTC))

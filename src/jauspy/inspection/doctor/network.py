@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from collections.abc import Iterator, Sequence
 from typing import Final
@@ -14,6 +15,8 @@ from jauspy.transport import multicast
 
 INITIAL_TTLS: Final = (64, 128, 255)
 """TTLs that systems send unicasts with."""
+DENIED: Final = frozenset({os.strerror(errno.EPERM), os.strerror(errno.EACCES)})
+"""What the kernel answers when a rule of a firewall rejects what is sent."""
 MAX_LISTED: Final = 8
 """Addresses or ids that a sentence names."""
 
@@ -39,7 +42,7 @@ def check_network(probe: Probe, own: frozenset[str] | None = None) -> Iterator[F
 def check_sending(probe: Probe) -> Iterator[Finding]:
     """Interfaces by which nothing could be sent, with the error of the system."""
     for interface, problem in probe.errors.items():
-        denied = problem in (os.strerror(1), os.strerror(13))
+        denied = problem in DENIED
         yield fail(
             "firewall" if denied else "sending",
             f"nothing can be sent by {interface}: {problem}",

@@ -15,6 +15,7 @@ from jauspy.codec.scalars import SIZES
 from jauspy.errors import JausError
 from jauspy.ids import ANY_COMPONENT, JausID
 from jauspy.inspection.doctor.findings import Finding, fail, ok, warn
+from jauspy.inspection.doctor.network import DENIED
 from jauspy.inspection.doctor.probe import Probe, Reply
 from jauspy.messages import registry
 from jauspy.messages.core import (
@@ -33,6 +34,7 @@ from jauspy.messages.core import (
 from jauspy.messages.operators import QuerySealChallenge, RejectCommand, ReportSealChallenge
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.seal import OperatorKey
+from jauspy.schema.loader import versions_of
 from jauspy.services.core.command_seal import explained
 
 DIRECT_TIME, WILDCARD_TIME, LARGE_TIME, STATE_TIME, LAST_TIME = 0.6, 0.6, 0.6, 0.8, 0.6
@@ -73,17 +75,9 @@ class PeerExamination:
         yield from self._check_way(direct)
         yield self._check_wildcard()
         yield self._check_fragments()
+        queries = (_services_of(self._id), QueryControl(), QueryAuthority(), QueryStatus(), QueryTime())
         replies = self._ask(
-            [
-                _services_of(self._id),
-                QueryControl(),
-                QueryAuthority(),
-                QueryStatus(),
-                QueryTime(3),
-                QuerySealChallenge(),
-            ],
-            STATE_TIME,
-            enough=lambda found: len({reply.content.code for reply in found}) >= 6,
+            queries, STATE_TIME, enough=lambda found: len({reply.content.code for reply in found}) >= len(queries)
         )
         arrived = datetime.now(UTC)
         yield from self._check_services(_last(replies, ReportServices))
@@ -92,7 +86,7 @@ class PeerExamination:
         yield check_peer_clock(_last(replies, ReportTime), arrived)
         yield from check_deviations(direct + replies)
         yield from self._check_presence(_last(replies, ReportServices))
-        yield from self._check_seals(_last(replies, ReportSealChallenge))
+        yield from self._check_seals(_last(replies, ReportServices))
 
     def _ask(
         self,
@@ -138,6 +132,16 @@ class PeerExamination:
     def _not_reached(self) -> Finding:
         assert self._address is not None
         host, port = self._address
+        if problem := self._probe.errors.get(self._interface):
+            denied = problem in DENIED
+            return fail(
+                "firewall" if denied else "sending",
+                f"nothing can be sent to {host}:{port}: {problem}",
+                f"UDP from {self._interface}",
+                f"a firewall of this machine or a route of type prohibit rejects it; allow UDP to {host}"
+                if denied
+                else f"check the route: ip route get {host}",
+            )
         error = self._probe.unreachable.get(self._address)
         if error == errno.ECONNREFUSED:
             return fail(
@@ -234,11 +238,9 @@ class PeerExamination:
                 "check that its services are registered with Discovery under this id",
             )
             return
-        known: dict[str, set[str]] = {}
-        for entry in registry.entries:
-            known.setdefault(entry.service, set()).add(entry.version)
-        differing = [f"{urn} {version}" for urn, version in offered if urn in known and version not in known[urn]]
-        unknown = [f"{urn} {version}" for urn, version in offered if urn not in known]
+        known = {urn: versions_of(urn) for urn, _ in offered}
+        differing = [f"{urn} {version}" for urn, version in offered if known[urn] and version not in known[urn]]
+        unknown = [f"{urn} {version}" for urn, version in offered if not known[urn]]
         for other in differing:
             urn = other.partition(" ")[0]
             yield fail(
@@ -316,7 +318,14 @@ class PeerExamination:
                 yield ok("presence vector", f"{self._id} keeps to the presence vector of {query.NAME}")
             return
 
-    def _check_seals(self, challenge: ReportSealChallenge | None) -> Iterator[Finding]:
+    def _check_seals(self, services: ReportServices | None) -> Iterator[Finding]:
+        """Have the component judge a sealed query, which changes nothing."""
+        offers = services is not None and any(
+            urn == QuerySealChallenge.SERVICE for urn, _ in _offered(services, self._id)
+        )
+        challenge = None
+        if offers or self._key is not None:
+            challenge = _last(self._ask([QuerySealChallenge()], LAST_TIME), ReportSealChallenge)
         if challenge is None:
             if self._key is not None:
                 yield warn(

@@ -18,10 +18,10 @@ from jauspy.codec.registry import NO_HINTS
 from jauspy.ids import EVERYONE, JausID
 from jauspy.messages import registry
 from jauspy.messages.core import QueryIdentification
-from jauspy.protocol import judp
+from jauspy.protocol import header, judp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.endpoint import Endpoint
-from jauspy.protocol.header import Ack, Broadcast, DataFlag
+from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
 from jauspy.transport import multicast
 
 REPEAT: Final = 0.3
@@ -122,7 +122,8 @@ class Probe:
     ) -> list[Reply]:
         """Send queries to one address, a second time if need be, until the answers are `enough` or the time is over.
 
-        `padding` bytes behind the packet, which receivers ignore, make the datagram so large that IP fragments it.
+        `padding` bytes, in a second packet of the datagram that is addressed to the doctor itself, make it so large
+        that IP fragments it.
         """
         known = len(self.replies)
         pending = list(queries)
@@ -186,13 +187,17 @@ class Probe:
         for datagram in self._endpoints[interface].poll_output():
             for last_attempt in (False, True):
                 try:
-                    sock.sendto(datagram + bytes(padding), address)
+                    sock.sendto(datagram + self._padding(interface, padding), address)
                 except OSError as error:
                     # An error that was reported for an earlier datagram is returned instead of sending this one.
                     if self._read_errors(sock) and not last_attempt:
                         continue
                     self.errors[interface] = error.strerror or str(error)
                 break
+
+    def _padding(self, interface: str, size: int) -> bytes:
+        own = self.id_at(interface)
+        return header.pack(Packet(own, own, bytes(size))) if size else b""
 
     def _read(self, sock: socket.socket) -> None:
         try:
