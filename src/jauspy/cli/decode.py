@@ -35,6 +35,7 @@ from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
 from jauspy.codec.rounding import rounded
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.inspection.peers import PeerRecogniser
 from jauspy.messages import registry
 from jauspy.printable import printable
 from jauspy.protocol import judp
@@ -102,6 +103,8 @@ def decode(
     --filter compares src, dst, msg, code, service, size and others (docs/filters.md), and fields of messages by their
     names, with ==, !=, <, <=, >, >=, contains and in, joined by and, or, not.
 
+    Notes at the end, on stderr, name senders that are recognised as JTS, FKIE or OpenJAUS, and what is known of them.
+
     A message id is decoded by the newest version of its service; a line names the other definitions of the id.
     --service, --version and --message select one; they do not affect ids that the selected definitions lack.
 
@@ -127,15 +130,20 @@ def decode(
         frames = can_frames(source, robot)
         return changes(frames) if only_changes else frames
 
+    peers = PeerRecogniser()
     is_live = "-" in sources or sys.stdout.isatty()
     for item in listed(sources[0]) if len(sources) == 1 else by_time(map(listed, sources)):
         if isinstance(item, CanFrame):
             printer.show_frame(item)
         else:
             printer.show(item)
+            if item.captured is not None:
+                peers.see(item.captured.payload, item.captured.source, item.captured.destination)
         if is_live:
             sys.stdout.flush()
     sys.stdout.flush()
+    for note in peers.notes():
+        console.note(note)
     if printer.failed:
         raise typer.Exit(1)
 
