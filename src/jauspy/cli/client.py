@@ -81,7 +81,7 @@ def make_ocu(
     operator: Path | None = None,
     peer: str | None = None,
 ) -> OCU:
-    """An OCU with the id of `own_id` that waits `timeout` seconds for an answer, and obliges peers of the kind `peer`."""
+    """An OCU with the id of `own_id` that waits `timeout` seconds for an answer; `peer` names the kind to oblige."""
     limit = None if peer is None else find_kind(peer).max_message
     delivery = None if limit is None else Delivery(max_message=limit)
     id = own_id(given, connect)
