@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from jauspy.conformance.known_deviations import recognised, with_known_deviations
+from jauspy.conformance.reports import explanation, result_json
 from jauspy.conformance.results import Report, Result, Verdict
 from jauspy.conformance.trace import Direction, TraceEntry
 from jauspy.errors import ConfigError
@@ -115,6 +116,7 @@ def test_failed_steps_are_marked() -> None:
     marked = with_known_deviations(seen, None)
     assert [bool(result.known) for result in marked.results] == [True, False, False]
     assert marked.results[0].known.startswith("known of JTS: the first messages of a restarted client")
+    assert explanation(marked.results[0])[-1] == result_json(marked.results[0])["known"] == marked.results[0].known
     assert with_known_deviations(report(*steps), None).notes == ()
     named = with_known_deviations(report(("packed", Verdict.SILENT)), FKIE)
     assert named.results[0].known.startswith("known of FKIE: only the first of several packets")

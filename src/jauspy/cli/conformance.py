@@ -23,7 +23,7 @@ from jauspy.cli.processes import stoppable
 from jauspy.cli.schema.ls import find as find_definitions
 from jauspy.codec.registry import Registry
 from jauspy.conformance import reports
-from jauspy.conformance.known_deviations import with_known_deviations
+from jauspy.conformance.known_deviations import marked, with_known_deviations
 from jauspy.conformance.link import TesterLink, open_link
 from jauspy.conformance.profile import Offers, Profile, Step, find, known
 from jauspy.conformance.reports import explanation, result_json, summary, summary_json, transcript
@@ -315,10 +315,21 @@ def report_of(
     """Run a profile; raises `Interrupted`, which has the report so far."""
     id = _id(target)
     kind = None if peer is None else find_kind(peer)
+
+    def watch_marked(result: Result) -> None:
+        watch(result if kind is None else marked(result, profile.name, kind))
+
     with closing(asyncio.run(open_link(connect))) as link:
         try:
             report = run(
-                profile, link, id, began=time.time(), offers=offers, settings=settings, registry=messages, watch=watch
+                profile,
+                link,
+                id,
+                began=time.time(),
+                offers=offers,
+                settings=settings,
+                registry=messages,
+                watch=watch_marked,
             )
         except Interrupted as stop:
             stop.report = with_known_deviations(_with_notes(stop.report, link), kind)

@@ -36,7 +36,7 @@ _INDENT: Final = " " * 6
 
 def doctor(
     peer: Annotated[
-        str | None, typer.Argument(metavar="[ID]", help="The component that does not talk, as in 101.1.1.")
+        str | None, typer.Argument(metavar="ID", help="The component that does not talk, as in 101.1.1.")
     ] = None,
     *,
     connect: Annotated[
@@ -113,24 +113,20 @@ def _address(connect: str) -> tuple[str, int]:
 
 def _show(finding: Finding) -> None:
     """A line with the finding, and below it the evidence and the fix of what is not well."""
-    out = console.stdout()
-    out.print(
-        Text.assemble(
-            (f"{finding.severity:<4}  ", _STYLES[finding.severity]),
-            (finding.check, "bold"),
-            ": ",
-            printable(finding.what),
-        )
-    )
-    if finding.severity is Severity.OK:
-        return
-    if finding.evidence:
-        _print_wrapped(f"seen: {printable(finding.evidence)}", "dim")
-    _print_wrapped(f"fix:  {printable(finding.fix)}", "")
+    rows = [("", f"{finding.check}: {finding.what}", "")]
+    if finding.severity is not Severity.OK:
+        rows += [("seen: ", finding.evidence, "dim")] if finding.evidence else []
+        rows += [("fix:  ", finding.fix, "")]
+    first = Text(f"{finding.severity:<6}", _STYLES[finding.severity])
+    for label, text, style in rows:
+        for line in _wrapped(label, printable(text)):
+            console.stdout().print(Text.assemble(first, (line, style)))
+            first = Text(_INDENT)
 
 
-def _print_wrapped(text: str, style: str) -> None:
-    """Print indented; wrapped on terminals, one line in pipes."""
-    lines = textwrap.wrap(text, max(40, console.stdout().width - len(_INDENT) - 6), break_long_words=False)
-    for number, line in enumerate(lines if console.is_terminal() else [text]):
-        console.stdout().print(Text(_INDENT + ("      " if number else "") + line, style))
+def _wrapped(label: str, text: str) -> list[str]:
+    """The text behind its label: wrapped on terminals, one line in pipes."""
+    if not console.is_terminal():
+        return [label + text]
+    width = max(40, console.stdout().width - len(_INDENT))
+    return textwrap.wrap(text, width, initial_indent=label, subsequent_indent=" " * len(label), break_long_words=False)

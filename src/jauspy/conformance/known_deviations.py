@@ -32,16 +32,14 @@ def with_known_deviations(report: Report, kind: PeerKind | None) -> Report:
     if kind is None:
         return report
     note = f"the target looks like {kind.title}; failures that are known of {kind.name.upper()} are marked"
-    results = tuple(_marked(result, kind) if report.profile == TRANSPORT else result for result in report.results)
+    results = tuple(marked(result, report.profile, kind) for result in report.results)
     return replace(report, results=results, notes=(*report.notes, note))
 
 
-def _marked(result: Result, kind: PeerKind) -> Result:
-    if result.verdict in (Verdict.PASS, Verdict.SKIPPED):
+def marked(result: Result, profile: str, kind: PeerKind) -> Result:
+    """The result of a step of a profile, with what is known of the implementation if the step failed because of it."""
+    deviation = kind.known_of(result.id) if profile == TRANSPORT else None
+    if deviation is None or result.verdict in (Verdict.PASS, Verdict.SKIPPED):
         return result
-    deviation = kind.known_of(result.id)
-    if deviation is None:
-        return result
-    return replace(
-        result, known=f"known of {kind.name.upper()}: {deviation.what} (docs/peers.md, {deviation.reference})"
-    )
+    known = f"known of {kind.name.upper()}: {deviation.what} (docs/peers.md, {deviation.reference})"
+    return replace(result, known=known)
