@@ -7,15 +7,11 @@ import psutil
 
 def udp_port_owner(port: int) -> str:
     """The owner of a UDP port, as in `process 1234 (jauspy node-manager)`; `another process` if it is not known."""
-    return " and ".join(_describe_process(pid) for pid in sorted(udp_port_pids(port))) or "another process"
-
-
-def udp_port_pids(port: int) -> set[int]:
-    """The processes that have a UDP port; those of other users only for root."""
     try:
-        return {c.pid for c in psutil.net_connections("udp") if c.laddr and c.laddr.port == port and c.pid}
+        pids = {c.pid for c in psutil.net_connections("udp") if c.laddr and c.laddr.port == port and c.pid}
     except psutil.Error:
-        return set()
+        pids = set()
+    return " and ".join(_describe_process(pid) for pid in sorted(pids)) or "another process"
 
 
 def _describe_process(pid: int) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ipaddress
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -67,6 +68,14 @@ def known_address(root: Path, id: JausID) -> Address | None:
     """The address that the node manager of this machine has learned for a component."""
     for peer in node_status.read_at_once(root).get("peers", ()):
         host, _, port = str(peer["address"]).rpartition(":")
-        if str(peer["id"]) == str(id) and port.isdecimal() and ":" not in host:
-            return host, int(port)
+        if str(peer["id"]) == str(id) and port.isdecimal() and len(port) < 6 and _is_ipv4(host):
+            return host, min(int(port), 65535)
     return None
+
+
+def _is_ipv4(host: str) -> bool:
+    try:
+        ipaddress.IPv4Address(host)
+    except ValueError:
+        return False
+    return True

@@ -18,7 +18,7 @@ from jauspy.inspection.doctor.findings import Finding, Severity, fail, ok, warn
 from jauspy.protocol import junior
 from jauspy.transport import local, node_status
 from jauspy.transport.multicast import ANY
-from jauspy.transport.port_owner import udp_port_owner, udp_port_pids
+from jauspy.transport.port_owner import udp_port_owner
 
 IGMP_TABLE: Final = Path("/proc/net/igmp")
 MIN_MTU: Final = 1280
@@ -81,7 +81,7 @@ def check_port(port: int, root: Path, status: Mapping[str, Any]) -> Finding:
             "start one with `jauspy node-manager`, unless this machine has only clients that use UDP themselves",
         )
     owner = udp_port_owner(port)
-    if status.get("pid") in udp_port_pids(port):
+    if any(str(network.get("address")).endswith(f":{port}") for network in _rows(status, "networks")):
         return ok("port", f"UDP port {port} has the node manager of {root}", owner)
     if local.is_alive(root / junior.SOCKET_NAME) and not status:
         return ok("port", f"UDP port {port} is taken, and a node manager without a status answers in {root}", owner)
@@ -142,7 +142,10 @@ def check_sockets(root: Path) -> Finding:
 
 
 def _owner(path: Path) -> str:
-    found = path.stat()
+    try:
+        found = path.stat()
+    except OSError as error:  # removed meanwhile
+        return f"{path}: {error.strerror}"
     names = f"{local.user_name(found.st_uid)}:{local.group_name(found.st_gid)}"
     return f"{stat.filemode(found.st_mode)} {names} {path}"
 

@@ -59,7 +59,7 @@ def check_group(probe: Probe) -> Iterator[Finding]:
         yield warn(
             "multicast",
             f"{_text(probe.group)} could not be listened to: {probe.group_problem}",
-            "another program has the port for itself, as node managers of the JAUS Toolset do",
+            "a program has the port for itself: a node manager of another user, or one of the JAUS Toolset",
             "stop that program for a moment to have this checked, too",
         )
         return
