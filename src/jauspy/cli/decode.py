@@ -137,8 +137,9 @@ def decode(
             printer.show_frame(item)
         else:
             printer.show(item)
-            if item.captured is not None:
-                peers.see(item.captured.payload, item.captured.source, item.captured.destination)
+            if (seen := item.captured) is not None and item.dissection is not None:
+                packets = [part.packet for part in item.dissection.parts]
+                peers.see(seen.payload, seen.source, seen.destination, packets)
         if is_live:
             sys.stdout.flush()
     sys.stdout.flush()

@@ -107,9 +107,18 @@ class PeerRecogniser:
     def __init__(self) -> None:
         self._signs: OrderedDict[str, dict[str, str]] = OrderedDict()
 
-    def see(self, payload: bytes, source: tuple[str, int], destination: tuple[str, int]) -> None:
-        """Take a datagram with its UDP addresses into account. Never raises."""
-        for name, sign in signs(payload, source, destination):
+    def see(
+        self,
+        payload: bytes,
+        source: tuple[str, int],
+        destination: tuple[str, int],
+        packets: Iterable[Packet] | None = None,
+    ) -> None:
+        """Take a datagram with its UDP addresses into account. Never raises.
+
+        `packets` are those in it, for callers that have parsed it already.
+        """
+        for name, sign in signs(payload, source, destination, packets):
             found = self._signs.setdefault(source[0], {})
             self._signs.move_to_end(source[0])
             found.setdefault(name, sign)
@@ -131,7 +140,9 @@ class PeerRecogniser:
         ]
 
 
-def signs(payload: bytes, source: tuple[str, int], destination: tuple[str, int]) -> Iterable[tuple[str, str]]:
+def signs(
+    payload: bytes, source: tuple[str, int], destination: tuple[str, int], packets: Iterable[Packet] | None = None
+) -> Iterable[tuple[str, str]]:
     """The signs in one datagram: name of the kind, and what was seen."""
     if payload.startswith(OPC_MARK):
         yield "openjaus", "a header that begins with JAUS01.0"
@@ -143,7 +154,7 @@ def signs(payload: bytes, source: tuple[str, int], destination: tuple[str, int])
         if control.kind is junior.ControlKind.CONNECT and destination[1] == PORT and source[1] not in (0, PORT):
             yield "fkie", f"Connect of {control.id} by UDP from port {source[1]}, as components of iop_core do"
         return
-    for packet in judp.unpack_all(payload)[0]:
+    for packet in judp.unpack_all(payload)[0] if packets is None else packets:
         yield from _signs_of(packet, is_multicast=destination[0] == MULTICAST_GROUP)
 
 
