@@ -9,13 +9,14 @@ from typing import Final
 
 from jauspy.capture.dissect import OPC_MARK
 from jauspy.errors import ConfigError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
 from jauspy.protocol.judp import MULTICAST_GROUP, PORT
 
 MAX_HOSTS: Final = 256
 """Hosts whose signs are kept; the one that was heard longest ago is forgotten first."""
+QUERY_CODES: Final = range(0x2000, 0x3000)
 OPENJAUS_GROUP: Final = "224.1.0.1"
 
 
@@ -155,24 +156,25 @@ def signs(
             yield "fkie", f"Connect of {control.id} by UDP from port {source[1]}, as components of iop_core do"
         return
     for packet in judp.unpack_all(payload)[0] if packets is None else packets:
-        yield from _signs_of(packet, is_multicast=destination[0] == MULTICAST_GROUP)
+        yield from _signs_of(
+            packet, is_multicast=destination[0] == MULTICAST_GROUP and not source[0].startswith("127.")
+        )
 
 
 def _signs_of(packet: Packet, *, is_multicast: bool) -> Iterable[tuple[str, str]]:
     nobody = JausID(0, 0, 0)
-    if packet.payload and (packet.broadcast, packet.ack, packet.data_flag) == (
-        Broadcast.RESERVED,
-        Ack.ACK,
-        DataFlag.LAST,
-    ):
+    flags = packet.broadcast, packet.ack, packet.data_flag
+    if packet.payload and flags == (Broadcast.RESERVED, Ack.ACK, DataFlag.LAST):
         yield "jts", "a control byte of FF, with which its library sends priority 0"
     elif packet.source == packet.destination == nobody and not packet.payload:
         yield "jts", "an empty message from 0.0.0 to 0.0.0, which its node manager makes of malformed ones"
     elif is_multicast and packet.broadcast is Broadcast.GLOBAL and packet.ack is Ack.REQUIRED:
-        if not packet.destination.is_wildcard:
-            yield (
-                "jts",
-                f"a message to {packet.destination} by multicast, with the flag of broadcasts and an ACK required",
-            )
+        if not packet.destination.is_wildcard and not _is_query(packet.payload):  # jauspy searches with such queries
+            yield "jts", f"a multicast to {packet.destination} with the flag of broadcasts and ACK required"
     elif is_multicast and packet.broadcast is Broadcast.NONE and packet.destination.is_wildcard:
         yield "fkie", f"a multicast to {packet.destination} without the flag of broadcasts"
+
+
+def _is_query(payload: bytes) -> bool:
+    """True for the ids that the standard has for queries."""
+    return len(payload) >= 2 and message_id(payload) in QUERY_CODES

@@ -272,9 +272,11 @@ class PeerExamination:
             held = f"held by {holder} with authority {control.authority_code}"
             if self._authority > control.authority_code:
                 return warn(
-                    "control", f"control of {self._id} is {held}", f"a client with {self._authority} takes it over",
+                    "control",
+                    f"control of {self._id} is {held}",
+                    f"a client with {self._authority} takes it over",
                     "agree with its user first",
-                )  # fmt: skip
+                )
             return fail(
                 "authority",
                 f"control of {self._id} is {held}, and an authority of {self._authority} is too low to take it",
