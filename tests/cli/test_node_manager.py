@@ -139,6 +139,14 @@ def test_the_printed_configuration_is_valid(tmp_path):
     assert "\nport = 4000\n" in first.stdout
 
 
+def test_peer_sets_its_multicast_group():
+    assert '\nmulticast_group = "224.1.0.1"\n' in run("--print-config", "--peer", "openjaus").stdout
+    assert '\nmulticast_group = "239.255.0.1"\n' in run("--print-config", "--peer", "jts").stdout
+    chosen = run("--print-config", "--peer", "openjaus", "--multicast-group", "239.1.2.3").stdout
+    assert '\nmulticast_group = "239.1.2.3"\n' in chosen
+    assert "choose one of jts, fkie, openjaus" in run("--print-config", "--peer", "none").stderr
+
+
 def test_invalid_file_error_names_file_key_and_fix(tmp_path):
     file = tmp_path / "nm.toml"
     file.write_text("prot = 3795\n")

@@ -7,6 +7,7 @@ import socket
 import threading
 import time
 from collections.abc import Iterable
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -16,9 +17,11 @@ from tests.conformance.injectors import code, deaf_to
 from tests.conformance.simulated import examined, robot
 
 from jauspy.conformance import TargetComponent, Verdict, VirtualTarget, find, run
+from jauspy.conformance.known_deviations import with_known_deviations
 from jauspy.conformance.link import NodeManagerLink, UdpLink, random_sequence
 from jauspy.conformance.profile import Offers
 from jauspy.ids import JausID
+from jauspy.inspection.peers import FKIE, JTS, PeerKind
 from jauspy.messages.core import QueryControl, ReportStatus
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet
@@ -148,3 +151,38 @@ def test_target_without_discovery_is_asked_to_name_its_services():
     report = examined("core-1.1", VirtualTarget([TargetComponent(host)]), COMPONENT)
     assert "does not report its services" in report.problem
     assert "--services Management@1.0" in report.problem
+
+
+class FirstPacketOnly(VirtualTarget):
+    """Reads one packet of a datagram, as FKIE's node manager does."""
+
+    def inbound(self, datagram: bytes) -> Iterable[bytes]:
+        packets, _ = judp.unpack_all(datagram)
+        return [judp.pack(packet) for packet in packets[:1]]
+
+
+class BytewiseIds(VirtualTarget):
+    """Takes 356.1.2 for 100.1.2, as the JAUS Toolset does."""
+
+    def inbound(self, datagram: bytes) -> Iterable[bytes]:
+        packets, _ = judp.unpack_all(datagram)
+        for packet in packets:
+            there = packet.destination
+            if there.subsystem != COMPONENT.subsystem and there.subsystem % 256 == COMPONENT.subsystem % 256:
+                packet = replace(packet, destination=replace(there, subsystem=COMPONENT.subsystem))  # noqa: PLW2901
+            yield judp.pack(packet)
+
+
+@pytest.mark.parametrize(
+    ("virtual_target", "kind", "step"),
+    [
+        (FirstPacketOnly, FKIE, "packed"),
+        (BytewiseIds, JTS, "other-subsystem"),
+        (type("_", (Remembering,), {"seen": set()}), JTS, "restart"),
+    ],
+)
+def test_deviations_of_peers_are_known(virtual_target: type[VirtualTarget], kind: PeerKind, step: str) -> None:
+    report = examined("transport", robot(virtual_target=virtual_target), COMPONENT, only=("query", step))
+    failures = with_known_deviations(report, kind).failures
+    assert failures
+    assert all(result.known.startswith(f"known of {kind.name.upper()}: ") for result in failures)

@@ -12,7 +12,9 @@ from jauspy.cli.options import DEFAULT_ROOT
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.inspection.peers import find_kind
 from jauspy.ocu import OCU
+from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.sources import MOVE_TIMEOUT
 from jauspy.transport import local as local_socket, node_status
 
@@ -77,10 +79,21 @@ def make_ocu(
     registry: Registry | None = None,
     *,
     operator: Path | None = None,
+    peer: str | None = None,
 ) -> OCU:
-    """An OCU with the id of `own_id` that waits `timeout` seconds for an answer."""
+    """An OCU with the id of `own_id` that waits `timeout` seconds for an answer; `peer` names the kind to oblige."""
+    limit = None if peer is None else find_kind(peer).max_message
+    delivery = None if limit is None else Delivery(max_message=limit)
     id = own_id(given, connect)
-    return OCU(id, connect, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1, registry=registry, operator=operator)
+    return OCU(
+        id,
+        connect,
+        timeout=timeout / ATTEMPTS,
+        retries=ATTEMPTS - 1,
+        registry=registry,
+        operator=operator,
+        delivery=delivery,
+    )
 
 
 def _claim(id: JausID, connect: str | None) -> bool:

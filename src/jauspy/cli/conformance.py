@@ -18,11 +18,12 @@ from rich.text import Text
 
 from jauspy.cli import console
 from jauspy.cli.definitions import SchemasOption, definitions
-from jauspy.cli.options import Json
+from jauspy.cli.options import Json, Peer
 from jauspy.cli.processes import stoppable
 from jauspy.cli.schema.ls import find as find_definitions
 from jauspy.codec.registry import Registry
 from jauspy.conformance import reports
+from jauspy.conformance.known_deviations import marked, with_known_deviations
 from jauspy.conformance.link import TesterLink, open_link
 from jauspy.conformance.profile import Offers, Profile, Step, find, known
 from jauspy.conformance.reports import explanation, result_json, summary, summary_json, transcript
@@ -30,6 +31,7 @@ from jauspy.conformance.results import Report, Result, Verdict, transitions_summ
 from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_steps, run
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
+from jauspy.inspection.peers import find_kind
 from jauspy.messages import registry
 from jauspy.schema import Schema, load_builtin
 from jauspy.schema.inheritance import lineage, parents_among
@@ -105,6 +107,7 @@ def conformance(
     html: Html = None,
     pcapng: Pcapng = None,
     schemas: SchemasOption = None,
+    peer: Peer = None,
 ) -> None:
     """Test a robot or component of any vendor, step by step.
 
@@ -144,7 +147,7 @@ def conformance(
                     watch = _print_json if json else progress
                     chosen = chosen_profile(profile, defined.registry)
                     report = report_of(
-                        chosen, target, connect, settings, watch, offers=offers, messages=defined.registry
+                        chosen, target, connect, settings, watch, offers=offers, messages=defined.registry, peer=peer
                     )
                 status = report.status
             except Interrupted as stop:
@@ -307,18 +310,31 @@ def report_of(
     *,
     offers: Offers | None = None,
     messages: Registry = registry,
+    peer: str | None = None,
 ) -> Report:
     """Run a profile; raises `Interrupted`, which has the report so far."""
     id = _id(target)
+    kind = None if peer is None else find_kind(peer)
+
+    def watch_marked(result: Result) -> None:
+        watch(result if kind is None else marked(result, profile.name, kind))
+
     with closing(asyncio.run(open_link(connect))) as link:
         try:
             report = run(
-                profile, link, id, began=time.time(), offers=offers, settings=settings, registry=messages, watch=watch
+                profile,
+                link,
+                id,
+                began=time.time(),
+                offers=offers,
+                settings=settings,
+                registry=messages,
+                watch=watch_marked,
             )
         except Interrupted as stop:
-            stop.report = _with_notes(stop.report, link)
+            stop.report = with_known_deviations(_with_notes(stop.report, link), kind)
             raise
-        return _with_notes(report, link)
+        return with_known_deviations(_with_notes(report, link), kind)
 
 
 def _id(target: str) -> JausID:

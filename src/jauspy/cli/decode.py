@@ -36,6 +36,7 @@ from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
 from jauspy.codec.rounding import rounded_dict
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.inspection.peers import PeerRecogniser
 from jauspy.messages import registry
 from jauspy.printable import printable
 from jauspy.protocol import judp
@@ -122,6 +123,8 @@ def decode(
     --filter compares src, dst, msg, code, service, size and others (docs/filters.md), and fields of messages by their
     names, with ==, !=, <, <=, >, >=, contains and in, joined by and, or, not.
 
+    Notes at the end, on stderr, name senders that are recognised as JTS, FKIE or OpenJAUS, and what is known of them.
+
     A message id is decoded by the newest version of its service; a line names the other definitions of the id.
     --service, --version and --message select one; they do not affect ids that the selected definitions lack.
 
@@ -150,6 +153,7 @@ def decode(
         frames = can_frames(source, robot)
         return changes(frames) if only_changes else frames
 
+    peers = PeerRecogniser()
     is_live = "-" in sources or sys.stdout.isatty()
     shown = listed(sources[0]) if len(sources) == 1 else by_time(map(listed, sources))
     for batch in batches(shown, 1 if is_live else BATCH):
@@ -158,9 +162,14 @@ def decode(
                 printer.show_frame(item)
             else:
                 printer.show(item)
+                if (seen := item.captured) is not None and item.dissection is not None:
+                    packets = [part.packet for part in item.dissection.parts]
+                    peers.see(seen.payload, seen.source, seen.destination, packets)
         if is_live:
             sys.stdout.flush()
     sys.stdout.flush()
+    for note in peers.notes():
+        console.note(note)
     if printer.failed:
         raise typer.Exit(1)
 

@@ -30,6 +30,7 @@ VERBS: Final = {
         "Route JAUS between the components of this machine and the network.",
     ),
     "ls": ("jauspy.cli.ls:ls", "List subsystems, nodes, components and services that answer discovery."),
+    "doctor": ("jauspy.cli.doctor:doctor", "Find why two parties do not talk, and how to mend it."),
     "query": ("jauspy.cli.query:query", "Query a component and print its answer."),
     "send": ("jauspy.cli.send:send", "Send a command or any other message that has no answer."),
     "teleop": ("jauspy.cli.teleop:teleop", "Drive a robot with the keys of the terminal, or with a gamepad."),

@@ -18,9 +18,10 @@ from typing import Annotated, Any, Final, Self
 import typer
 
 from jauspy.cli import console
-from jauspy.cli.options import DEFAULT_ROOT, OwnRoot, WithParent, file_mode
+from jauspy.cli.options import DEFAULT_ROOT, OwnRoot, Peer, WithParent, file_mode
 from jauspy.cli.processes import end_with_parent, remove_if_empty, run
 from jauspy.errors import ConfigError
+from jauspy.inspection.peers import find_kind
 from jauspy.node import NodeConfig, NodeManager, status
 from jauspy.node.config import load_config, to_toml
 from jauspy.node.manager import raise_open_files_limit
@@ -153,6 +154,7 @@ def node_manager(
             show_default="660",
         ),
     ] = None,
+    peer: Peer = None,
     with_parent: WithParent = False,
     own_root: OwnRoot = False,
 ) -> None:
@@ -178,6 +180,8 @@ def node_manager(
         "log": log,
         "log_level": "debug" if verbose else None,
     }
+    if peer is not None and multicast_group is None:
+        overrides["multicast_group"] = find_kind(peer).multicast_group
     if as_json and not show_status:
         raise typer.BadParameter("it requires --status", param_hint="--json")
     if show_status:

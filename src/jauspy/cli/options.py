@@ -70,6 +70,14 @@ OperatorKey = Annotated[
         help="The key of an operator (`jauspy keys new`), which seals what is commanded.",
     ),
 ]
+Peer = Annotated[
+    str | None,
+    typer.Option(
+        "--peer",
+        metavar="jts|fkie|openjaus",
+        help="The other side is this implementation: oblige it, or mark what is known of it (docs/doctor.md).",
+    ),
+]
 Timeout = Annotated[float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to wait for answers.")]
 Json = Annotated[bool, typer.Option("--json", help="One JSON object per line.")]
 FilterOption = Annotated[

@@ -12,7 +12,7 @@ import typer
 from jauspy.cli import client, console
 from jauspy.cli.definitions import SchemasOption, ServiceName, ServiceVersion, definitions
 from jauspy.cli.fields import message_from
-from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
+from jauspy.cli.options import Connect, OperatorKey, OwnId, Peer, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.query import Destination, Fields, MessageName
 from jauspy.codec.message import Message
@@ -64,6 +64,7 @@ def send(
     connect: Connect = None,
     own_id: OwnId = None,
     operator_key: OperatorKey = None,
+    peer: Peer = None,
     timeout: Timeout = 2.0,
 ) -> None:
     """Send a command or any other message that has no answer.
@@ -95,7 +96,7 @@ def send(
         raise ConfigError(f"{command.NAME} is a query, whose answer would not be shown; use `jauspy query`")
     if control is not None and recipient.is_wildcard:
         raise ConfigError(f"--control takes control of one component, and {recipient} has wildcards")
-    ocu = client.make_ocu(own_id, connect, timeout, known.registry, operator=operator_key)
+    ocu = client.make_ocu(own_id, connect, timeout, known.registry, operator=operator_key, peer=peer)
     if control is None:
         run(send_without_control(ocu, recipient, command, max_wait=timeout))
     else:

@@ -111,6 +111,7 @@ def explanation(result: Result) -> list[str]:
         *(f"expected: {line}" for line in result.expected),
         *(f"failed check: {check.name}: {check.problem}" for check in result.failed_checks),
         *(f"came: {line}" for line in result.came),
+        *([result.known] if result.known else []),
     ]
 
 
@@ -138,6 +139,7 @@ def result_json(result: Result) -> dict[str, Any]:
         "checks": [{"check": check.name, "problem": check.problem} for check in result.checks],
         "failed": [check.name for check in result.failed_checks],
         "came": list(result.came),
+        "known": result.known,
         "began": round(result.began, 6),
         "elapsed": round(result.elapsed, 6),
         "points": result.points,

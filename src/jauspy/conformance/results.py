@@ -77,6 +77,8 @@ class Result:
     """Transitions of state machines that may be taken in this step."""
     taken: tuple[str, ...] = ()
     """Transitions that were taken, or had to be, and were checked."""
+    known: str = ""
+    """The known deviation of the target's implementation that explains the failure, as in `known of JTS: ...`."""
 
     @property
     def earned(self) -> float:

@@ -9,8 +9,6 @@ import time
 from collections.abc import Callable, Iterator
 from typing import Final, NamedTuple
 
-import psutil
-
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.logs import get_logger
 from jauspy.node.config import NetworkConfig
@@ -21,6 +19,7 @@ from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.counters import Counters
 from jauspy.transport import multicast
 from jauspy.transport.multicast import Memberships
+from jauspy.transport.port_owner import udp_port_owner
 
 _LOG = get_logger(__name__)
 _ANY6: Final = "::"
@@ -304,20 +303,3 @@ def is_own_address(host: str, peer: Address) -> bool:
     except (OSError, ValueError):
         return False
     return True
-
-
-def udp_port_owner(port: int) -> str:
-    """The owner of a UDP port, as in `process 1234 (jauspy node-manager)`; `another process` if it is not known."""
-    try:
-        pids = {c.pid for c in psutil.net_connections("udp") if c.laddr and c.laddr.port == port and c.pid}
-    except psutil.Error:
-        pids = set()
-    return " and ".join(_describe_process(pid) for pid in sorted(pids)) or "another process"
-
-
-def _describe_process(pid: int) -> str:
-    try:
-        command = " ".join(psutil.Process(pid).cmdline())
-    except psutil.Error:
-        command = ""
-    return f"process {pid} ({command[:100]})" if command else f"process {pid}"

@@ -1,0 +1,1 @@
+"""Why two parties do not talk: checks of this machine, of the network and of one component, each with its fix."""
