@@ -162,7 +162,8 @@ def decode(
                 printer.show_frame(item)
             else:
                 printer.show(item)
-                if (seen := item.captured) is not None and item.dissection is not None:
+                seen = item.captured
+                if seen is not None and item.dissection is not None and peers.looks_at(seen.source[0]):
                     packets = [part.packet for part in item.dissection.parts]
                     peers.see(seen.payload, seen.source, seen.destination, packets)
         if is_live:

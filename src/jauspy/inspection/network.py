@@ -11,7 +11,8 @@ import time
 from collections.abc import Iterator, Sequence
 from typing import Any, Final
 
-from jauspy.capture.reader import ETHERNET, IPV4, Datagram, DatagramAssembler, ip_packet
+from jauspy.capture.ip import ETHERNET, IPV4, DatagramAssembler, ip_packet
+from jauspy.capture.reader import Datagram
 from jauspy.errors import ConfigError, TransportError
 from jauspy.transport import multicast
 
@@ -51,7 +52,7 @@ class InterfaceCapture:
     """
 
     def __init__(self, interface: str, port: int, seconds: float | None = None) -> None:
-        self._assembler = DatagramAssembler()
+        self._assembler = DatagramAssembler(port)
         self._port, self._lost = port, 0
         self._end = None if seconds is None else time.monotonic() + seconds
         try:
@@ -95,9 +96,9 @@ class InterfaceCapture:
             if hardware == _LOOPBACK and direction == socket.PACKET_OUTGOING:
                 continue  # it is seen again as it comes in
             packet = ip_packet(ETHERNET if hardware in (_ETHER, _LOOPBACK) else IPV4, frame)
-            udp = None if packet is None else self._assembler.add(packet)
-            if udp is not None and self._port in (udp.source[1], udp.destination[1]):
-                yield Datagram(number, _stamp(control), udp.source, udp.destination, udp.payload)
+            for udp in self._assembler.add(packet) if packet is not None else ():
+                if self._port in (udp.source[1], udp.destination[1]):
+                    yield Datagram(number, _stamp(control), *udp)
 
     def close(self) -> None:
         """Stop."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Final
@@ -102,11 +102,21 @@ def find_kind(name: str) -> PeerKind:
     return kind
 
 
+MAX_SEEN: Final = 1000
+"""Datagrams of a host that are looked at; looking takes as long as decoding."""
+
+
 class PeerRecogniser:
     """Recognises implementations by what they send, host by host; a sign is enough, since no other stack sends it."""
 
     def __init__(self) -> None:
-        self._signs: OrderedDict[str, dict[str, str]] = OrderedDict()
+        self._signs: dict[str, dict[str, str]] = {}
+        self._seen: Counter[str] = Counter()
+
+    def looks_at(self, host: str) -> bool:
+        """False once enough was seen of a host, or of as many hosts as it remembers."""
+        seen = self._seen.get(host)
+        return seen < MAX_SEEN if seen is not None else len(self._seen) < MAX_HOSTS
 
     def see(
         self,
@@ -117,14 +127,13 @@ class PeerRecogniser:
     ) -> None:
         """Take a datagram with its UDP addresses into account. Never raises.
 
-        `packets` are those in it, for callers that have parsed it already.
+        `packets` are those in it, for callers that have parsed it already. Only the first ones of a host are looked at.
         """
+        if not self.looks_at(source[0]):
+            return
+        self._seen[source[0]] += 1
         for name, sign in signs(payload, source, destination, packets):
-            found = self._signs.setdefault(source[0], {})
-            self._signs.move_to_end(source[0])
-            found.setdefault(name, sign)
-            if len(self._signs) > MAX_HOSTS:
-                self._signs.popitem(last=False)
+            self._signs.setdefault(source[0], {}).setdefault(name, sign)
 
     @property
     def found(self) -> dict[str, list[tuple[PeerKind, str]]]:
