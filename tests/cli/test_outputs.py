@@ -55,6 +55,7 @@ WRITE_FILES = {
     "cell all",
     "cell trials",
     "fuzz codec",
+    "fuzz target",
 }
 ALIASES = {
     "still": "--save",

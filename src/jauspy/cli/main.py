@@ -168,6 +168,10 @@ CAN_VERBS: Final = {
 }
 FUZZ_VERBS: Final = {
     "codec": ("jauspy.cli.fuzz:codec", "Decode valid, random and damaged messages and check invariants."),
+    "target": (
+        "jauspy.cli.fuzz_target:target",
+        "Send legal and damaged messages to a component or node manager in each of its states.",
+    ),
     "replay": ("jauspy.cli.fuzz:replay", "Check the bytes of a saved finding again."),
 }
 """The function of each verb and its line in the help. A verb's module is imported when the verb runs, so that `--help`
@@ -291,7 +295,7 @@ can_app = typer.Typer(
     cls=VerbGroup, name="can", no_args_is_help=True, help="Servo drives on a robot's CAN bus: real and simulated ones."
 )
 fuzz_app = typer.Typer(
-    cls=VerbGroup, name="fuzz", no_args_is_help=True, help="Test the codec with random and damaged messages."
+    cls=VerbGroup, name="fuzz", no_args_is_help=True, help="Test the codec, and running targets, with random and damaged messages."
 )
 
 
