@@ -56,6 +56,7 @@ WRITE_FILES = {
     "cell trials",
     "fuzz codec",
     "fuzz target",
+    "fuzz python",
 }
 ALIASES = {
     "still": "--save",

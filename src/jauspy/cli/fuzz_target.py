@@ -11,6 +11,7 @@ from typing import Annotated
 import typer
 
 from jauspy.cli import console
+from jauspy.cli.fuzz import ClusterOption
 from jauspy.cli.options import Json
 from jauspy.codec.message import counted
 from jauspy.errors import ConfigError
@@ -19,15 +20,6 @@ from jauspy.fuzz.target.campaign import TargetPlan, TargetResult, run, run_on_cl
 from jauspy.fuzz.target.findings import TargetFinding
 from jauspy.fuzz.target.session import MEBIBYTE, Limits
 from jauspy.ids import JausID
-
-ClusterOption = Annotated[
-    str | None,
-    typer.Option(
-        "--cluster",
-        metavar="ADDRESS",
-        help="Spread the cases over the Dask cluster of this scheduler, tcp://HOST:PORT; `local` starts workers here.",
-    ),
-]
 
 
 def target(

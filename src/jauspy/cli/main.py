@@ -172,6 +172,10 @@ FUZZ_VERBS: Final = {
         "jauspy.cli.fuzz_target:target",
         "Send legal and damaged messages to a component or node manager in each of its states.",
     ),
+    "python": (
+        "jauspy.cli.fuzz_python:python",
+        "Run a Python function with damaged messages, guided by the lines that they reach.",
+    ),
     "replay": ("jauspy.cli.fuzz:replay", "Check the bytes of a saved finding again."),
 }
 """The function of each verb and its line in the help. A verb's module is imported when the verb runs, so that `--help`
