@@ -8,8 +8,6 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Final, NamedTuple
 
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
-
 from jauspy.errors import ConfigError
 from jauspy.fuzz.findings import FuzzFinding
 from jauspy.user_files import read_file
@@ -25,18 +23,6 @@ class SavedProgress(NamedTuple):
     findings: tuple[FuzzFinding, ...] = ()
 
 
-class _Content(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True)
-
-    campaign: str
-    cases: int = Field(ge=0)
-    accepted: int = Field(ge=0)
-    findings: list[dict[str, str | int]]
-
-
-_FINDING: Final = TypeAdapter(FuzzFinding)
-
-
 class ProgressFile:
     """The file of one campaign; `campaign` identifies its settings, which must be the same when it continues."""
 
@@ -49,16 +35,19 @@ class ProgressFile:
         if not self._path.exists():
             return SavedProgress()
         try:
-            content = _Content.model_validate_json(read_file(self._path, MAX_SIZE))
-            findings = tuple(_FINDING.validate_python(each) for each in content.findings)
-        except ValidationError:
+            content = json.loads(read_file(self._path, MAX_SIZE))
+            campaign, cases, accepted = str(content["campaign"]), int(content["cases"]), int(content["accepted"])
+            findings = tuple(FuzzFinding(**each) for each in content["findings"])
+            assert cases >= 0 and accepted >= 0
+            assert all(finding.data for finding in findings)
+        except (ValueError, KeyError, TypeError, AssertionError):
             raise ConfigError(f"{self._path} is not a progress file of jauspy fuzz; name another one") from None
-        if content.campaign != self._campaign:
+        if campaign != self._campaign:
             raise ConfigError(
                 f"{self._path} is of a campaign with another seed, other messages or another version of jauspy; "
                 "remove it to begin anew, or name another file"
             )
-        return SavedProgress(content.cases, content.accepted, findings)
+        return SavedProgress(cases, accepted, findings)
 
     def save(self, progress: SavedProgress) -> None:
         """Replace the file; one that was interrupted keeps the earlier content."""

@@ -39,6 +39,11 @@ class TargetProcess:
         return self._process is not None
 
     @property
+    def pid(self) -> int | None:
+        """The number of the process, if it is known."""
+        return None if self._process is None else self._process.pid
+
+    @property
     def is_running(self) -> bool:
         """False once the known process has ended."""
         if self._started is not None:
