@@ -54,9 +54,7 @@ def python(
     """
     try:
         payloads = tuple(dict.fromkeys(payload for path in seeds or () for payload in file_payloads(path)))
-        plan = PythonPlan(
-            function, cases, seed, payloads, tuple(message or ()), tuple(include or ()), guided=not blind
-        )
+        plan = PythonPlan(function, cases, seed, payloads, tuple(message or ()), tuple(include or ()), guided=not blind)
         outcome = run(plan)
     except ConfigError as error:
         console.error(str(error))

@@ -86,6 +86,7 @@ class LineCoverage:
         try:
             monitoring.register_callback(tool, monitoring.events.LINE, self._on_line)
             monitoring.set_events(tool, monitoring.events.LINE)
+            monitoring.restart_events()  # lines that an earlier campaign has disabled
             yield
         finally:
             monitoring.set_events(tool, 0)

@@ -59,6 +59,8 @@ def free_port(host: str) -> int:
         try:
             sock.bind((host, 0))
         except OSError as error:
-            raise ConfigError(f"a free port is taken from this machine only, and {host} is not one of its addresses") from error
+            raise ConfigError(
+                f"a free port is taken from this machine only, and {host} is not one of its addresses"
+            ) from error
         port: int = sock.getsockname()[1]
         return port

@@ -44,7 +44,9 @@ class Stop:
 class Cases:
     """The cases against one component. A case depends on `services`, `seed` and its number only."""
 
-    def __init__(self, component: JausID, services: frozenset[ServiceKey], seed: int, only: Collection[str] = ()) -> None:
+    def __init__(
+        self, component: JausID, services: frozenset[ServiceKey], seed: int, only: Collection[str] = ()
+    ) -> None:
         self.subject: ComponentUnderTest = component_under_test(component, services)
         inputs = {
             (definition.id, definition.version, message.name)
@@ -56,11 +58,7 @@ class Cases:
         if not self.messages:
             raise ConfigError(f"{component} takes none of these messages")
         self._seed = seed
-        self._seeds = [
-            made
-            for made in from_schemas(self.messages)
-            if not made.data.startswith(ENDING)
-        ]
+        self._seeds = [made for made in from_schemas(self.messages) if not made.data.startswith(ENDING)]
         self._seeds_of: dict[int, list[Seed]] = {}
         for made in self._seeds:
             self._seeds_of.setdefault(made.target, []).append(made)

@@ -142,9 +142,7 @@ def delta_debugged(datagrams: Sequence[bytes], shows: Callable[[Sequence[bytes]]
     parts = 2
     while len(datagrams) >= 2:
         size = -(-len(datagrams) // parts)
-        rests = (
-            [*datagrams[:start], *datagrams[start + size :]] for start in reversed(range(0, len(datagrams), size))
-        )
+        rests = ([*datagrams[:start], *datagrams[start + size :]] for start in reversed(range(0, len(datagrams), size)))
         smaller = next((rest for rest in rests if shows(rest)), None)
         if smaller is not None:
             datagrams, parts = smaller, max(parts - 1, 2)

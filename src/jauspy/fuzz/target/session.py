@@ -30,6 +30,8 @@ CHECK_EVERY: Final = 20
 """Datagrams between two queries of liveness, so that none is lost in a full receive buffer."""
 MAX_UNCHECKED: Final = 60_000
 """Bytes between two queries of liveness, for the same reason."""
+PROCESS_CHECK: Final = 0.05
+"""Seconds between two looks at the process while an answer is waited for."""
 SAMPLES: Final = 12
 """Samples of memory that a leak must have grown over."""
 MAX_SAMPLES: Final = 256
@@ -149,7 +151,9 @@ class TargetSession:
             if self._is_answered(wait):
                 taken = tester.now - start
                 if taken > self.limits.answer:
-                    return Symptom(Failure.HANGS, f"it answered after {taken:.1f} s; the limit is {self.limits.answer:g} s")
+                    return Symptom(
+                        Failure.HANGS, f"it answered after {taken:.1f} s; the limit is {self.limits.answer:g} s"
+                    )
                 return self._leak()
         silence = f"no answer to {QUERIES} queries in {tester.now - start:.1f} s"
         if self.process.is_known and self.process.is_running:
@@ -196,7 +200,9 @@ class TargetSession:
             if self.process.is_known and not self.process.is_running:
                 raise ConfigError(f"the target does not start: {self.process.ending}")
         host, port = self.address
-        raise ConfigError(f"nothing at UDP {host}:{port} answers JAUS queries within {seconds:g} s; does the target run?")
+        raise ConfigError(
+            f"nothing at UDP {host}:{port} answers JAUS queries within {seconds:g} s; does the target run?"
+        )
 
     def _is_answered(self, seconds: float) -> bool:
         """Send the query of liveness without a trace in the history; true if the target answers in time."""
@@ -206,14 +212,22 @@ class TargetSession:
         client.send(self._query)
         self.link.is_recording = True
         code = self._query.CODE + 0x2000  # AS5710: the report of a query
-        return tester.pump(tester.now + seconds, lambda: any(each.code == code for each in client.pending))
+        end = tester.now + seconds
+        while not tester.pump(
+            min(end, tester.now + PROCESS_CHECK), lambda: any(each.code == code for each in client.pending)
+        ):
+            if tester.now >= end or (self.process.is_known and not self.process.is_running):
+                return False
+        return True
 
     def _discover(self) -> frozenset[ServiceKey]:
         """The services of the wanted component, or of the one that has the most."""
         try:
             components = discover(self._client.tester).components
         except RequestError as error:
-            raise ConfigError(f"the target does not report its services, so its messages are not known: {error}") from error
+            raise ConfigError(
+                f"the target does not report its services, so its messages are not known: {error}"
+            ) from error
         if self._wanted is not None and self._wanted in components:
             self.component = self._wanted
         else:
@@ -230,4 +244,3 @@ def steady_growth(samples: Sequence[int]) -> int:
     growth = quarters[-1] - quarters[0]
     steps = [after - before for before, after in zip(quarters, quarters[1:], strict=False)]
     return growth if all(step > FLAT * growth for step in steps) and growth > 0 else 0
-
