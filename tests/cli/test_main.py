@@ -1,5 +1,6 @@
 """The command as a whole: help, wrong use, errors."""
 
+import os
 import subprocess
 import sys
 from importlib import import_module
@@ -48,7 +49,7 @@ def test_every_verb_has_a_heading_in_the_help():
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_there_is_completion(shell, monkeypatch):
+def test_there_is_completion(shell):
     variable = "_JAUSPY_COMPLETE"
 
     def complete(instruction, **environment):
@@ -61,11 +62,10 @@ def test_there_is_completion(shell, monkeypatch):
         )
         return done.stdout
 
-    assert variable in completion_of(shell, complete)
+    assert variable in complete("source")
     words = "jauspy fuzz target --rest"
-    found = complete(
-        "complete", COMP_WORDS=words, COMP_CWORD="3", _TYPER_COMPLETE_ARGS=words, _TYPER_COMPLETE_FISH_ACTION="get-args"
-    )
+    cursor = {"COMP_WORDS": words, "COMP_CWORD": "3"}  # bash
+    found = complete("complete", **cursor, _TYPER_COMPLETE_ARGS=words, _TYPER_COMPLETE_FISH_ACTION="get-args")
     assert "--restart" in found
 
 

@@ -202,7 +202,7 @@ class _GuidedFuzzer:
             return None
         except RecursionError as error:
             return "RecursionError", self._place(error.__traceback__, outermost=True), str(error)
-        except Exception as error:  # what the campaign looks for
+        except Exception as error:  # noqa: BLE001 - what the campaign looks for
             return type(error).__name__, self._place(error.__traceback__), str(error)
         return None
 

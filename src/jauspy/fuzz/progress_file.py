@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from dataclasses import asdict
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -38,7 +37,7 @@ class ProgressFile:
             content = json.loads(read_file(self._path, MAX_SIZE))
             campaign, cases, accepted = str(content["campaign"]), int(content["cases"]), int(content["accepted"])
             findings = tuple(FuzzFinding(**each) for each in content["findings"])
-            assert cases >= 0 and accepted >= 0
+            assert min(cases, accepted) >= 0
             assert all(finding.data for finding in findings)
         except (ValueError, KeyError, TypeError, AssertionError):
             raise ConfigError(f"{self._path} is not a progress file of jauspy fuzz; name another one") from None
@@ -61,6 +60,6 @@ class ProgressFile:
         try:
             self._path.parent.mkdir(parents=True, exist_ok=True)
             partial.write_text(json.dumps(content) + "\n", encoding="utf-8")
-            os.replace(partial, self._path)
+            partial.replace(self._path)
         except OSError as error:
             raise ConfigError(f"{self._path} cannot be written: {error.strerror}") from error

@@ -78,7 +78,7 @@ class TargetProcess:
         self.close()
         self._errors = tempfile.TemporaryFile()  # noqa: SIM115 - until the process is closed
         try:
-            self._started = subprocess.Popen(
+            self._started = subprocess.Popen(  # noqa: S603 # nosec B603 # the user's own command
                 self._command,
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,

@@ -30,6 +30,8 @@ CHECK_EVERY: Final = 20
 """Datagrams between two queries of liveness, so that none is lost in a full receive buffer."""
 MAX_UNCHECKED: Final = 60_000
 """Bytes between two queries of liveness, for the same reason."""
+WALK_TIMEOUT: Final = 0.5
+"""Seconds to wait for an answer, and for a state, on the way to that state."""
 PROCESS_CHECK: Final = 0.05
 """Seconds between two looks at the process while an answer is waited for."""
 SAMPLES: Final = 12
@@ -182,7 +184,7 @@ class TargetSession:
 
     def _connect(self) -> None:
         self.link = RecordingLink(self.address, self._seed)
-        tester = Tester(self.link, self.component, registry=registry, timeout=self.limits.answer / 2)
+        tester = Tester(self.link, self.component, registry=registry, timeout=min(WALK_TIMEOUT, self.limits.answer))
         self._client: Client = tester.client(CLIENTS[OBSERVER])
         self._explorer: Explorer | None = None
         self._memory: list[int] = []
