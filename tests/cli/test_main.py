@@ -54,7 +54,7 @@ def test_there_is_completion(shell):
 
     def complete(instruction, **environment):
         done = subprocess.run(
-            [sys.executable, "-c", "from jauspy.cli import main; main()"],
+            [sys.executable, "-c", "import sys; sys.argv[0] = 'jauspy'; from jauspy.cli import main; main()"],
             env={**os.environ, variable: f"{instruction}_{shell}", "_TYPER_COMPLETE_ARGS": "", **environment},
             capture_output=True,
             text=True,

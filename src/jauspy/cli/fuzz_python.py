@@ -42,9 +42,9 @@ def python(
     """Run a Python function with damaged messages, guided by the lines that they reach.
 
     The function gets the bytes of one message, with its id, as a payload of AS5669A is. An input that reaches a new
-    line of its package becomes a seed of further inputs. A finding is an exception other than jauspy's own (JausError); it
-    is minimised and saved as a hex file, which can be given as SEEDS. Lines are measured by sys.monitoring, and before
-    Python 3.12 by sys.settrace, which is slower.
+    line of its package becomes a seed of further inputs. A finding is an exception other than jauspy's own
+    (JausError); it is minimised and saved as a hex file, which can be given as SEEDS. Lines are measured by
+    sys.monitoring, and before Python 3.12 by sys.settrace, which is slower.
 
     Exit status: 0 no findings, 1 findings, 2 wrong use.
 

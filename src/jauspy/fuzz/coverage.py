@@ -70,7 +70,7 @@ class LineCoverage:
     @contextmanager
     def measured(self) -> Iterator[None]:
         """Measure in this block. Raises `ConfigError` if another tool, such as a profiler, measures already."""
-        if sys.version_info < (3, 12):
+        if not hasattr(sys, "monitoring"):
             before = sys.gettrace()
             sys.settrace(self._on_call)
             try:

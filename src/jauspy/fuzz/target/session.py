@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from itertools import pairwise
 from typing import Final
 
 from jauspy.codec.message import Message
@@ -83,6 +84,7 @@ class TargetSession:
         self._wanted = wanted
         self._seed = seed
         self._query: Message = HARMLESS_QUERIES[0]
+        self._explorer: Explorer | None = None
         self._connect()
 
     def open(self) -> frozenset[ServiceKey]:
@@ -174,8 +176,10 @@ class TargetSession:
         growth = steady_growth(self._memory)
         if growth <= self.limits.memory:
             return None
-        seen = f"its memory grew steadily by {growth / MEBIBYTE:.0f} MiB; the limit is {self.limits.memory // MEBIBYTE} MiB"
-        return Symptom(Failure.LEAKS, seen)
+        limit = self.limits.memory // MEBIBYTE
+        return Symptom(
+            Failure.LEAKS, f"its memory grew steadily by {growth / MEBIBYTE:.0f} MiB; the limit is {limit} MiB"
+        )
 
     def _reconnect(self) -> None:
         """Begin with a new socket, so that nothing of an earlier target arrives."""
@@ -186,7 +190,7 @@ class TargetSession:
         self.link = RecordingLink(self.address, self._seed)
         tester = Tester(self.link, self.component, registry=registry, timeout=min(WALK_TIMEOUT, self.limits.answer))
         self._client: Client = tester.client(CLIENTS[OBSERVER])
-        self._explorer: Explorer | None = None
+        self._explorer = None
         self._memory: list[int] = []
 
     def _await_answer(self, seconds: float) -> None:
@@ -233,7 +237,7 @@ class TargetSession:
         if self._wanted is not None and self._wanted in components:
             self.component = self._wanted
         else:
-            self.component = max(sorted(components), key=lambda id: len(components[id]))
+            self.component = max(sorted(components), key=lambda each: len(components[each]))
         return components[self.component]
 
 
@@ -244,5 +248,5 @@ def steady_growth(samples: Sequence[int]) -> int:
     size = len(samples) // 4
     quarters = [min(samples[at * size : (at + 1) * size]) for at in range(4)]
     growth = quarters[-1] - quarters[0]
-    steps = [after - before for before, after in zip(quarters, quarters[1:], strict=False)]
+    steps = [after - before for before, after in pairwise(quarters)]
     return growth if all(step > FLAT * growth for step in steps) and growth > 0 else 0
