@@ -12,7 +12,8 @@ WORLD = yard
 # each worker begins with a third of the tests, so that those of a file share its fixtures
 PYTEST = $(BIN)/pytest -n 3 --dist worksteal
 PYTEST_ARGS ?=
-CASES ?= 200000
+CASES ?= 10000000
+JOBS ?= 2
 SECONDS ?= 600
 ATTACK_ARGS ?=
 # Many container images set it; then every process that a test starts would compile its modules again.
@@ -89,7 +90,7 @@ bench: dev
 	@for script in tools/bench/[!_]*.py; do echo "== $$script"; $(BIN)/python $$script || exit 1; done
 
 fuzz: dev
-	$(BIN)/jauspy fuzz codec tests/golden/sae_management.hex --cases $(CASES) --jobs 2
+	$(BIN)/jauspy fuzz codec tests/golden/sae_management.hex --cases $(CASES) --jobs $(JOBS) --resume findings/progress.json
 
 soak: dev
 	$(BIN)/python tools/soak.py --seconds $(SECONDS)

@@ -1,5 +1,6 @@
 """The command as a whole: help, wrong use, errors."""
 
+import os
 import subprocess
 import sys
 from importlib import import_module
@@ -8,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from jauspy import __version__
-from jauspy.cli.main import GROUPS, VERBS, app
+from jauspy.cli.main import GROUPS, PANEL_OF, VERBS, app, load_verb
 from jauspy.errors import ConfigError
 
 
@@ -22,6 +23,50 @@ def run(*arguments, status=0):
 def test_every_verb_has_help_with_an_example(verb):
     text = run(verb, "--help").output
     assert f"jauspy {verb} " in text.partition("Example")[2]
+
+
+def leaves(name, command):
+    """Every verb below a command, with its help."""
+    if getattr(command, "commands", None):
+        for child, below in command.commands.items():
+            yield from leaves(f"{name} {child}", below)
+    else:
+        yield name, command.help or ""
+
+
+@pytest.mark.parametrize(("group", "verb"), [(group, verb) for group, verbs in GROUPS.items() for verb in verbs])
+def test_every_verb_of_a_group_has_help_with_an_example(group, verb):
+    name = verb if group == "jauspy" else f"{group} {verb}"
+    for leaf, text in leaves(name, load_verb(verb, GROUPS[group][verb][0])):
+        assert f"jauspy {leaf}" in text.partition("Example")[2], leaf
+
+
+def test_every_verb_has_a_heading_in_the_help():
+    assert set(PANEL_OF) >= {*VERBS, *GROUPS} - {"jauspy"}
+    text = run("--help").output
+    assert "Run robots" in text
+    assert "Commands" not in text.replace("COMMAND", "")
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_there_is_completion(shell):
+    variable = "_JAUSPY_COMPLETE"
+
+    def complete(instruction, **environment):
+        done = subprocess.run(
+            [sys.executable, "-c", "import sys; sys.argv[0] = 'jauspy'; from jauspy.cli import main; main()"],
+            env={**os.environ, variable: f"{instruction}_{shell}", "_TYPER_COMPLETE_ARGS": "", **environment},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        return done.stdout
+
+    assert variable in complete("source")
+    words = "jauspy fuzz target --rest"
+    cursor = {"COMP_WORDS": words, "COMP_CWORD": "3"}  # bash
+    found = complete("complete", **cursor, _TYPER_COMPLETE_ARGS=words, _TYPER_COMPLETE_FISH_ACTION="get-args")
+    assert "--restart" in found
 
 
 def test_help_lists_the_verbs():

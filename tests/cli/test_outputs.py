@@ -63,6 +63,8 @@ WRITE_FILES = {
     "cell all",
     "cell trials",
     "fuzz codec",
+    "fuzz target",
+    "fuzz python",
 }
 ALIASES = {
     "still": "--save",

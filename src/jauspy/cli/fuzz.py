@@ -29,6 +29,15 @@ SchemasOption = Annotated[
         help="Your own JSIDL files, folders or patterns; their messages are tested instead of the built-in ones.",
     ),
 ]
+ClusterOption = Annotated[
+    str | None,
+    typer.Option(
+        "--cluster",
+        metavar="ADDRESS",
+        help="Spread the cases over the Dask cluster of this scheduler, tcp://HOST:PORT; `local` starts workers here. "
+        "What a lost worker did is done again by another one.",
+    ),
+]
 PackageOption = Annotated[
     str | None,
     typer.Option(
@@ -56,6 +65,13 @@ def codec(
     sources: SchemasOption = None,
     package: PackageOption = None,
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, metavar="N", help="Processes to use.")] = 1,
+    resume: Annotated[
+        Path | None,
+        typer.Option(
+            "--resume", metavar="STATE", help="Note the progress in this file, and continue from what it has."
+        ),
+    ] = None,
+    cluster: ClusterOption = None,
     as_json: Json = False,
 ) -> None:
     """Decode valid, random and damaged messages and check invariants.
@@ -68,6 +84,7 @@ def codec(
 
     Examples:
       jauspy fuzz codec run.pcap --cases 1000000 --jobs 2
+      jauspy fuzz codec --cases 10000000 --jobs 8 --resume fuzz.json
       jauspy fuzz codec --message ReportServices --seed 7
       jauspy fuzz codec --schemas vendor/ --cases 20000
       jauspy fuzz codec --schemas vendor/ --package acme_messages
@@ -84,7 +101,7 @@ def codec(
             package=package or "",
         )
         with _progress(plan) as show:
-            outcome = run(plan, show)
+            outcome = run(plan, show, resume=resume, cluster=cluster)
     for finding in sorted(outcome.findings.values(), key=lambda finding: finding.case):
         if as_json:
             console.print_json(_object(finding) | {"file": str(finding.save(output))})

@@ -193,10 +193,32 @@ CAN_VERBS: Final = {
 }
 FUZZ_VERBS: Final = {
     "codec": ("jauspy.cli.fuzz:codec", "Decode valid, random and damaged messages and check invariants."),
+    "target": (
+        "jauspy.cli.fuzz_target:target",
+        "Send legal and damaged messages to a component or node manager in each of its states.",
+    ),
+    "python": (
+        "jauspy.cli.fuzz_python:python",
+        "Run a Python function with damaged messages, guided by the lines that they reach.",
+    ),
     "replay": ("jauspy.cli.fuzz:replay", "Check the bytes of a saved finding again."),
 }
 """The function of each verb and its line in the help. A verb's module is imported when the verb runs, so that `--help`
 is fast."""
+
+PANELS: Final = {
+    "Run robots": ("demo", "up", "node-manager", "cell", "can"),
+    "Look and operate": ("ls", "query", "send", "teleop", "console", "estop", "tf", "map", "video", "still"),
+    "Traffic": (
+        *("decode", "echo", "hz", "bw", "graph", "monitor", "live"),
+        *("record", "info", "replay", "export", "dissector"),
+    ),
+    "Test": ("conformance", "fuzz", "doctor"),
+    "Definitions and projects": ("schema", "new"),
+    "Keys and audit": ("keys", "audit"),
+}
+"""The verbs by their heading in `jauspy --help`; others are listed first, as commands."""
+PANEL_OF: Final = {verb: panel for panel, verbs in PANELS.items() for verb in verbs}
 
 GROUPS: Final = {
     "jauspy": VERBS,
@@ -273,7 +295,7 @@ def _help_text(doc: str) -> str:
 
 def _add(group: typer.Typer, verbs: dict[str, tuple[str, str]]) -> None:
     for name, (_, line) in verbs.items():
-        group.command(name, help=line)(_placeholder)
+        group.command(name, help=line, rich_help_panel=PANEL_OF.get(name) if group is app else None)(_placeholder)
 
 
 def _placeholder() -> None:
@@ -284,7 +306,6 @@ app = typer.Typer(
     cls=VerbGroup,
     name="jauspy",
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="rich",
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -316,7 +337,10 @@ can_app = typer.Typer(
     cls=VerbGroup, name="can", no_args_is_help=True, help="Servo drives on a robot's CAN bus: real and simulated ones."
 )
 fuzz_app = typer.Typer(
-    cls=VerbGroup, name="fuzz", no_args_is_help=True, help="Test the codec with random and damaged messages."
+    cls=VerbGroup,
+    name="fuzz",
+    no_args_is_help=True,
+    help="Test the codec, and running targets, with random and damaged messages.",
 )
 
 
@@ -353,7 +377,7 @@ for _group, _verbs in (
     (fuzz_app, FUZZ_VERBS),
 ):
     _add(_group, _verbs)
-    app.add_typer(_group)
+    app.add_typer(_group, rich_help_panel=PANEL_OF.get(str(_group.info.name)))
 
 
 def main() -> None:

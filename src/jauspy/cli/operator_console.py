@@ -210,7 +210,11 @@ def add(
     role: Annotated[str, typer.Option("--role", metavar="ROLE", help="observer, operator or supervisor.")] = "operator",
     users: UsersFile = USERS_FILE,
 ) -> None:
-    """Add a user, or give a user another password and role. The password is asked for, or read from a pipe."""
+    """Add a user, or give a user another password and role. The password is asked for, or read from a pipe.
+
+    Example:
+      jauspy console user add anna --users users.toml
+    """
     from jauspy.console.users import add_user
 
     if sys.stdin.isatty():
@@ -229,7 +233,11 @@ def remove(
     *,
     users: UsersFile = USERS_FILE,
 ) -> None:
-    """Remove a user."""
+    """Remove a user.
+
+    Example:
+      jauspy console user remove anna --users users.toml
+    """
     from jauspy.console.users import remove_user
 
     remove_user(users, name)
@@ -238,7 +246,11 @@ def remove(
 
 @user_app.command("ls")
 def ls(*, users: UsersFile = USERS_FILE, as_json: Json = False) -> None:
-    """List the users with their roles and authorities."""
+    """List the users with their roles and authorities.
+
+    Example:
+      jauspy console user ls --users users.toml
+    """
     from jauspy.console.users import Users
 
     if as_json:

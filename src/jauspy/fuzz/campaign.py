@@ -7,19 +7,24 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
+from functools import lru_cache, partial
+from hashlib import sha256
 from importlib import import_module
 from multiprocessing import get_context
 from pathlib import Path
 from random import Random
 from typing import Final
 
+from jauspy import __version__
 from jauspy.codec.build import load_schema
 from jauspy.codec.registry import MessageEntry, Registry
 from jauspy.errors import ConfigError
 from jauspy.fuzz.checks import MEMORY_INTERVAL, Checks, CostLimit
+from jauspy.fuzz.cluster import spread
 from jauspy.fuzz.findings import MAX_TRIES, FuzzFinding, Problem, minimise
 from jauspy.fuzz.messages import FuzzTarget, MessageMaker, Style, targets
 from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate, offsets_of
+from jauspy.fuzz.progress_file import ProgressFile, SavedProgress
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
 from jauspy.schema.loader import load_own
@@ -164,6 +169,12 @@ class CampaignPlan:
     own: Sequence[str] = ()
     package: str = ""
 
+    @property
+    def fingerprint(self) -> str:
+        """Equal for plans whose cases are the same, whatever their number, processes and machines."""
+        what = (__version__, self.seed, tuple(self.payloads), tuple(self.only), tuple(self.own), self.package)
+        return sha256(repr(what).encode()).hexdigest()
+
 
 @dataclass(slots=True)
 class CampaignResult:
@@ -205,23 +216,42 @@ def fuzzer(plan: CampaignPlan) -> Fuzzer:
     return made
 
 
-def run(plan: CampaignPlan, progress: Callable[[CampaignResult], None] = lambda _: None) -> CampaignResult:
-    """Run all cases. `progress` is called after each chunk of cases."""
+def run(
+    plan: CampaignPlan,
+    progress: Callable[[CampaignResult], None] = lambda _: None,
+    *,
+    resume: Path | None = None,
+    cluster: str | None = None,
+) -> CampaignResult:
+    """Run all cases. `progress` is called after each chunk of cases.
+
+    `resume` is a file with the progress, from which a campaign continues. `cluster` is the address of a Dask scheduler,
+    or `local`; a chunk whose worker is lost is run by another one.
+    """
+    file = ProgressFile(resume, plan.fingerprint) if resume else None
+    saved = file.load() if file else SavedProgress()
     first = fuzzer(plan)
-    outcome = CampaignResult(messages=len(first.targets), seeds=len(first.seeds))
-    outcome.findings.update((case.cause, case) for case in first.identity)
+    outcome = CampaignResult(len(first.targets), len(first.seeds), saved.cases, saved.accepted)
+    outcome.findings.update((case.cause, case) for case in (*first.identity, *saved.findings))
     progress(outcome)
-    for report in _in_this_process(first, plan) if plan.jobs == 1 else _in_processes(plan):
+    chunks = _chunks(saved.cases, plan.cases)
+    if cluster is not None:
+        reports = spread(cluster, partial(_work_on_cluster, plan), chunks)
+    else:
+        reports = _in_this_process(first, chunks) if plan.jobs == 1 else _in_processes(plan, chunks)
+    for report in reports:
         outcome.cases += report.cases
         outcome.accepted += report.accepted
         for finding in report.findings:
             outcome.findings.setdefault(finding.cause, finding)
+        if file:
+            file.save(SavedProgress(outcome.cases, outcome.accepted, tuple(outcome.findings.values())))
         progress(outcome)
     return outcome
 
 
-def _chunks(cases: int) -> Iterator[range]:
-    return (range(start, min(start + CASES_PER_CHUNK, cases)) for start in range(0, cases, CASES_PER_CHUNK))
+def _chunks(first: int, cases: int) -> Iterator[range]:
+    return (range(start, min(start + CASES_PER_CHUNK, cases)) for start in range(first, cases, CASES_PER_CHUNK))
 
 
 def _report(fuzzer: Fuzzer, numbers: range) -> _Report:
@@ -230,13 +260,13 @@ def _report(fuzzer: Fuzzer, numbers: range) -> _Report:
     return _Report(len(numbers), fuzzer.checks.accepted - before, findings)
 
 
-def _in_this_process(fuzzer: Fuzzer, plan: CampaignPlan) -> Iterator[_Report]:
-    return (_report(fuzzer, numbers) for numbers in _chunks(plan.cases))
+def _in_this_process(fuzzer: Fuzzer, chunks: Iterable[range]) -> Iterator[_Report]:
+    return (_report(fuzzer, numbers) for numbers in chunks)
 
 
-def _in_processes(plan: CampaignPlan) -> Iterator[_Report]:
+def _in_processes(plan: CampaignPlan, chunks: Iterable[range]) -> Iterator[_Report]:
     with ProcessPoolExecutor(plan.jobs, get_context("spawn"), _start, (plan,)) as pool:
-        yield from pool.map(_work, _chunks(plan.cases))
+        yield from pool.map(_work, chunks)
 
 
 _fuzzers: list[Fuzzer] = []
@@ -250,6 +280,17 @@ def _start(plan: CampaignPlan) -> None:
 
 def _work(numbers: range) -> _Report:
     return _report(_fuzzers[0], numbers)
+
+
+def _work_on_cluster(plan: CampaignPlan, numbers: range) -> _Report:
+    return _report(_fuzzer_of_worker(plan), numbers)
+
+
+@lru_cache(maxsize=1)
+def _fuzzer_of_worker(plan: CampaignPlan) -> Fuzzer:
+    """The fuzzer of a process of a cluster, which runs many chunks of one plan."""
+    logging.disable(logging.WARNING)
+    return fuzzer(plan)
 
 
 CHECK: Final = "identity"

@@ -51,6 +51,9 @@ def all_tasks(
     The page has all tables, plots and films inside and opens without a network. Its figures of contacts, attachments
     and joints are those that the simulation measures at each step. Exit status 0 only if every promised figure was
     reached.
+
+    Example:
+      jauspy cell all --output cell_out
     """
     check_extra()
     from jauspy.cell.report import page

@@ -36,6 +36,9 @@ def trial(
     The file has orders, changes of orders, and challenges: parts that lie upside down, are faulty or missing, a gripper
     that loses parts, a part sensor that is blind for a while, a belt whose speed changes. Exit status 1 unless all
     points were reached, in the order of priority.
+
+    Example:
+      jauspy cell trial 10_everything --seed 7
     """
     check_extra()
     from jauspy.cell.ariac.runner import run_trial

@@ -50,6 +50,9 @@ def design(
 
     Torques and loads of connectors are those at rest and in the motions between goals. Exit status 1 if no chain was
     found for a task, or one did not do its task.
+
+    Example:
+      jauspy cell design TASK.json --base platform_1/top
     """
     check_extra()
     if (record or view) and not build:

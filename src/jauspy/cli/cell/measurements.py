@@ -24,6 +24,9 @@ def kpi(*, seed: Seed = 0, out: Out = OUTPUT, json: Json = False) -> None:
 
     Writes DIR/swing.json and a plot of the last module's angular velocity, DIR/swing.svg. Exit status 1 unless the
     controller with the arm's model settles five times sooner and overshoots a third at most.
+
+    Example:
+      jauspy cell kpi --output cell_out
     """
     check_extra()
     from jauspy.cell.swing import compare, plot_swing
@@ -58,6 +61,9 @@ def iso9283(
     At poses and along a line, at the whole, half and a tenth of their speed, without a load, with a tenth of the rated
     load and with all of it, and how they drift. Writes iso9283.html with the standard's tables, iso9283.json and plots.
     Exit status 1 unless the calibration improves the accuracy at least five times.
+
+    Example:
+      jauspy cell iso9283 --output cell_out
     """
     check_extra()
     check_libraries("`jauspy cell iso9283`", "scipy", extra="cell-measurements")

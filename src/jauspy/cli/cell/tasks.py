@@ -83,6 +83,9 @@ def lift(
     The arm on platform 1 is taken as it stands. Without one, in a cell that is simulated here, its parts are put in
     place by writing their positions, which the result says; `jauspy cell assemble --connect` builds one in a running
     cell. Exit status 1 when the box does not rest in the area, or when a film is incomplete.
+
+    Example:
+      jauspy cell lift --seed 7
     """
     options = Run(seed=seed, exact=exact, film=record, view=view, connect=connect, id=id, operator_key=operator_key)
     _show("lift", options.carry_out("lift"), json=json)
@@ -95,6 +98,9 @@ def throws(
 
     Boxes are put back on the belt by writing their positions. Exit status 1 when one of the last five rests more than
     2 cm from the middle of the area.
+
+    Example:
+      jauspy cell throws --seed 7
     """
     _show("throws", Run(seed=seed, exact=exact, film=record, view=view).carry_out("throws"), json=json)
 
@@ -114,6 +120,9 @@ def step(
 
     The connector at one end is released only when that at the other end holds. The arm is taken as it stands, as by
     `jauspy cell lift`.
+
+    Example:
+      jauspy cell step --seed 7
     """
     options = Run(seed=seed, exact=exact, film=record, view=view, connect=connect, id=id, operator_key=operator_key)
     _show("step", options.carry_out("step"), json=json)
@@ -133,6 +142,9 @@ def take_apart(
     """Take the modular arm apart: the UR10 puts its parts back into their bins.
 
     The arm is taken as it stands, as by `jauspy cell lift`.
+
+    Example:
+      jauspy cell take-apart --seed 7
     """
     options = Run(seed=seed, exact=exact, film=record, view=view, connect=connect, id=id, operator_key=operator_key)
     _show("take-apart", options.carry_out("take-apart"), json=json)
@@ -153,6 +165,9 @@ def car(
 
     The UR10 puts the car and then the arm on the conveyor; the car is driven over the JAUS mobility services while the
     arm on it moves. The arm is taken as it stands, as by `jauspy cell lift`.
+
+    Example:
+      jauspy cell car --seed 7
     """
     options = Run(seed=seed, exact=exact, film=record, view=view, connect=connect, id=id, operator_key=operator_key)
     _show("car", options.carry_out("car"), json=json)
@@ -174,6 +189,9 @@ def demo(
     Each stage begins with what the one before has left, and nothing is put in place by writing positions; where a cell
     is simulated here, the simulation checks that. The stages are printed as they go. Exit status 1 when a stage does
     not reach its goal, or when a film is incomplete.
+
+    Example:
+      jauspy cell demo --seed 7 --record cell_out/demo.mp4
     """
     options = Run(seed=seed, exact=exact, film=record, view=view, connect=connect, id=id, operator_key=operator_key)
     check_extra()
@@ -223,6 +241,9 @@ def assemble(
 
     Exit status 1 when the arm could not be built, or when a film is incomplete; the reason is printed, and the cell is
     left at rest.
+
+    Example:
+      jauspy cell assemble --seed 7
     """
     options = Run(seed=seed, exact=exact, film=record, view=view, connect=connect, id=id, operator_key=operator_key)
     found = options.carry_out("assemble")

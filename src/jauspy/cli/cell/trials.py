@@ -59,6 +59,9 @@ def trials(
 
     Parts' poses are off by up to 10 mm and 5 degrees, 2 % of the grasps fail at random, and the part sensor is
     noisy. Writes DIR/trials-TASK.json and a plot, DIR/trials-TASK.svg.
+
+    Example:
+      jauspy cell trials assemble --seeds 100 --jobs 4
     """
     check_extra()
     from jauspy.cell.report import plot_trials
@@ -101,6 +104,9 @@ def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT, as_json:
 
     Each order has two products from the bins and two boxes from the belt, at drawn poses on a tray. Prints score and
     time of both ways, and the number of orders from which building the arm saves time.
+
+    Example:
+      jauspy cell kitting --seeds 20 --jobs 4
     """
     check_extra()
     from jauspy.cell.trials import run_trials

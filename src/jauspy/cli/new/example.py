@@ -32,6 +32,9 @@ def example(
     """Write an example program to begin with, or list the examples.
 
     Files that it needs are written beside it. Existing files are not overwritten.
+
+    Example:
+      jauspy new example verbs
     """
     examples = _examples()
     if name is None:

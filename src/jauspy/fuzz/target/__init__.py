@@ -1,0 +1,1 @@
+"""Fuzzing of a running component or node manager: state walk, damaged messages, liveness, minimised findings."""
