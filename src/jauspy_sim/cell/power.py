@@ -165,8 +165,10 @@ class SimulatedPower(ModulePower):
 
 def _pumps(connector: SimulatedConnector) -> bool:
     """True while the pump of a connector runs: what a latch has locked needs no vacuum."""
+    if not connector.enabled:
+        return False
     state = connector.state()
-    return connector.enabled and state.powered and not state.latched
+    return state.powered and not state.latched
 
 
 def _reached(source: str, neighbours: Mapping[str, list[str]]) -> set[str]:

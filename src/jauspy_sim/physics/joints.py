@@ -190,7 +190,7 @@ def _encoders(joints: Sequence[Joint], sensors: JointSensors, seed: int, dt: flo
 
 def _effort_noises(joints: Sequence[Joint], sensors: JointSensors, seed: int) -> tuple[Callable[[], float], ...]:
     """For each joint a source of errors of its effort, N m or N."""
-    return tuple([Noise(seed, f"{joint.name} effort", sensors.effort_noise * joint.effort) for joint in joints])
+    return tuple([Noise(seed, f"{joint.name} effort", sensors.effort_noise * joint.effort).draw for joint in joints])
 
 
 def _followers(
