@@ -50,8 +50,8 @@ class Encoder:
         self.sample(true)
         self.rate = 0.0
 
-    def sample(self, true: float, acceleration: float = 0.0) -> None:
-        """Read the true position, `dt` seconds after the last time.
+    def sample(self, true: float, acceleration: float = 0.0) -> tuple[float, float]:
+        """Read the true position, `dt` seconds after the last time; returns position and rate as measured.
 
         With the acceleration that was commanded meanwhile, the rate does not lag behind by the time of its average.
         """
@@ -61,5 +61,6 @@ class Encoder:
             true = step * round(true / step)
         expected = self.rate + acceleration * self._dt
         # the difference is the rate at the end of the step: MuJoCo moves positions by the velocity at its end
-        self.rate = expected + self._part * ((true - self.position) / self._dt - expected)
+        self.rate = rate = expected + self._part * ((true - self.position) / self._dt - expected)
         self.position = true
+        return true, rate

@@ -179,9 +179,8 @@ class SimulatedJoints:
         qpos, qvel = self._qpos, self._qvel
         if not self._encoders:
             return [(qpos[address], qvel[dof]) for address, dof in zip(self._positions, self._dofs, strict=True)]
-        for encoder, address, (_, acceleration) in zip(self._encoders, self._positions, self._setpoints, strict=True):
-            encoder.sample(qpos[address], acceleration)
-        return [(encoder.position, encoder.rate) for encoder in self._encoders]
+        rows = zip(self._encoders, self._positions, self._setpoints, strict=True)
+        return [encoder.sample(qpos[address], acceleration) for encoder, address, (_, acceleration) in rows]
 
 
 def _encoders(joints: Sequence[Joint], sensors: JointSensors, seed: int, dt: float) -> tuple[Encoder, ...]:
