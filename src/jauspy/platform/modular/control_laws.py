@@ -119,14 +119,16 @@ class ModelLaw:
         """The torques of the motors."""
         q, v, spring, spring_rate = measured
         joints, model = self._joints, self._model
-        inertias = model.mass_matrix(q).diagonal()
         # single numbers, since arrays of five take longer
-        columns = [array.tolist() for array in (inertias, *setpoint, q, v, spring_rate)]
-        wanted = [joint.wanted(*row, dt) for joint, *row in zip(joints, *columns, strict=True)]
+        inertias = model.mass_matrix(q).diagonal().tolist()
+        targets = zip(*[array.tolist() for array in setpoint], strict=True)
+        states = zip(q.tolist(), v.tolist(), spring_rate.tolist(), strict=True)
+        rows = zip(joints, inertias, targets, states, strict=True)
+        wanted = [joint.wanted(inertia, target, state, dt) for joint, inertia, target, state in rows]
         torque = model.inverse_dynamics(q, v, np.array(wanted)) + self.bias
         planned = model.inverse_dynamics(*setpoint)
         columns = [array.tolist() for array in (torque, planned, spring, spring_rate)]
-        return np.array([joint.torque(*row, dt) for joint, *row in zip(joints, *columns, strict=True)])
+        return np.array([joint.torque(*each, dt) for joint, *each in zip(joints, *columns, strict=True)])
 
     def take_over(self, torques: Array, setpoint: Setpoint, measured: JointMeasurements) -> None:
         """Begin without knowledge of the past; the arm fades over from the last torques."""
@@ -153,17 +155,14 @@ class _ModelledJoint:
         self._step = self._soft = self._acceleration = self._resistance = 0.0
 
     def wanted(
-        self,
-        inertia: float,
-        target: float,
-        speed: float,
-        acceleration: float,
-        q: float,
-        v: float,
-        spring_rate: float,
-        dt: float,
+        self, inertia: float, setpoint: tuple[float, float, float], measured: tuple[float, float, float], dt: float
     ) -> float:
-        """The acceleration that is wanted, by the setpoint of the joint and its measurements."""
+        """The acceleration that is wanted, by the setpoint and by position, velocity and rate of the spring's torque.
+
+        `inertia` is that of the joint in the present position of the arm.
+        """
+        target, speed, acceleration = setpoint
+        q, v, spring_rate = measured
         # the part of the torque that is controlled by the spring's: of a light load, whose oscillation is faster than
         # this control, less and less, down to none, when motor and load move as one
         stiff = self._square * inertia
