@@ -56,7 +56,7 @@ class JointController:
     @property
     def mode(self) -> ControlMode:
         """The active controller."""
-        return self._setpoint.target.mode
+        return self._setpoint.mode
 
     @property
     def wanted_velocity(self) -> float:
@@ -67,7 +67,7 @@ class JointController:
     def setpoint(self) -> JointSetpoint:
         """The present setpoint."""
         setpoint = self._setpoint
-        mode = setpoint.target.mode
+        mode = setpoint.mode
         moving = ControlMode.EFFORT if self._braking > 0.0 else mode
         return JointSetpoint(moving, setpoint.position, setpoint.velocity, setpoint.arrived)
 
@@ -203,10 +203,12 @@ class FedForwardController(JointController):
         self._begun = position, velocity = setpoint.position, setpoint.velocity
         if self._braking > 0.0:
             return 0.0, 0.0
+        if setpoint.mode is ControlMode.POSITION:
+            setpoint.approach(dt)
+            return velocity, (setpoint.velocity - velocity) / dt
         setpoint.advance(dt)
         acceleration = (setpoint.velocity - velocity) / dt
-        if self.mode is not ControlMode.POSITION:  # the laws of the other modes advance it
-            setpoint.start(position, velocity)
+        setpoint.start(position, velocity)  # the laws of the other modes advance it
         return velocity, acceleration
 
     def _follow_position(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
@@ -264,6 +266,7 @@ class SetpointGenerator:
     def target(self, target: Target) -> None:
         joint, default = self.joint, self.joint.velocity / ACCELERATION_TIME
         self._target = target
+        self.mode = target.mode
         self._goal = min(joint.upper, max(joint.lower, target.value))
         self._max_speed = min(joint.velocity, target.speed or math.inf)
         self._cruises = target.mode is ControlMode.VELOCITY or target.compensated
@@ -277,7 +280,7 @@ class SetpointGenerator:
     @property
     def arrived(self) -> bool:
         """True when the setpoint stands at the goal of the mode POSITION."""
-        return self._target.mode is ControlMode.POSITION and not self.velocity and self.position == self._goal
+        return self.mode is ControlMode.POSITION and not self.velocity and self.position == self._goal
 
     def hold(self, position: float) -> None:
         """Stand still at a position."""
@@ -291,8 +294,7 @@ class SetpointGenerator:
 
     def advance(self, dt: float) -> None:
         """Advance by `dt` seconds."""
-        mode = self._target.mode
-        if mode is ControlMode.POSITION:
+        if self.mode is ControlMode.POSITION:
             self.approach(dt)
         elif self._cruises:
             self._cruise(dt)

@@ -83,9 +83,12 @@ UNUSED: Final = "unused"
 
 @dataclass(frozen=True, slots=True)
 class CellModel:
-    """The compiled model, with the names of its elements."""
+    """The compiled models, with the names of their elements."""
 
     model: mujoco.MjModel
+    """For physics, without the meshes and paint that are only drawn."""
+    drawn: mujoco.MjModel
+    """For cameras; the layout of its state is the same."""
     setup: CellSetup
     prefix: str
     """Prefix of the names of the robot's links, joints and motors."""
@@ -121,10 +124,11 @@ def build_cell(robot: RobotModel, world: str) -> CellModel:
     for part in setup.parts:
         _part(spec, part, setup.types[part.type])
     connectors = tuple(_connectors(spec, setup, name_prefix))
-    Dresser(spec, setup, name_prefix).dress()
     _reserve_exclusions(spec, len(connectors))
     _options(spec)
-    return CellModel(spec.compile(), setup, name_prefix, connectors)
+    model = spec.compile()
+    Dresser(spec, setup, name_prefix).dress()
+    return CellModel(model, spec.compile(), setup, name_prefix, connectors)
 
 
 def carrier(part: str, kind: PartType) -> str:

@@ -77,10 +77,15 @@ class ConnectorLoads:
         self._force = np.array([strength.force * share for strength, share in rows])
         self._radius = np.array([strength.radius for strength, _ in rows])
         self._friction = np.array([strength.friction for strength, _ in rows])
-        # u <= (1 + 1 / friction) / force * hypot(|force|, |moment| / radius), as the definition of u shows
-        scale = ((1.0 + 1.0 / self._friction) / self._force)[:, np.newaxis]
-        ones = np.ones((len(rows), 3))
-        self._bounds = np.hstack([scale * ones, scale * ones * 0.5 / self._radius[:, np.newaxis]]).ravel()
+        # by Cauchy-Schwarz u <= hypot(1, 1 / least) / force * hypot(|force|, |moment| / radius), as u adds to the pull
+        # either the bending or, over the friction, the sliding, which are orthogonal to it
+        squares = (1.0 + np.maximum(1.0, 1.0 / self._friction) ** 2) / self._force**2
+        self._bounds = np.zeros((ROWS * len(rows), len(rows)))
+        """The squares of bounds of u are the squares of the rows times this matrix."""
+        for number, (square, radius) in enumerate(zip(squares.tolist(), self._radius.tolist(), strict=True)):
+            start = ROWS * number
+            self._bounds[start : start + 3, number] = square
+            self._bounds[start + 3 : start + ROWS, number] = square * (0.5 / radius) ** 2
 
     def overloaded(self) -> list[tuple[Connection, Load]]:
         """The connections that broke in the last step. Cheap as long as all loads are far from that."""
@@ -89,11 +94,7 @@ class ConnectorLoads:
         forces = self._rows()
         if not len(forces):
             return []
-        bounded = forces * self._bounds
-        if bounded @ bounded < 1.0:
-            return []
-        squares = (bounded * bounded).reshape(-1, ROWS).sum(axis=1)
-        if squares.max() < 1.0:
+        if max(((forces * forces) @ self._bounds).tolist()) < 1.0:
             return []
         wrenches = self.wrenches()
         over = np.flatnonzero(self.utilisations(wrenches) > 1.0)

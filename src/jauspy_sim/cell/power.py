@@ -85,18 +85,26 @@ class SimulatedPower(ModulePower):
         self._groups: list[tuple[tuple[str, ...], tuple[str, ...]]] = []
         """Parts with power that share their sources, and the batteries that supply them; none on the mains."""
         self._measured_at = 0.0
-        batteries = {name: battery.state() for name, battery in self.batteries.items()}
-        self._state = PowerState(dict(self._switches), dict.fromkeys(self._switches, Consumption()), batteries)
+        self._power = dict.fromkeys(self._switches, 0.0)
+        """Watts of each part in the last period."""
+        self._state: PowerState | None = None
+        """None after a change, until it is asked for."""
 
     def state(self) -> PowerState:
         """Switches, consumption and batteries, as last measured."""
+        if self._state is None:
+            self._state = PowerState(
+                dict(self._switches),
+                {name: Consumption(power, self._drawn[name]) for name, power in self._power.items()},
+                {name: battery.state() for name, battery in self.batteries.items()},
+            )
         return self._state
 
     def switch(self, name: str, on: bool) -> None:
         """Switch a module on or off; an unknown name has no effect."""
         if self._switches.get(name, on) is not on:
             self._switches[name] = on
-            self._state = PowerState(dict(self._switches), self._state.consumption, self._state.batteries)
+            self._state = None
             self.update()
 
     def step(self, now: float) -> None:
@@ -139,11 +147,8 @@ class SimulatedPower(ModulePower):
         for name in self.batteries.keys() - {name for _, batteries in self._groups for name in batteries}:
             self.batteries[name].drain(0.0, dt)
         self._tell_voltage()
-        self._state = PowerState(
-            self._state.switches,
-            {name: Consumption(drawn[name] / dt, energy) for name, energy in self._drawn.items()},
-            {name: battery.state() for name, battery in self.batteries.items()},
-        )
+        self._power = {name: energy / dt for name, energy in drawn.items()}
+        self._state = None
         if cut_off:
             self.update()
 
@@ -157,16 +162,19 @@ class SimulatedPower(ModulePower):
 
     def _energy(self, name: str, dt: float) -> float:
         """Joules that a part has drawn: its servo, and the pumps of its connectors."""
-        running = sum(_pumps(connector) for connector in self._pumps.get(name, ()))
-        self._pumped[name] += PUMP_POWER * running * dt
+        for connector in self._pumps.get(name, ()):
+            if _pumps(connector):
+                self._pumped[name] += PUMP_POWER * dt
         servo = self._servos.get(name)
         return self._pumped[name] + (servo.energy if servo is not None else 0.0)
 
 
 def _pumps(connector: SimulatedConnector) -> bool:
     """True while the pump of a connector runs: what a latch has locked needs no vacuum."""
+    if not connector.enabled:
+        return False
     state = connector.state()
-    return connector.enabled and state.powered and not state.latched
+    return state.powered and not state.latched
 
 
 def _reached(source: str, neighbours: Mapping[str, list[str]]) -> set[str]:

@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.joints import ControlMode
-from jauspy.platform.modular.holding import Holding
 from jauspy_sim.cell.assembly import GRIPPER, CellModel
 from jauspy_sim.cell.connectors import Attachments, Face, SimulatedConnector
 from jauspy_sim.physics.joints import SimulatedJoints
@@ -136,6 +135,9 @@ class Probe:
         self._names = _names(cell.model)
         self._contacts: dict[tuple[int, int], Contact] = {}
         self._settling: list[Settling] = []
+        self._frames = {
+            connector.name: np.array(connector.frame.rotation) for connector in attachments.connectors.values()
+        }
         self._held = {connector.name: connector.held for connector in attachments.connectors.values()}
         self._revision = attachments.revision
         self._carried: set[int] = set()
@@ -167,25 +169,34 @@ class Probe:
         Read from MuJoCo's constraints by their ids, not through what breaks the connectors off.
         """
         data = self._data
-        rows, forces = data.ne, data.efc_force
-        ids = data.efc_id[:rows]
-        for connector, face in self._attachments.attached():
-            own = np.flatnonzero(ids == connector.weld)
-            if len(own) != 6:
-                continue
-            axes = data.xmat[connector.body].reshape(3, 3) @ np.array(connector.frame.rotation)
-            force = -axes.T @ forces[own[:3]]
-            # the rows of the rotation are those of half the angle, in the frame of what is held
-            moment = -0.5 * axes.T @ (data.xmat[face.body].reshape(3, 3) @ forces[own[3:]])
+        ids = data.efc_id[: data.ne].tolist()
+        # without an attachment it is still evacuated, and may slide
+        held = [
+            (connector, face)
+            for connector, face in self._attachments.attached()
+            if connector.attached_to and ids.count(connector.weld) == 6
+        ]
+        if not held:
+            return
+        starts = np.array([ids.index(connector.weld) for connector, _ in held])
+        rows = data.efc_force[starts[:, np.newaxis] + np.arange(6)]
+        rotations = data.xmat.reshape(-1, 3, 3)
+        axes = rotations[[connector.body for connector, _ in held]] @ np.array(
+            [self._frames[connector.name] for connector, _ in held]
+        )
+        forces = -np.einsum("nji,nj->ni", axes, rows[:, :3])
+        # the rows of the rotation are those of half the angle, in the frame of what is held
+        turned = np.einsum("nij,nj->ni", rotations[[face.body for _, face in held]], rows[:, 3:])
+        moments = -0.5 * np.einsum("nji,nj->ni", axes, turned)
+        for (connector, face), force, moment in zip(held, forces.tolist(), moments.tolist(), strict=True):
             strength, share = connector.strength()
-            present = Holding(max(share, 1e-9) * strength.force, strength.radius, strength.friction)
-            used = present.utilisation(force.tolist(), moment.tolist())
-            if not connector.state().attached_to:
-                continue  # it is still evacuated, and may slide
+            # a part of the strength is used by a load as the whole of it by that much more of the load
+            more = 1.0 / max(share, 1e-9)
+            used = strength.utilisation([more * part for part in force], [more * part for part in moment])
             kind = "latch" if not connector.until_locked else "cup" if connector.part else "gripper"
             last = self.peaks.get((connector.name, kind))
             if last is None or used > last.utilisation:
-                (x, y, z), (a, b, c) = force.tolist(), moment.tolist()
+                (x, y, z), (a, b, c) = force, moment
                 self.peaks[connector.name, kind] = Peak(used, time, face.part, kind, (x, y, z), (a, b, c))
 
     def largest_loads(self) -> dict[str, Peak]:

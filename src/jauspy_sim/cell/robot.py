@@ -113,7 +113,7 @@ class SimulatedCell:
         self._truth.writes = Writes(cell.model, data)
         self._sensor.step(0.0)
         self._parts = tuple(self._list_parts())
-        self._cameras = SimulatedCameras(cell.model, data, cell.prefix, robot)
+        self._cameras = SimulatedCameras(cell.drawn, data, cell.prefix, robot)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedCell:
@@ -233,7 +233,7 @@ class SimulatedCell:
     def view(self) -> None:
         """Open a window that shows the cell while it is advanced. Raises `ConfigError` without a display."""
         if self._viewer is None:
-            self._viewer = Viewer(self._model, self._data)
+            self._viewer = Viewer(self._cell.drawn, self._data)
 
     def close(self) -> None:
         """Stop; connectors keep what they hold. May be called twice."""

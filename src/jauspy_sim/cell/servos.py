@@ -65,7 +65,11 @@ class SimulatedServo(ServoModule):
         """One on each side of the spring."""
         self._imu = Imu(setup.sensors, Noise(seed, f"{name} imu"))
         self._start_encoders()
-        limit = setup.max_torque
+        self._idle_energy = setup.idle_power * TIMESTEP
+        self._heating = setup.resistance / setup.torque_constant**2 * TIMESTEP
+        """Joules that a step heats the windings by, for each square of a newton metre."""
+        self._fast = FULL_TORQUE_SPEED * setup.max_speed
+        """rad/s from which on the voltage limits the torque."""
         self._joint = Joint(
             name,
             JointKind.REVOLUTE,
@@ -73,7 +77,7 @@ class SimulatedServo(ServoModule):
             name,
             lower=-UNLIMITED,
             upper=UNLIMITED,
-            effort=limit,
+            effort=setup.max_torque,
             velocity=setup.max_speed,
             damping=setup.damping,
         )
@@ -226,8 +230,10 @@ class SimulatedServo(ServoModule):
 
     def sample(self) -> None:
         """Read the encoders, once in each physics step."""
-        self._motor_encoder.sample(self._qpos[self._motor])
-        self._output_encoder.sample(self.true_position)
+        qpos = self._qpos
+        motor = qpos[self._motor]
+        self._motor_encoder.sample(motor)
+        self._output_encoder.sample(motor + qpos[self._spring])
 
     def control(self) -> None:
         """Set the torque of the motor for the next physics step, and account for the last one."""
@@ -250,21 +256,19 @@ class SimulatedServo(ServoModule):
 
         What a motor that brakes gives back is not stored, and not fed to other modules.
         """
-        setup, angle, torque = self.setup, self._qpos[self._motor], self._command
-        current = torque / setup.torque_constant
-        electric = setup.resistance * current * current * TIMESTEP + torque * (angle - self._worked_at)
-        self.energy += setup.idle_power * TIMESTEP + max(0.0, electric)
+        angle, torque = self._qpos[self._motor], self._command
+        electric = self._heating * torque * torque + torque * (angle - self._worked_at)
+        self.energy += self._idle_energy + electric if electric > 0.0 else self._idle_energy
         self._worked_at = angle
 
     def _available(self, torque: float, velocity: float) -> float:
         """The torque that the motor can give at this speed and temperature."""
-        setup = self.setup
-        limit = setup.max_torque
+        limit, fast = self._joint.effort, self._fast
         if self._temperature > DERATING_START:
             limit *= max(0.0, (DERATING_END - self._temperature) / (DERATING_END - DERATING_START))
-        if torque * velocity > 0.0:
-            limit *= min(1.0, max(0.0, (1.0 - abs(velocity) / setup.max_speed) / (1.0 - FULL_TORQUE_SPEED)))
-        return min(limit, max(-limit, torque))
+        if not -fast <= velocity <= fast and torque * velocity > 0.0:
+            limit *= max(0.0, (1.0 - abs(velocity) / self.setup.max_speed) / (1.0 - FULL_TORQUE_SPEED))
+        return torque if -limit <= torque <= limit else math.copysign(limit, torque)
 
     def _update_temperature(self) -> None:
         mean_square = self._heat / self._cycles / self.setup.torque_constant**2

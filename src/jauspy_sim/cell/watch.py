@@ -4,16 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, TypeAlias
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from jauspy_sim.cell.servos import SimulatedServo
 from jauspy_sim.models.groups import COLLISION
 
+Numbers: TypeAlias = NDArray[np.int64]
+
 FAR: Final = 0.5
 """Metres up to which distances are measured."""
+
+ROUNDING: Final = 1e-9
+"""Metres that bounds of distances may be off."""
 
 
 @dataclass(slots=True)
@@ -47,31 +53,62 @@ class Watch:
     ) -> None:
         self.found = Watched()
         self._model, self._data, self._servos = model, data, servos
-        self._bodies = self._geoms(bodies)
-        self._obstacles = self._geoms(obstacles)
+        self._bodies = np.array(self._geoms(bodies), np.int64)
+        self._obstacles = np.array(self._geoms(obstacles), np.int64)
+        radii = model.geom_rbound
+        self._reach = radii[self._obstacles][:, np.newaxis] + radii[self._bodies]
+        """Sums of the radii of the spheres about an obstacle and a body; shape (obstacles, bodies)."""
+        self._is_watched, self._is_obstacle = np.zeros(model.ngeom, np.bool_), np.zeros(model.ngeom, np.bool_)
+        self._is_watched[self._bodies] = self._is_obstacle[self._obstacles] = True
         self._between = np.zeros(6)
 
     def step(self) -> None:
         """Measure the state after a step."""
-        model, data, found = self._model, self._data, self.found
-        centers, radii = data.geom_xpos, model.geom_rbound
-        for obstacle in self._obstacles:
-            apart = np.linalg.norm(centers[self._bodies] - centers[obstacle], axis=1)
-            near = apart - radii[self._bodies] - radii[obstacle] < found.clearance
-            for body in np.array(self._bodies)[near].tolist():
-                distance = mujoco.mj_geomDistance(model, data, body, obstacle, found.clearance, self._between)
-                if distance < found.clearance:
-                    found.clearance, found.between = distance, (self._name(body), self._name(obstacle))
-        watched, obstacles = set(self._bodies), set(self._obstacles)
-        for contact in data.contact[: data.ncon]:
-            pair = {int(geom) for geom in contact.geom}
-            if pair & watched:
-                found.penetration = max(found.penetration, -float(contact.dist))
-                found.contacts += bool(pair & obstacles) and contact.dist <= 0.0
+        found = self.found
+        self._measure_distances()
+        self._measure_contacts()
         for servo in self._servos.values():
             if servo.powered:
                 found.speed = max(found.speed, abs(servo.true_velocity) / servo.setup.max_speed)
                 found.torque = max(found.torque, abs(servo.true_torque) / servo.setup.max_torque)
+
+    def _measure_distances(self) -> None:
+        """Find a smaller clearance: exactly, where spheres and boxes about the shapes allow that there is one."""
+        model, data, found = self._model, self._data, self.found
+        centers = data.geom_xpos
+        between = centers[self._obstacles][:, np.newaxis] - centers[self._bodies]
+        largest = np.maximum(self._reach + found.clearance, 0.0)
+        rows, columns = np.nonzero(np.einsum("obi,obi->ob", between, between) < largest * largest)
+        if not len(rows):
+            return
+        obstacles, bodies = self._obstacles[rows], self._bodies[columns]
+        least = np.maximum(self._outside(obstacles, bodies), self._outside(bodies, obstacles)) - ROUNDING
+        for obstacle, body, bound in zip(obstacles.tolist(), bodies.tolist(), least.tolist(), strict=True):
+            if bound >= found.clearance:
+                continue
+            distance = mujoco.mj_geomDistance(model, data, body, obstacle, found.clearance, self._between)
+            if distance < found.clearance:
+                found.clearance, found.between = distance, (self._name(body), self._name(obstacle))
+
+    def _outside(self, boxes: Numbers, spheres: Numbers) -> NDArray[np.float64]:
+        """Distances of the spheres about shapes from the boxes about others, row by row; negative if they overlap."""
+        model, data = self._model, self._data
+        way = data.geom_xpos[spheres] - data.geom_xpos[boxes]
+        local = np.einsum("nij,ni->nj", data.geom_xmat[boxes].reshape(-1, 3, 3), way)
+        box = model.geom_aabb[boxes]
+        beyond = np.maximum(np.abs(local - box[:, :3]) - box[:, 3:], 0.0)
+        distances: NDArray[np.float64] = np.sqrt(np.einsum("ni,ni->n", beyond, beyond)) - model.geom_rbound[spheres]
+        return distances
+
+    def _measure_contacts(self) -> None:
+        found, contact = self.found, self._data.contact
+        geoms = np.asarray(contact.geom).reshape(-1, 2)
+        ours = self._is_watched[geoms].any(axis=1)
+        if not ours.any():
+            return
+        depths = -np.asarray(contact.dist)[ours]
+        found.penetration = max(found.penetration, float(depths.max()))
+        found.contacts += int(np.count_nonzero(self._is_obstacle[geoms[ours]].any(axis=1) & (depths >= 0.0)))
 
     def _geoms(self, bodies: Sequence[str]) -> list[int]:
         model = self._model

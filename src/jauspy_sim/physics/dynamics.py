@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
@@ -42,7 +43,8 @@ class Dynamics:
         self._load = int(model.body(LOAD).id)
         model.body_sameframe[self._load] = int(mujoco.mjtSameFrame.mjSAMEFRAME_NONE)  # its centre of mass will move
         self._data = own = mujoco.MjData(model)
-        self._qpos, self._qvel, self._qacc, self._world_qpos = own.qpos, own.qvel, own.qacc, data.qpos
+        self._qpos, self._world_qpos = own.qpos, data.qpos
+        self._qvel, self._qacc = view(own.qvel), view(own.qacc)
         self._from, self._to = map(_block, _positions(world, model, prefix))
         joints = [robot.description.joint(name) for name in group.joints]
         followers = [
@@ -57,15 +59,21 @@ class Dynamics:
         leaders = [int(model.joint(joint.name).dofadr[0]) for joint in joints]
         self._dofs = _block(leaders)
         moved = [*leaders, *(dof for dof, _, _ in self._followers)]
-        self._world_dofs = _block([int(world.joint(f"{prefix}{_name(model, dof)}").dofadr[0]) for dof in moved])
-        self._moved = _block(moved)
-        self._armature = model.dof_armature[self._moved].copy()
-        self._friction = model.dof_frictionloss[self._moved].copy()
+        self._moved = [
+            (
+                dof,
+                int(world.joint(f"{prefix}{_name(model, dof)}").dofadr[0]),
+                float(model.dof_armature[dof]),
+                float(model.dof_frictionloss[dof]),
+            )
+            for dof in moved
+        ]
+        """Of the joints and their followers: degrees of freedom here and in the world, armature, and dry friction."""
         self.friction = model.dof_frictionloss[self._dofs].copy()
         """Dry friction of the group's joints, N m or N."""
-        self._efforts = np.zeros(world.nv)
-        self._view = view(self._efforts)
+        self._efforts = view(np.zeros(world.nv))
         self._found = np.zeros(model.nv)
+        self._found_view = view(self._found)
 
     def carry(self, mass: float, center: Vector) -> None:
         """Hold a mass, in kilograms, at a point in the frame of the tip; from the next call of `efforts` on."""
@@ -102,18 +110,21 @@ class Dynamics:
 
         Without those against viscous damping, which the controllers of the joints add.
         """
-        model, data, moved = self._model, self._data, self._moved
+        model, data, qvel, qacc = self._model, self._data, self._qvel, self._qacc
         self._qpos[self._to] = self._world_qpos[self._from]
-        rows = [*setpoints, *((m * setpoints[n][0], m * setpoints[n][1]) for _, n, m in self._followers)]
-        velocities, accelerations = np.array(rows).T
-        self._qvel[moved], self._qacc[moved] = velocities, accelerations
+        # single numbers, since arrays of six take longer
+        rows = [*setpoints, *[(m * setpoints[n][0], m * setpoints[n][1]) for _, n, m in self._followers]]
+        for (dof, _, _, _), (velocity, acceleration) in zip(self._moved, rows, strict=True):
+            qvel[dof], qacc[dof] = velocity, acceleration
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_comVel(model, data)
         mujoco.mj_rne(model, data, 1, self._found)
-        friction = self._friction * np.tanh(2.0 / BREAKAWAY * velocities)
-        self._efforts[self._world_dofs] = self._found[moved] + self._armature * accelerations + friction
-        return self._view
+        efforts, found = self._efforts, self._found_view
+        for (dof, to, armature, friction), (velocity, acceleration) in zip(self._moved, rows, strict=True):
+            dry = friction * math.tanh(2.0 / BREAKAWAY * velocity)
+            efforts[to] = found[dof] + armature * acceleration + dry
+        return efforts
 
 
 def dynamics_of(

@@ -179,9 +179,8 @@ class SimulatedJoints:
         qpos, qvel = self._qpos, self._qvel
         if not self._encoders:
             return [(qpos[address], qvel[dof]) for address, dof in zip(self._positions, self._dofs, strict=True)]
-        for encoder, address, (_, acceleration) in zip(self._encoders, self._positions, self._setpoints, strict=True):
-            encoder.sample(qpos[address], acceleration)
-        return [(encoder.position, encoder.rate) for encoder in self._encoders]
+        rows = zip(self._encoders, self._positions, self._setpoints, strict=True)
+        return [encoder.sample(qpos[address], acceleration) for encoder, address, (_, acceleration) in rows]
 
 
 def _encoders(joints: Sequence[Joint], sensors: JointSensors, seed: int, dt: float) -> tuple[Encoder, ...]:
@@ -190,7 +189,7 @@ def _encoders(joints: Sequence[Joint], sensors: JointSensors, seed: int, dt: flo
 
 def _effort_noises(joints: Sequence[Joint], sensors: JointSensors, seed: int) -> tuple[Callable[[], float], ...]:
     """For each joint a source of errors of its effort, N m or N."""
-    return tuple([Noise(seed, f"{joint.name} effort", sensors.effort_noise * joint.effort) for joint in joints])
+    return tuple([Noise(seed, f"{joint.name} effort", sensors.effort_noise * joint.effort).draw for joint in joints])
 
 
 def _followers(

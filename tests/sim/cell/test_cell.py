@@ -9,7 +9,8 @@ import pytest
 pytest.importorskip("mujoco")
 pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
-from tests.helpers.cells import ARM, build_arm, build_car, open_cell, put_on, small_cell, weightless
+import mujoco
+from tests.helpers.cells import ARM, build_arm, build_car, cell_model, open_cell, put_on, small_cell, weightless
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
@@ -17,6 +18,7 @@ from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.arm import ModularArm
 from jauspy.platform.modular.cell import Car, Conveyor, PartSensor
 from jauspy.platform.modular.parts import PartSensorSetup
+from jauspy_sim.cell.assembly import build_cell
 from jauspy_sim.cell.start import wait_attached
 
 FIVE_DEGREES = math.radians(5.0)
@@ -222,13 +224,22 @@ def test_a_window_needs_a_display(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_what_is_seen_neither_collides_nor_weighs() -> None:
-    cell = open_cell()
-    model = cell.model
-    seen = [geom for geom in range(model.ngeom) if model.geom_dataid[geom] >= 0]
+    cell = build_cell(cell_model(), "cell")
+    model, drawn = cell.model, cell.drawn
+    seen = [geom for geom in range(drawn.ngeom) if drawn.geom_dataid[geom] >= 0]
     assert len(seen) > 100
-    assert not any(model.geom_contype[geom] or model.geom_conaffinity[geom] for geom in seen)
-    mass = sum(model.body_mass[model.body(part.name).id] for part in cell.setup.parts if part.name == "tube_1")
-    assert mass == pytest.approx(0.27)
+    assert not any(drawn.geom_contype[geom] or drawn.geom_conaffinity[geom] for geom in seen)
+    assert drawn.body("tube_1").mass == pytest.approx(0.27)
+    assert not model.nmesh
+    at_rest = open_cell().data.qpos
+    accelerations = []
+    for each in (model, drawn):
+        data = mujoco.MjData(each)
+        data.qpos[:] = at_rest
+        mujoco.mj_forward(each, data)
+        assert data.ncon > 50
+        accelerations.append(data.qacc)
+    assert accelerations[0] == pytest.approx(accelerations[1], abs=1e-6)
 
 
 def test_inertia_of_the_model_is_that_of_the_solids() -> None:

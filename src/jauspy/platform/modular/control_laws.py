@@ -5,6 +5,7 @@ Both return the torques of the motors. Vectors are in the order of the chain; ra
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Final, NamedTuple, Protocol
 
@@ -112,65 +113,93 @@ class ModelLaw:
         self.bias = np.zeros(len(servos))
         """Torques (N m) that are to be added: of a closed loop, in which the model alone does not determine them."""
         self._model = model
-        self._stiffness = np.array([servo.stiffness for servo in servos])
-        self._friction = np.array([servo.friction for servo in servos])
-        self._damping = np.array([servo.damping for servo in servos])
-        self._rotor = np.array([servo.rotor_inertia for servo in servos])
-        self._limit = np.array([servo.max_torque for servo in servos])
-        self._compliance = self._rotor / self._stiffness
-        natural = np.minimum(STIFFENING / np.sqrt(self._compliance), min(TORQUE_BANDWIDTH, LARGEST_STEP / dt))
-        omega = natural / SEPARATION
-        self._square = natural * natural
-        self._torque_gain = self._compliance * self._square
-        self._rate_gain = self._compliance * 2.0 * natural
-        self._position_gain = omega * omega
-        self._velocity_gain = 2.0 * POSITION_DAMPING * omega
-        self._integral = np.zeros(len(servos))
-        self._planned: Array | None = None
-        self._planned_rate = np.zeros(len(servos))
+        self._joints = [_ModelledJoint(servo, dt) for servo in servos]
 
     def torques(self, setpoint: Setpoint, measured: JointMeasurements, dt: float) -> Array:
         """The torques of the motors."""
         q, v, spring, spring_rate = measured
-        inertia = self._model.mass_matrix(q).diagonal()
-        # the part of the torque that is controlled by the spring's: of a light load, whose oscillation is faster than
-        # this control, less and less, down to none, when motor and load move as one
-        stiff = self._square * inertia
-        soft = stiff / (stiff + self._stiffness)
-        hard = 1.0 - soft
-        deflection_rate = spring_rate / self._stiffness
-        error = setpoint.q - q
-        step = error * dt
-        self._integral += step
-        wanted = (
-            setpoint.a
-            + self._velocity_gain * (setpoint.v - v - hard * deflection_rate)
-            + self._position_gain * (error + self._integral / INTEGRAL_TIME)
-        )
-        torque = self._model.inverse_dynamics(q, v, wanted) + self.bias
-        planned = self._model.inverse_dynamics(*setpoint)
-        if self._planned is not None:
-            self._planned_rate += min(1.0, dt / SMOOTHING) * ((planned - self._planned) / dt - self._planned_rate)
-        self._planned = planned
-        rotor_velocity = v + deflection_rate
-        moving = np.tanh(setpoint.v / STICTION_SPEED)
-        sliding = SLIDING_PART * (1.0 - np.abs(moving)) * np.tanh(rotor_velocity / SLIDING_SPEED)
-        sliding *= np.minimum(1.0, np.abs(error) / SLIDING_ERROR)
-        motor = (
-            spring
-            + self._friction * (moving + sliding)
-            + self._damping * rotor_velocity
-            + self._rotor * wanted
-            + (hard + soft * self._torque_gain) * (torque - spring)
-            + soft * self._rate_gain * (self._planned_rate - spring_rate)
-        )
-        limited: Array = np.minimum(np.maximum(motor, -self._limit), self._limit)  # `clip` takes five times as long
-        if (saturated := limited != motor).any():
-            self._integral -= np.where(saturated, step, 0.0)
-        return limited
+        joints, model = self._joints, self._model
+        # single numbers, since arrays of five take longer
+        inertias = model.mass_matrix(q).diagonal().tolist()
+        targets = zip(*[array.tolist() for array in setpoint], strict=True)
+        states = zip(q.tolist(), v.tolist(), spring_rate.tolist(), strict=True)
+        rows = zip(joints, inertias, targets, states, strict=True)
+        wanted = [joint.wanted(inertia, target, state, dt) for joint, inertia, target, state in rows]
+        torque = model.inverse_dynamics(q, v, np.array(wanted)) + self.bias
+        planned = model.inverse_dynamics(*setpoint)
+        columns = [array.tolist() for array in (torque, planned, spring, spring_rate)]
+        return np.array([joint.torque(*each, dt) for joint, *each in zip(joints, *columns, strict=True)])
 
     def take_over(self, torques: Array, setpoint: Setpoint, measured: JointMeasurements) -> None:
         """Begin without knowledge of the past; the arm fades over from the last torques."""
+
+
+class _ModelledJoint:
+    """One joint of a `ModelLaw`: its module, and what is known of the past. `wanted` comes before each `torque`."""
+
+    def __init__(self, servo: ServoData, dt: float) -> None:
+        self._stiffness, self._friction, self._damping = servo.stiffness, servo.friction, servo.damping
+        self._rotor, self._limit = servo.rotor_inertia, servo.max_torque
+        compliance = servo.rotor_inertia / servo.stiffness
+        natural = min(STIFFENING / math.sqrt(compliance), TORQUE_BANDWIDTH, LARGEST_STEP / dt)
+        omega = natural / SEPARATION
+        self._square = natural * natural
+        self._torque_gain = compliance * self._square
+        self._rate_gain = compliance * 2.0 * natural
+        self._position_gain = omega * omega
+        self._velocity_gain = 2.0 * POSITION_DAMPING * omega
+        self._smoothing = min(1.0, dt / SMOOTHING)
+        self._integral = 0.0
+        self._planned: float | None = None
+        self._planned_rate = 0.0
+        self._step = self._soft = self._acceleration = self._resistance = 0.0
+
+    def wanted(
+        self, inertia: float, setpoint: tuple[float, float, float], measured: tuple[float, float, float], dt: float
+    ) -> float:
+        """The acceleration that is wanted, by the setpoint and by position, velocity and rate of the spring's torque.
+
+        `inertia` is that of the joint in the present position of the arm.
+        """
+        target, speed, acceleration = setpoint
+        q, v, spring_rate = measured
+        # the part of the torque that is controlled by the spring's: of a light load, whose oscillation is faster than
+        # this control, less and less, down to none, when motor and load move as one
+        stiff = self._square * inertia
+        self._soft = soft = stiff / (stiff + self._stiffness)
+        deflection_rate = spring_rate / self._stiffness
+        error = target - q
+        self._step = step = error * dt
+        self._integral += step
+        self._acceleration = wanted = (
+            acceleration
+            + self._velocity_gain * (speed - v - (1.0 - soft) * deflection_rate)
+            + self._position_gain * (error + self._integral / INTEGRAL_TIME)
+        )
+        rotor_velocity = v + deflection_rate
+        moving = math.tanh(speed / STICTION_SPEED)
+        sliding = SLIDING_PART * (1.0 - abs(moving)) * math.tanh(rotor_velocity / SLIDING_SPEED)
+        sliding *= min(1.0, abs(error) / SLIDING_ERROR)
+        self._resistance = self._friction * (moving + sliding) + self._damping * rotor_velocity
+        return wanted
+
+    def torque(self, torque: float, planned: float, spring: float, spring_rate: float, dt: float) -> float:
+        """The torque of the motor, by those of the model: for what is wanted, and for the setpoint."""
+        if self._planned is not None:
+            self._planned_rate += self._smoothing * ((planned - self._planned) / dt - self._planned_rate)
+        self._planned = planned
+        soft, limit = self._soft, self._limit
+        motor = (
+            spring
+            + self._resistance
+            + self._rotor * self._acceleration
+            + (1.0 - soft + soft * self._torque_gain) * (torque - spring)
+            + soft * self._rate_gain * (self._planned_rate - spring_rate)
+        )
+        if -limit <= motor <= limit:
+            return motor
+        self._integral -= self._step
+        return math.copysign(limit, motor)
 
 
 def smooth_step(part: float) -> float:

@@ -64,9 +64,10 @@ class TorqueController:
                 self._fade_from = self.last_torques
             self._fade += dt
             torques = self._fade_from + smooth_step(self._fade / FADE_TIME) * (torques - self._fade_from)
-        limits = self._assembly.torque_limits
-        self.last_torques = np.minimum(np.maximum(torques, -limits), limits)  # `clip` takes longer
-        return self.last_torques
+            limits = self._assembly.torque_limits  # a law keeps them; what it fades over from need not
+            torques = np.clip(torques, -limits, limits)
+        self.last_torques = torques
+        return torques
 
     def _make_law(self, dt: float) -> ControlLaw:
         assembly = self._assembly

@@ -43,6 +43,7 @@ class Shaper:
         self._joints = len(setpoint.q)
         self._sum = self._rows.sum(axis=0)
         self._index = 0
+        self._last = self._rows[0].tobytes()
         self._repeats = len(self._rows)
 
     @property
@@ -53,7 +54,8 @@ class Shaper:
     def advance(self, setpoint: Setpoint) -> Setpoint:
         """Take the next setpoint in, and return the mean."""
         row = np.concatenate(setpoint)
-        self._repeats = self._repeats + 1 if (row == self._rows[self._index - 1]).all() else 1
+        same, self._last = self._last, row.tobytes()
+        self._repeats = self._repeats + 1 if self._last == same else 1
         self._sum += row - self._rows[self._index]
         self._rows[self._index] = row
         self._index = (self._index + 1) % len(self._rows)
