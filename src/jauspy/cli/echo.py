@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import AsyncGenerator
+from contextlib import aclosing
 from typing import Annotated, Any
 
 import typer
 
-from jauspy.capture.filters import printed_values
-from jauspy.cli import console
+from jauspy.capture.filters import Filter, printed_values
+from jauspy.cli import client, console
 from jauspy.cli.decode import part_json
 from jauspy.cli.definitions import SchemasOption, definitions
-from jauspy.cli.options import DEFAULT_ROOT, FilterOption, Json, LocalRoot
+from jauspy.cli.event_reports import event_query, event_reports
+from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, Json, LocalRoot, OwnId, Timeout
+from jauspy.cli.processes import run
 from jauspy.cli.render import Styled, styled_fields
 from jauspy.cli.traffic import (
     CaptureFile,
@@ -25,6 +29,7 @@ from jauspy.cli.traffic import (
     combined,
     traffic,
 )
+from jauspy.errors import ConfigError
 from jauspy.inspection.rates import Route
 from jauspy.inspection.traffic import SeenMessage
 from jauspy.printable import printable
@@ -48,22 +53,43 @@ def echo(
     interface: Interface = None,
     multicast: Multicast = None,
     port: NetworkPort = None,
+    subscribe: Annotated[
+        bool,
+        typer.Option(
+            "--subscribe",
+            help="Create an event at the component instead of listening, with --rate a periodic one, and print its "
+            "reports.",
+        ),
+    ] = False,
+    connect: Connect = None,
+    own_id: OwnId = None,
+    timeout: Timeout = 2.0,
     root: LocalRoot = DEFAULT_ROOT,
     schemas: SchemasOption = None,
 ) -> None:
     """Print messages as the node manager of this machine routes them, until Ctrl-C.
 
     It only listens: it sends nothing, and components do not notice it. A message to several receivers is printed once.
+    With --subscribe it is a client: it creates an event for one report, and cancels it at the end.
 
     Examples:
       jauspy echo
       jauspy echo 101.1.102 ReportLocalPose --rate 2
       jauspy echo '*' 'Report*' --filter 'x > 5' --field x --field y
       jauspy echo 42.* --capture run.pcap --json
+      jauspy echo 101.1.102 ReportLocalPose --subscribe --rate 5
     """
     known = definitions(schemas)
+    if subscribe:
+        if file is not None or interface is not None or multicast is not None:
+            raise ConfigError("--subscribe creates an event at a component; it does not read a capture or a network")
+        component, query = event_query(source, message, known)
+        fits = None if only is None else Filter(only, known.registry)
+        ocu = client.make_ocu(own_id, connect, timeout, known.registry)
+        run(_print_reports(event_reports(ocu, component, query, rate), _Printer(_paths(field), json), fits, count))
+        return
     due: dict[Route, float] = {}
-    printer = _Printer(tuple(tuple(name.lower().split(".")) for name in field or ()), json)
+    printer = _Printer(_paths(field), json)
     network = chosen_network(interface, multicast, port, file)
     with traffic(file, root, known, combined(source, message, only), network=network) as found:
         for seen in found:
@@ -79,6 +105,25 @@ def echo(
                 count -= 1
                 if not count:
                     break
+
+
+def _paths(fields: list[str] | None) -> tuple[tuple[str, ...], ...]:
+    return tuple(tuple(name.lower().split(".")) for name in fields or ())
+
+
+async def _print_reports(
+    reports: AsyncGenerator[SeenMessage, None], printer: _Printer, fits: Filter | None, count: int | None
+) -> None:
+    """Print reports that fit, `count` of them or until cancelled; the event is cancelled then."""
+    async with aclosing(reports):
+        async for seen in reports:
+            if (fits is not None and not fits(seen.part)) or not printer.show(seen):
+                continue
+            sys.stdout.flush()
+            if count is not None:
+                count -= 1
+                if not count:
+                    return
 
 
 class _Printer:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import AsyncIterator
+from collections.abc import AsyncGenerator
 
 from jauspy.capture.dissect import Content, Part
 from jauspy.cli.client import destination
@@ -33,7 +33,9 @@ def event_query(source: str | None, message: str | None, known: Definitions) -> 
     return component, message_from(known.registry, name, [])
 
 
-async def event_reports(ocu: OCU, component: JausID, query: Message, rate: float | None) -> AsyncIterator[SeenMessage]:
+async def event_reports(
+    ocu: OCU, component: JausID, query: Message, rate: float | None
+) -> AsyncGenerator[SeenMessage, None]:
     """The reports of an event at `rate` Hz, or on every change; endless. Raises `RequestError`."""
     async with ocu, ocu.service(component, query.SERVICE).subscribe(query, rate=rate) as subscription:
         async for report in subscription:

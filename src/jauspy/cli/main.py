@@ -211,7 +211,7 @@ PANELS: Final = {
     "Look and operate": ("ls", "query", "send", "teleop", "console", "estop", "tf", "map", "video", "still"),
     "Traffic": (
         *("decode", "echo", "hz", "bw", "graph", "monitor", "live"),
-        *("record", "info", "replay", "export", "dissector"),
+        *("record", "flight-recorder", "info", "replay", "export", "dissector"),
     ),
     "Test": ("conformance", "fuzz", "doctor"),
     "Definitions and projects": ("schema", "new"),
