@@ -7,10 +7,10 @@ import pytest
 from jauspy.cli.definitions import definitions
 from jauspy.cli.echo import _print_reports, _Printer
 from jauspy.cli.event_reports import event_query, event_reports
-from jauspy.errors import ConfigError, EventRejected
+from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import JausID
-from jauspy.messages.core import QueryIdentification, QueryStatus
-from jauspy.services.core import Management
+from jauspy.messages.core import QueryStatus
+from jauspy.services.core import Events, Management
 
 
 @pytest.mark.parametrize(
@@ -44,11 +44,10 @@ async def test_reports_are_printed_and_the_event_is_cancelled(virtual_network, c
         assert [each["message"] for each in shown] == ["ReportStatus"] * 3
         assert {each["source"] for each in shown} == {"7.1.1"}
         assert shown[0]["fields"]["status"] == "STANDBY"
-        assert not component.service("Events").subscriptions
+        assert not component.host.service(Events).subscriptions.all()
 
 
-async def test_a_rejected_event_is_an_error(virtual_network):
-    async with virtual_network.component("7.1.1", [Management()]):
-        reports = event_reports(virtual_network.ocu(), JausID(7, 1, 1), QueryIdentification(query_type=2), None)
-        with pytest.raises(EventRejected):
-            await anext(reports)
+async def test_an_event_that_is_not_answered_is_an_error(virtual_network):
+    reports = event_reports(virtual_network.ocu(), JausID(7, 1, 1), QueryStatus(), None)
+    with pytest.raises(ResponseTimeout):
+        await anext(reports)
