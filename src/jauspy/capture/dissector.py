@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import logging
 from typing import Final
 
 from jauspy.capture.dissect import Dissection, Part, dissect, read_message
 from jauspy.codec.registry import NO_HINTS, Hints, Registry
+from jauspy.logs import get_logger
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Ack, DataFlag
@@ -17,7 +17,7 @@ MAX_MESSAGE: Final = 16 << 20
 FRAGMENT_TIMEOUT: Final = 10.0
 """Seconds that an incomplete message waits for its next fragment; senders repeat one for less."""
 
-_LOG: Final = logging.getLogger(__name__)
+_LOG: Final = get_logger(__name__)
 
 
 class Dissector:
