@@ -1,15 +1,162 @@
-"""Formats of `jauspy decode` for other programs: YAML documents, and CSV with a row for each value."""
+"""Formats of `jauspy decode` for other programs: JSON lines, YAML documents, and CSV with a row for each value."""
 
 from __future__ import annotations
 
 import csv
 import sys
-from collections.abc import Iterator
-from typing import Any, Final, TextIO
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, Final, Protocol, TextIO
 
 import yaml
 
+from jauspy.capture.dissect import Content, Part
+from jauspy.cli.can_log import CanFrame
+from jauspy.cli.decode_sources import Item
+from jauspy.cli.definitions import Definitions
+from jauspy.codec.message import Message
+from jauspy.codec.rounding import rounded_dict
 from jauspy.printable import printable
+from jauspy.protocol.header import Ack, Broadcast, DataFlag, Priority
+from jauspy.schema import model
+
+if TYPE_CHECKING:
+    from jauspy.codec import reference
+
+
+class Printer(Protocol):
+    """Prints items; `failed` is true once one of them could not be decoded."""
+
+    failed: bool
+
+    def show(self, item: Item) -> None:
+        """Print one item."""
+
+    def show_frame(self, frame: CanFrame) -> None:
+        """Print one CAN frame."""
+
+
+class DataPrinter:
+    """Prints the JSON form of each item by a function; with `explain`, each message has its rows."""
+
+    def __init__(self, show: Callable[[dict[str, Any]], None], explain: Definitions | None = None) -> None:
+        self.failed = False
+        self._show = show
+        self._explain = explain
+
+    def show(self, item: Item) -> None:
+        """Print one item, without flushing."""
+        self.failed |= item.failed
+        made = as_json(item)
+        if self._explain is not None:
+            for shown, content in zip(made["messages"], contents(item), strict=True):
+                shown["explained"] = [_row_json(row) for row in rows_of(content, self._explain.model_of)]
+        self._show(made)
+
+    def show_frame(self, frame: CanFrame) -> None:
+        """Print one CAN frame."""
+        self._show(frame.as_json())
+
+
+def contents(item: Item) -> list[Content]:
+    """The messages of an item."""
+    if item.dissection is not None:
+        return [part.content for part in item.dissection.parts]
+    return [item.bare] if item.bare is not None else []
+
+
+def _row_json(row: reference.ExplainedValue) -> dict[str, Any]:
+    raw = row.raw.hex() if isinstance(row.raw, bytes) else row.raw
+    shown = {"offset": row.offset, "length": row.length, "field": row.path, "raw": raw, "value": row.value}
+    return shown | {"problem": row.problem or None, "damaged": row.damaged}
+
+
+def as_json(item: Item) -> dict[str, Any]:
+    """An item as a JSON object; all objects have the same keys. `time` is in seconds since 1970, UTC."""
+    captured, dissection, bare = item.captured, item.dissection, item.bare
+    data = dissection.data if dissection else bare.payload if bare else b""
+    if dissection is None:
+        messages = [_content_json(bare)] if bare else []
+        errors = [bare.problem] if bare and bare.broken else []
+    else:
+        messages = [part_json(part) for part in dissection.parts]
+        errors = list(dissection.errors)
+    shown = {
+        "n": item.number,
+        "time": captured.time if captured else None,
+        "source": address_text(captured.source) if captured else None,
+        "destination": address_text(captured.destination) if captured else None,
+        "hex": data.hex(),
+        "messages": messages,
+        "errors": errors,
+        "reencodes": dissection.reencodes if dissection else bool(bare and bare.reencodes),
+    }
+    if dissection and dissection.note:
+        shown["note"] = dissection.note
+    return shown
+
+
+def part_json(part: Part) -> dict[str, Any]:
+    """A message as a JSON object; all objects have the same keys."""
+    packet = part.packet
+    return {
+        "source": id_text(packet.source),
+        "destination": id_text(packet.destination),
+        "sequence": packet.sequence,
+        "priority": _PRIORITIES[packet.priority],
+        "broadcast": _BROADCASTS[packet.broadcast],
+        "ack": _ACKS[packet.ack],
+        "data_flag": _DATA_FLAGS[packet.data_flag],
+        **_content_json(part.content),
+    }
+
+
+id_text: Final = lru_cache(maxsize=1024)(str)
+"""The text of a JAUS id; the ids of a network are few, and are in every packet."""
+
+
+@lru_cache(maxsize=1024)
+def _code_text(code: int) -> str:
+    return f"{code:04X}"
+
+
+_PRIORITIES, _BROADCASTS, _ACKS, _DATA_FLAGS = (
+    tuple(member.name for member in kind) for kind in (Priority, Broadcast, Ack, DataFlag)
+)
+"""Names of the values from 0 on; asking a member for its name takes longer."""
+
+
+def _content_json(content: Content) -> dict[str, Any]:
+    message, code, others = content.message, content.code, content.others
+    return {
+        "code": None if code is None else _code_text(code),
+        "message": message.NAME if message else None,
+        "service": message.SERVICE if message else None,
+        "version": message.VERSION if message else None,
+        "also": [{"message": entry.name, "service": entry.service, "version": entry.version} for entry in others],
+        "fields": rounded_dict(message) if message else None,
+        "deviations": list(content.deviations),
+        "problem": content.problem or None,
+        "reencodes": content.reencodes,
+    }
+
+
+@lru_cache(maxsize=1024)
+def address_text(address: tuple[str, int]) -> str:
+    """Address and port, as in 10.0.0.1:3794."""
+    return f"{address[0]}:{address[1]}"
+
+
+def rows_of(
+    content: Content, model_of: Callable[[type[Message]], model.MessageDefinition]
+) -> list[reference.ExplainedValue]:
+    """The fields of a message, up to the damage; none if the message is unknown."""
+    if content.message is None:
+        return []
+    from jauspy.codec import reference  # loads construct, which only explanations need
+
+    return reference.explain(model_of(type(content.message)), content.payload)
+
 
 COLUMNS: Final = ("n", "time", "source", "destination", "sequence", "message", "field", "value")
 _FORMULA_STARTS: Final = ("=", "+", "-", "@", "\t", "\r")

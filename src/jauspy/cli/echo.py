@@ -12,7 +12,7 @@ import typer
 
 from jauspy.capture.filters import Filter, printed_values
 from jauspy.cli import client, console
-from jauspy.cli.decode import part_json
+from jauspy.cli.decode_formats import part_json
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.event_reports import event_query, event_reports
 from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, Json, LocalRoot, OwnId, Timeout
