@@ -129,7 +129,7 @@ def _show(result: Result, recording: Recording, *, json: bool) -> None:
         for difference in result.differences:
             console.print_json(asdict(difference))
     else:
-        console.print_lines("\n".join(map(str, result.differences[:MAX_SHOWN])) or "no difference")
+        console.print_lines(*(map(str, result.differences[:MAX_SHOWN]) if result.differences else ("no difference",)))
     if len(result.differences) > MAX_SHOWN and not json:
         console.note(f"{len(result.differences) + result.more - MAX_SHOWN} more; --json prints up to 10,000")
     if silent:
