@@ -29,6 +29,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import ReportLocalPose
 from jauspy.protocol import judp
+from jauspy.protocol.delivery import fragment_at, fragment_count
 from jauspy.protocol.header import Packet
 from jauspy.recording import flight_recorder
 from jauspy.recording.flight_recorder import OVERHEAD, FlightRecorder, Folder, Ring
@@ -276,3 +277,30 @@ def test_a_folder_that_cannot_be_made(make: Make, tmp_path: Path) -> None:
     (tmp_path / "runs").touch()
     with pytest.raises(ConfigError, match="cannot be a folder of recordings: File exists"):
         make()
+
+
+def test_large_messages_of_before_and_across_the_incident_are_in_the_file(tmp_path: Path) -> None:
+    pytest.importorskip("foxglove")
+    from mcap.reader import make_reader
+
+    folder = Folder(tmp_path / "runs", "101", ".mcap")
+    recorder = FlightRecorder(folder, registry, IncidentDetector(101), before=3.0, after=2.0, log=lambda _: None)
+    payload = Event(event_id=1, sequence_number=2, report_message=b"\xee\xee" + bytes(15_000)).encode()
+    fragments = [fragment_at(payload, index) for index in range(fragment_count(len(payload)))]
+
+    def fragment(seconds: float, first: int, index: int) -> None:
+        part, flag = fragments[index]
+        packet = judp.pack(Packet(ROBOT, OCU, part, first + index, data_flag=flag))
+        recorder.add(Datagram(1, START + seconds, ("10.0.0.1", 3794), ("10.0.0.2", 3794), packet))
+
+    for index in range(len(fragments)):
+        fragment(0.1 * index, 100, index)
+    fragment(1.0, 200, 0)
+    recorder.add(datagram(1.1, status("EMERGENCY")))
+    for index in range(1, len(fragments)):
+        fragment(1.1 + 0.1 * index, 200, index)
+    recorder.close()
+    (path,) = (tmp_path / "runs").iterdir()
+    with path.open("rb") as file:
+        topics = [channel.topic for _, channel, _ in make_reader(file).iter_messages()]
+    assert topics.count("/101.1.102/Event") == 2

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Final
 
 from jauspy.capture.dissect import Part, dissect
+from jauspy.capture.dissector import Dissector
 from jauspy.capture.reader import Datagram
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
@@ -131,6 +132,8 @@ class FlightRecorder:
         self.ring = Ring(before)
         self._folder, self._registry, self._detector = folder, registry, detector
         self._before, self._after, self._log = before, after, log
+        self._dissector = Dissector(registry)
+        """What has put together the large messages of the file that is written."""
         self._file: RunFile | None = None
         self._path = folder.path
         self._count = 0
@@ -146,7 +149,9 @@ class FlightRecorder:
         self.tick(datagram.time)
         was_recording = self.is_recording
         parts: Sequence[Part] = ()
-        if was_recording or _may_show_incidents(datagram.payload):
+        if was_recording:
+            parts = self._dissector.dissect(datagram.payload, datagram.time).parts
+        elif _may_show_incidents(datagram.payload):
             parts = dissect(datagram.payload, self._registry).parts
         self.ring.add(datagram)
         for incident in self._detector.incidents(parts):
@@ -180,8 +185,9 @@ class FlightRecorder:
             self._log(f"{what}: {self._path} goes on")
             return
         self._open(incident, at, what)
+        self._dissector = Dissector(self._registry)
         for datagram in self.ring:
-            self._write(datagram, dissect(datagram.payload, self._registry).parts)
+            self._write(datagram, self._dissector.dissect(datagram.payload, datagram.time).parts)
         self._flush()
 
     def _open(self, incident: Incident, at: float, what: str) -> None:
