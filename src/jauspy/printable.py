@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Final
+
+FORMULA_STARTS: Final = ("=", "+", "-", "@", "\t", "\r")
+"""First characters of text that spreadsheets take for a formula."""
+
 
 def printable(text: str) -> str:
     r"""The text with unprintable characters escaped: control characters, line breaks, directions (`\x1b`, `\u202e`)."""
@@ -13,3 +18,8 @@ def printable(text: str) -> str:
 def printable_lines(text: str) -> str:
     """The same for text that has several lines."""
     return text if text.isprintable() else "\n".join(map(printable, text.split("\n")))
+
+
+def spreadsheet_text(text: str) -> str:
+    """Text for a cell of a table, with an apostrophe before what a spreadsheet would take for a formula."""
+    return f"'{text}" if text.startswith(FORMULA_STARTS) else text

@@ -16,7 +16,7 @@ from jauspy.cli.decode_sources import Item
 from jauspy.cli.definitions import Definitions
 from jauspy.codec.message import Message
 from jauspy.codec.rounding import rounded_dict
-from jauspy.printable import printable
+from jauspy.printable import printable, spreadsheet_text
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Priority
 from jauspy.schema import model
 
@@ -159,8 +159,6 @@ def rows_of(
 
 
 COLUMNS: Final = ("n", "time", "source", "destination", "sequence", "message", "field", "value")
-_FORMULA_STARTS: Final = ("=", "+", "-", "@", "\t", "\r")
-"""Spreadsheets take texts that begin so for formulas."""
 
 
 def print_yaml(made: dict[str, Any]) -> None:
@@ -212,7 +210,4 @@ def _leaves(value: Any, path: str) -> Iterator[tuple[str, Any]]:
 
 def _cell(value: Any) -> Any:
     """The value; a text of a message that a spreadsheet would execute is quoted by an apostrophe."""
-    if not isinstance(value, str):
-        return value
-    text = printable(value)
-    return "'" + text if text.startswith(_FORMULA_STARTS) else text
+    return spreadsheet_text(printable(value)) if isinstance(value, str) else value

@@ -14,6 +14,7 @@ from jauspy.codec.names import unique
 from jauspy.codec.rounding import rounded_dict
 from jauspy.errors import ConfigError
 from jauspy.inspection.traffic import SeenMessage
+from jauspy.printable import spreadsheet_text
 
 Scalar: TypeAlias = bool | int | float | str | None
 
@@ -25,8 +26,6 @@ ROWS_AT_ONCE: Final = 5000
 """Rows of a Parquet row group."""
 MAX_NAME: Final = 100
 """Characters of a name in a path."""
-FORMULA: Final = ("=", "+", "-", "@", "\t", "\r")
-"""First characters of text that spreadsheets take for a formula."""
 HEADER: Final = ("time", "destination", "sequence")
 INTEGERS: Final = range(-(2**63), 2**63)
 
@@ -149,9 +148,7 @@ class _CsvTable(ExitStack):
 
 
 def _cell(value: Scalar) -> Scalar:
-    if isinstance(value, str):
-        return f"'{value}" if value.startswith(FORMULA) else value
-    return value
+    return spreadsheet_text(value) if isinstance(value, str) else value
 
 
 class _ParquetTable(ExitStack):

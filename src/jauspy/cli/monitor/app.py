@@ -39,7 +39,7 @@ CELL_STYLES: Final = {"peer": texts.PURPLE, "last 20 s": texts.BAR, "age": texts
 WIDE_COLUMNS: Final = frozenset({"bytes", "last 20 s"})
 RIGHT_ALIGNED: Final = frozenset({"count", "/s", "age", "bytes"})
 TREE_WIDTHS: Final = 26, 40
-"""Of a narrow and a wide terminal, as in monitor.tcss; borders included."""
+"""Widths of a narrow and a wide terminal, as in monitor.tcss; borders included."""
 NARROW: Final = 100
 """Columns of the terminal below which the last two columns of the table are left out."""
 PANELS: Final = "#head, #tree, #about, #messages, #fields, #fields-frame, #plot"
