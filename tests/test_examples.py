@@ -46,20 +46,20 @@ def numbers(text: str) -> list[float]:
     return [float(each) for each in re.findall(r"-?\d+(?:\.\d+)?", text)]
 
 
-async def turned(node_manager: LocalNode, robot: RobotRunner) -> Pose:
-    """Where a robot stands that was turned to the back."""
+async def turned(node_manager: LocalNode, robot: RobotRunner, seconds: float = 2.5) -> Pose:
+    """Where a robot stands that was turned for some seconds, by default to the back."""
     async with node_manager.ocu("42.1.9") as ocu:
         found = await ocu.robot(101)
         async with found.control("drive"):
-            await found.drive(angular=1.0, seconds=2.5)
+            await found.drive(angular=1.0, seconds=seconds)
     assert robot.snapshot is not None
-    assert abs(robot.snapshot.pose.yaw) > 1.8
+    assert abs(robot.snapshot.pose.yaw) > 0.72 * seconds
     return robot.snapshot.pose
 
 
 async def test_ocu(node_manager: LocalNode) -> None:
     async with node_manager.robot() as robot:
-        start = await turned(node_manager, robot)
+        start = await turned(node_manager, robot, 1.2)
         output = await run("ocu.py", node_manager.local)
         assert numbers(output.splitlines()[-1])[0] >= 2.0
         assert robot.snapshot is not None
@@ -67,6 +67,7 @@ async def test_ocu(node_manager: LocalNode) -> None:
         assert 2.0 <= math.dist((end.x, end.y), (start.x, start.y)) < 2.6
 
 
+@pytest.mark.slow
 async def test_verbs(node_manager: LocalNode) -> None:
     async with node_manager.robot() as robot:
         output = await run("verbs.py", node_manager.local)
@@ -130,6 +131,7 @@ async def test_component(node_manager: LocalNode) -> None:
     await stop(component)
 
 
+@pytest.mark.slow
 async def test_backend(node_manager: LocalNode) -> None:
     program = await start("backend.py", node_manager.local)
     await until(lambda: node_manager.components, within=60.0)
@@ -182,6 +184,7 @@ async def test_a_backend_that_systemd_ends_stops_its_motors(node_manager: LocalN
     assert (program.returncode, output.decode()) == (0, "closed with efforts (0.0, 0.0)\n")
 
 
+@pytest.mark.slow
 async def test_conformance_profile(node_manager: LocalNode) -> None:
     async with node_manager.robot():
         profile = ("conformance_profile:PROFILE", "--target", "101.1.102", "--connect", node_manager.local)
@@ -189,10 +192,12 @@ async def test_conformance_profile(node_manager: LocalNode) -> None:
     assert "stands still" in output
 
 
+@pytest.mark.slow
 async def test_replay() -> None:
     assert "1 passed" in await run("-m", "pytest", "-p", "no:cacheprovider", "test_replay.py")
 
 
+@pytest.mark.slow
 async def test_own_service(node_manager: LocalNode) -> None:
     component = await start("own_service.py", node_manager.local)
     output = await run("own_service.py", "client", node_manager.local)

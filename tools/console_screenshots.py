@@ -1,4 +1,4 @@
-"""Screenshots of the console's panels for docs/console.md: light and dark, at 1440x900 and 1024x768.
+"""Screenshots of the console's panels for docs/console.md: light and dark, at 1440x900, 1024x768 and 390x844.
 
     python tools/console_screenshots.py [--backend sim] [--output docs/assets]
 
@@ -24,9 +24,11 @@ from PIL import Image
 from playwright.sync_api import Error, Page, ViewportSize, sync_playwright
 
 MAX_BYTES: Final = 250_000
-SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
+SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768), "390x844": (390, 844)}
 SCHEMES: Final = ("light", "dark")
-PANELS: Final = ("trajectory", "plots", "log", "world", "video")
+PANELS: Final = ("trajectory", "plots", "log", "tasks", "world", "video", "drive", "arm", "observe")
+PRESETS: Final = ("one view", "drive", "arm", "observe")
+"""Arrangements by their keys 1 to 4."""
 CELL: Final = "cell"
 """The World of the factory cell, while its arm is assembled."""
 SOFTWARE_GL: Final = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
@@ -79,8 +81,19 @@ def add_traces(page: Page, message: str, fields: tuple[str, ...]) -> None:
 
 
 def show(page: Page, panel: str) -> None:
-    """Open a tab; wait for the video; in the log, open a message; make a trajectory; drive to waypoints."""
-    page.get_by_role("tab", name=panel, exact=False).click()
+    """Open a tab, or arrange views; wait for the video; in the log, open a message; make a trajectory; drive."""
+    page.locator(".heading", has_text="Control").click()  # away from fields
+    page.keyboard.press(f"Digit{1 + PRESETS.index(panel)}" if panel in PRESETS else "Digit1")
+    if panel in PRESETS:
+        page.locator(".desk.arranged").wait_for()
+        if panel == "arm":
+            page.get_by_label("base_link_to_arm_link_1").first.fill("0.6")
+            page.keyboard.press("Tab")
+        page.wait_for_timeout(3000)
+    else:
+        page.get_by_role("tab", name=panel, exact=False).click()
+    if panel == "tasks":
+        page.locator(".card[aria-label='Sound']").wait_for()
     if panel == "video":
         page.wait_for_function(
             "[...document.querySelectorAll('canvas[data-component]')].filter(each => each.dataset.pictures > 3)"

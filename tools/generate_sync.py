@@ -28,6 +28,11 @@ CLASSES: Final = {
     "Conveyor": "cell",
     "PartStation": "cell",
     "Lidar": "lidar",
+    "Guards": "guards",
+    "Planner": "planner",
+    "CommsLost": "comms_lost",
+    "Microphone": "sound",
+    "Announcer": "sound",
     "RobotControl": "robot",
     "ComponentClient": "robot",
     "Robot": "robot",
@@ -39,7 +44,7 @@ BASES: Final = {
     "Elements": "Facade[{name}], MutableSequence[Element]",
     "OCU": "OpensPortal",
 }
-OF_EXTRAS: Final = {"jauspy.video.frames"}
+OF_EXTRAS: Final = {"jauspy.audio.coding", "jauspy.video.frames"}
 """Modules that need packages of an extra; imported for type checkers only."""
 SKIPPED: Final = {"OCU": {"open", "close", "watch_program", "trace", "__aenter__", "__aexit__"}, "Control": {"on_sent"}}
 """What `sync/portal.py` has, and what is the OCU's own business."""

@@ -44,7 +44,9 @@ def _form(kind: str, where: tuple[int | str, ...], model: type[BaseModel]) -> st
     tables = len(where) == 1 and any(models_in(model.model_fields[name].annotation))
     if kind == "tuple_type":
         return f"write a table [[{name}]] for each" if tables else "write a list, as in [...]"
-    return f"write a table, as in [{name}]" if isinstance(where[-1], str) else "write a table"
+    if not isinstance(where[-1], str):
+        return "write a table"
+    return f"write a table, as in [{'.'.join(part for part in where if isinstance(part, str))}]"
 
 
 def _keys(where: tuple[int | str, ...], model: type[BaseModel]) -> list[str]:
@@ -71,7 +73,7 @@ def models_in(annotation: object) -> Iterator[type]:
             yield annotation
         return
     forms = [item.form for item in getattr(annotation, "__metadata__", ()) if hasattr(item, "form")]
-    if forms:  # `Written`: the table has another form than the value
+    if forms:  # `Written`, `FormOf`: the table has another form than the value
         yield from forms
         return
     for argument in typing.get_args(annotation):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from typing import TYPE_CHECKING, Final, cast
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.platform.backend import PlacedRobot
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSetup
@@ -70,17 +71,23 @@ def prefix(robot: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class DrawnModel:
-    """The model of a robot and its world for cameras; the process that draws builds it, in half a second."""
+    """The model of a robot and its world for cameras; the process that draws builds it, in half a second.
+
+    `robots` are all robots of the world, in the order of the model for physics; without them, `robot` is alone. Only
+    its own cameras show the shadow and the marks of a robot.
+    """
 
     robot: RobotModel
     world: str
+    robots: tuple[PlacedRobot, ...] = ()
 
     def build(self) -> mujoco.MjModel:
         """Build the model, whose state has the layout of the model for physics."""
         spec = world_spec(self.world, self.robot.model_path)
         draw_floors_as_meshes(spec)
         add_decals(spec, self.robot)
-        return build_in(spec, self.robot, _what(self.robot, self.world), drawn=True)
+        placed = self.robots or (PlacedRobot(self.robot),)
+        return build_with(spec, placed, _what([row.robot for row in placed], self.world), drawn=True)
 
 
 def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjModel:
@@ -89,27 +96,33 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
     A robot whose base is above the ground, such as a walking robot, is placed so that its lowest part touches the
     ground. Unless `drawn`, the model has no visual shapes: physics takes a tenth longer with them.
     """
-    return build_in(world_spec(world, robot.model_path), robot, _what(robot, world), drawn)
+    what = _what([robot], world)
+    return build_with(world_spec(world, robot.model_path), [PlacedRobot(robot)], what, drawn=drawn)
 
 
-def _what(robot: RobotModel, world: str) -> str:
-    return f"robot {robot.description.name} in world {world}"
+def build_several(robots: Sequence[PlacedRobot], world: str) -> mujoco.MjModel:
+    """The compiled model for physics of several robots in that world, in whose order they are in the state."""
+    models = [row.robot for row in robots]
+    return build_with(world_spec(world, models[0].model_path), robots, _what(models, world), drawn=False)
+
+
+def _what(robots: Sequence[RobotModel], world: str) -> str:
+    names = [robot.description.name for robot in robots]
+    return f"robot{'s' * (len(names) > 1)} {', '.join(names)} in world {world}"
 
 
 def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", drawn: bool = False) -> mujoco.MjModel:
     """The compiled model of that robot at the origin of a world that is not compiled yet, which is changed."""
-    if drawn:
-        added = robot_spec(robot)
-        polish(added, robot)
-    else:
-        _remove_scenery(spec)
-        added = robot_spec(replace(robot, description=without_visuals(robot.description)))
-    height = 0.0 if robot.tracks else depth_below_base(added, robot.description, _start(robot))
-    frame = spec.worldbody.add_frame(pos=(0.0, 0.0, height))
+    return build_with(spec, [PlacedRobot(robot)], what, drawn=drawn)
+
+
+def build_with(spec: mujoco.MjSpec, robots: Sequence[PlacedRobot], what: str, *, drawn: bool) -> mujoco.MjModel:
+    """The compiled model of robots in a world that is not compiled yet, which is changed."""
     if not drawn:
-        show_solids(added, robot.description)
-    spec.attach(added, prefix=prefix(robot.description.name), frame=frame)
-    spec.nuserdata = SIDES if robot.tracks else 0
+        _remove_scenery(spec)
+    for placed, first_side in zip(robots, first_sides(row.robot for row in robots), strict=True):
+        _attach(spec, placed, first_side, drawn=drawn)
+    spec.nuserdata = SIDES * sum(row.robot.tracks is not None for row in robots)
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
@@ -121,6 +134,28 @@ def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", dr
     model = compiled(spec, what)
     _make_slippery(model)
     return model
+
+
+def first_sides(robots: Iterable[RobotModel]) -> list[int]:
+    """For each robot of a world, where in `userdata` the runs of its belts begin."""
+    tracked = [robot.tracks is not None for robot in robots]
+    return [SIDES * sum(tracked[:number]) for number in range(len(tracked))]
+
+
+def _attach(spec: mujoco.MjSpec, placed: PlacedRobot, first_side: int, *, drawn: bool) -> None:
+    """Add a robot to the world, where it starts."""
+    robot, start = placed.robot, placed.start
+    if drawn:
+        added = robot_spec(robot)
+        polish(added, robot, first_side)
+    else:
+        added = robot_spec(replace(robot, description=without_visuals(robot.description)))
+    height = 0.0 if robot.tracks else depth_below_base(added, robot.description, _start(robot))
+    turn = (math.cos(start.yaw / 2.0), 0.0, 0.0, math.sin(start.yaw / 2.0))
+    frame = spec.worldbody.add_frame(pos=(start.x, start.y, start.z + height), quat=turn)
+    if not drawn:
+        show_solids(added, robot.description)
+    spec.attach(added, prefix=prefix(robot.description.name), frame=frame)
 
 
 def _make_slippery(model: mujoco.MjModel) -> None:

@@ -78,6 +78,7 @@ def test_a_log_below_the_folder_is_written_and_continued(folder: Path, log: str)
     assert (report.head.number, report.problem) == (4, "")
 
 
+@pytest.mark.slow
 async def test_the_user_may_name_any_file(folder: Path) -> None:
     chosen, mistake = folder.parent / "chosen", folder / "notes.txt"
     (folder.parent / "link").symlink_to(chosen)

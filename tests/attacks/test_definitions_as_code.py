@@ -57,6 +57,7 @@ def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCap
     caplog.set_level(logging.ERROR, "jauspy.codec")
 
 
+@pytest.mark.slow
 def test_texts_of_a_definition_never_run() -> None:
     """Wherever a definition takes any text, in each way: loaded, decoded with, generated, imported, a component."""
     everywhere = [hole for hole in HOLES if hole not in CHECKED]

@@ -54,6 +54,7 @@ def assert_tables_only(text: str) -> None:
     assert TABLES.fullmatch(LITERAL.sub("S", "\n".join(lines)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", WAYS)
 def test_texts_of_a_definition_stay_texts(way: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     text = made_of(way, [hole for hole in HOLES if hole not in CHECKED], tmp_path)
@@ -72,6 +73,7 @@ def test_texts_of_a_definition_stay_texts(way: str, tmp_path: Path, monkeypatch:
         assert not (tmp_path / "written").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("hole", CHECKED)
 def test_texts_in_checked_places_stay_texts(hole: str, tmp_path: Path) -> None:
     for way in WAYS:

@@ -34,6 +34,7 @@ def test_mutants_are_noticed_by_attacks_that_exist() -> None:
     assert set(NAMES) <= {each.name for each in ALL}
 
 
+@pytest.mark.slow
 def test_each_mutant_can_be_applied() -> None:
     """In a process of its own, since the defect stays; what it replaces exists."""
     program = "from tools.attack.mutants import apply; import sys; [apply(name) for name in sys.argv[1:]]"
@@ -41,6 +42,7 @@ def test_each_mutant_can_be_applied() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(600)  # above that of the process, which would leave its victims behind
 @pytest.mark.parametrize("name", MUTANTS)
 def test_the_attack_notices(name: str) -> None:
     done = attacked("--seconds", str(SECONDS), "--mutant", name)
@@ -49,6 +51,7 @@ def test_the_attack_notices(name: str) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(600)
 def test_without_a_mutant_the_bounds_are_kept() -> None:
     done = attacked("--seconds", str(SECONDS * len(NAMES)), "--only", *NAMES)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -77,7 +77,7 @@ def _assert_refused(urdf: str) -> None:
 def test_the_command_says_so() -> None:
     Path("it.urdf.xacro").write_text(ROBOT.format(PLACES["an attribute"]))
     Path("it.toml").write_text('extends = "inc1"\nurdf = "it.urdf.xacro"\n')
-    done = run.invoke(app, ["up", "it.toml"])
+    done = run.invoke(app, ["up", "it.toml", "--no-node-manager", "--local-root", str(Path.cwd())])
     assert done.exit_code == 1
     assert "xacro cannot expand it" in " ".join(done.output.split())
     assert not Path("written").exists()

@@ -56,6 +56,7 @@ def dropped_as_stale(root: Path) -> int:
     return int(found["counters"]["dropped.stale"])
 
 
+@pytest.mark.slow
 async def test_a_robot_that_was_stopped_does_not_drive_off_afterwards() -> None:
     async with VirtualNetwork() as network, network.robot() as robot, network.ocu() as ocu:
         driver = (await ocu.discover(101)).service("PrimitiveDriver")

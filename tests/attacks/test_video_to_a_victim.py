@@ -72,7 +72,7 @@ def test_video_goes_only_to_the_machine_that_asks(module: Module, host: str) -> 
 
 @pytest.mark.parametrize("port", [22, 1023, 3793, 3794])
 def test_video_goes_to_no_port_of_the_system_or_of_jaus(module: Module, port: int) -> None:
-    with pytest.raises(ConfigError, match="video is sent to ports from 1024, and not to that of JAUS"):
+    with pytest.raises(ConfigError, match="streams are sent to ports from 1024, and not to that of JAUS"):
         parse_rtp_url(f"rtp://10.0.6.1:{port}")
     assert module.enter(f"rtp://10.0.6.1:{port}", ATTACKERS[0]) == 0
 

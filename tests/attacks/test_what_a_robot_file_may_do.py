@@ -15,6 +15,7 @@ from jauspy.platform.servo_drives import CanTable
 from jauspy.robot import config as tables, robot_files
 from jauspy.robot.audit import AuditLog
 from jauspy.robot.config import RobotConfig
+from jauspy.robot.hour_meter import HourMeterFile
 from jauspy.robot.operators import command_seals
 
 DOCUMENT: Final = Path(__file__).parents[2] / "docs" / "security.md"
@@ -28,6 +29,11 @@ REFUSED: Final = {
     "operators": ['operators = "{secret}"', 'operators = "/dev/zero"', 'operators = "."'],
     "audit_log": [
         f'operators = "operators.toml"\naudit_log = "{path}"' for path in ("{secret}", "../new", "link", ".new", ".")
+    ],
+    "record_to": [f'record_to = "{path}"' for path in ("{secret}", "../new", "link", "home", "home/new", ".new", ".")],
+    "health.hour_meter": [
+        f'[health]\nhour_meter = "{path}"'
+        for path in ("{secret}", "../new", "link", "home/new", ".new", ".", "it.toml")
     ],
     "cell.types": ['[cell]\ntypes = "{secret}"', '[cell]\ntypes = "/dev/zero"'],
     "can.drives.NAME.eds": [DRIVE.replace("{{joint}}", "{joint}") + 'eds = "{secret}"\n'],
@@ -85,6 +91,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder.mkdir(parents=True)
     (folder.parent / "secret").write_text(f"key: {SECRET}\n")
     (folder / "link").symlink_to("../secret")
+    (folder / "home").symlink_to("..")
     (folder / "operators.toml").write_text("[operators]\n")
     reading = (
         '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">{}<link name="${{xacro.load_yaml({})}}"/></robot>'
@@ -108,6 +115,8 @@ def _use(path: Path) -> None:
     if config.audit_log is not None:
         with AuditLog(Path(config.audit_log), config.name):
             pass
+    if config.health.hour_meter is not None:
+        HourMeterFile(Path(config.health.hour_meter))
 
 
 @pytest.mark.parametrize(("key", "line"), [(key, line) for key, lines in REFUSED.items() for line in lines])
@@ -136,8 +145,10 @@ def test_the_table_in_the_documentation_has_these_rows() -> None:
 
 def test_no_other_key_is_a_free_text_that_names_something() -> None:
     """A new key with a text of any form needs a row here, or a place in this list."""
-    named = {"name", "description", "xacro_arguments"}
+    named = {"name", "description", "xacro_arguments", "poses"}
     keys = {key for key, field in RobotConfig.model_fields.items() if "str" in str(field.annotation)}
     assert keys <= named | set(REFUSED) | HARMLESS | {"backend", "joint_limits", "groups"}
     assert "bus" in {field.name for field in dataclasses.fields(CanTable)}
     assert "address" in tables.CloudConfig.model_fields
+    health = {key for key, field in tables.HealthConfig.model_fields.items() if "str" in str(field.annotation)}
+    assert health == {"hour_meter"}, "reminders have texts for people"

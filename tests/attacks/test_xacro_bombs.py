@@ -18,6 +18,8 @@ from jauspy.robot.urdf_paths import PackagePaths
 from jauspy.robot.xacro_expressions import LIMITS, STEPS
 from jauspy.robot.xacro_files import expand
 
+pytestmark = pytest.mark.slow
+
 HEAD: Final = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
 

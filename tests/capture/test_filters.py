@@ -9,6 +9,8 @@ from hypothesis import given, strategies as st
 
 from jauspy.capture.dissect import Part, dissect
 from jauspy.capture.filters import MAX_LENGTH, Filter
+from jauspy.codec.field_paths import leaves
+from jauspy.codec.rounding import rounded_dict
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -144,3 +146,21 @@ def test_any_text_is_a_filter_or_one_error(text: str) -> None:
     assert "\x1b" not in problem
     assert results <= {True, False}
     assert bool(results) is not bool(problem)
+
+
+def test_an_element_of_a_list_is_named_by_its_number() -> None:
+    services = "node_list[0].component_list[0].service_list"
+    assert fitting(f"{services}[1].uri contains Events") == {"services"}
+    assert fitting(f"{services}[0].uri contains Events") == set()
+    assert fitting("service_list[1].uri contains Events and node_list.node_rec.node_id == 1") == {"services"}
+    with pytest.raises(ConfigError, match=r"no message has a field 'urn_'"):
+        Filter("service_list[1].urn_ == 1", registry)
+    with pytest.raises(ConfigError, match="at character"):
+        Filter("service_list[x].uri == 1", registry)
+
+
+def test_a_filter_takes_every_path_that_tables_have() -> None:
+    for tested in PARTS.values():
+        assert tested.content.message is not None
+        for path, value in leaves(rounded_dict(tested.content.message)):
+            assert Filter(f"{path} == '{value}'" if isinstance(value, str) else f"{path} == {value}", registry)(tested)

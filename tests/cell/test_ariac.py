@@ -12,7 +12,7 @@ pytest.importorskip("mujoco", reason="needs the extra `sim`")
 
 from jauspy.cell.ariac.packer import Packer
 from jauspy.cell.ariac.runner import run_trial
-from jauspy.cell.ariac.trial_file import Trial, load, names
+from jauspy.cell.ariac.trial_file import Trial, load
 from jauspy.cell.ariac.workcell import changed, is_flipped
 from jauspy.cell.frames import se3
 from jauspy.cell.interface import GRIPPER
@@ -66,6 +66,7 @@ def robot_of(session: Session) -> SimulatedCell:
 # --- faults are real ----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_a_flipped_part_lies_upside_down_in_the_physics_and_the_sensor_sees_it(trial: Callable[..., Trial]) -> None:
     async def look(session: Session) -> None:
         grasp = session.layout.type_of("tube_1").grasp
@@ -124,7 +125,7 @@ def test_a_gripper_that_vents_lets_its_part_fall_and_reports_why(trial: Callable
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-@pytest.mark.parametrize("name", names())
+@pytest.mark.parametrize("name", ["02_flipped_parts", "05_sensor_blackout", "09_moving_belt"])
 def test_each_trial_reaches_all_points_that_can_be_had(name: str) -> None:
     found = run(load(name))
     assert found.success, found.failure

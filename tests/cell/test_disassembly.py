@@ -38,6 +38,7 @@ def disassembler(cell: FakeCell) -> Disassembler:
     return Disassembler(cell, cell.layout, Assembler(cell, cell.layout))
 
 
+@pytest.mark.slow
 async def test_an_arm_is_taken_apart_from_its_tip(cell: FakeCell) -> None:
     result = await disassembler(cell).run(BASE)
     assert [row.part for row in result.parts] == list(PARTS[::-1])
@@ -84,6 +85,7 @@ async def test_a_place_that_is_taken_is_avoided(cell: FakeCell) -> None:
         assert all(made.ur10.scene.clearance_of(pieces, place).distance >= ROOM for place in places)
 
 
+@pytest.mark.slow
 async def test_a_grasp_that_fails_is_tried_again_and_the_part_stays(cell: FakeCell) -> None:
     cell.fails = lambda connector, part: "no vacuum" if connector == GRIPPER and cell.starts[GRIPPER] == 1 else ""
     result = await disassembler(cell).run(BASE)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import coal
@@ -12,12 +14,15 @@ import pytest
 from tests.helpers.fake_cell import FakeCell
 
 from jauspy.cell.assembly import Assembler
-from jauspy.cell.frames import shifted, turned
+from jauspy.cell.frames import se3, shifted, transform, turned
 from jauspy.cell.held_load import MOST, HeldLoad
+from jauspy.cell.interface import GRIPPER
 from jauspy.cell.motion import NoPath, Path
-from jauspy.cell.scene import Layout, Piece
+from jauspy.cell.scene import Layout, Piece, connector_frame
+from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY
-from jauspy.platform.modular.holding import GRIPPER_CUP
+from jauspy.platform.modular.connector import ConnectorState
+from jauspy.platform.modular.holding import GRIPPER_CUP, GRIPPER_PLATE
 
 DOWN = turned("x", math.pi)
 
@@ -103,10 +108,76 @@ async def test_a_motion_that_would_shake_it_off_speeds_up_slowly(
 
 def test_what_is_attached_to_a_part_counts_and_a_latch_holds_more(ur10: Assembler) -> None:
     grasp = ur10.layout.grasp("car")
-    alone = ur10.handling.load("car", grasp)
+    alone = ur10.handling.load("car", grasp, latched=True)
     assert alone.strength is ur10.layout.setup.limits.latch
     assert alone.inertia.mass == pytest.approx(3.5)
     ur10.handling.members["car"] = [("servo_6", shifted(0.1, 0.1)), ("wheel_1", shifted(0.1, 0.2))]
-    assert ur10.handling.load("car", grasp).inertia.mass == pytest.approx(3.5 + 0.435 + 0.25)
-    beside = ur10.handling.load("servo_1", ur10.layout.grasp("servo_1"))
+    assert ur10.handling.load("car", grasp, latched=True).inertia.mass == pytest.approx(3.5 + 0.435 + 0.25)
+    beside = ur10.handling.load("servo_1", ur10.layout.grasp("servo_1"), latched=False)
     assert beside.strength.force == pytest.approx(GRIPPER_CUP.force)
+
+
+FLANGE = pin.SE3.Identity()
+GRASPED = (
+    ("bracket_1", None),
+    ("bracket_3", None),
+    ("tube_1", None),
+    ("tube_1", FLANGE),
+    ("box_1", None),
+    ("car", None),
+)
+"""Parts, and the gripper in their frame where it is not the usual one."""
+
+
+def test_the_gripper_locks_where_the_simulation_says_so(layout: Layout) -> None:
+    """On flanges, and on the faces of brackets that are made for it."""
+    pytest.importorskip("mujoco")
+    cells = pytest.importorskip("tests.helpers.cells")
+    cell = cells.small_cell([name for name, _ in GRASPED] + ["platform_1"], car="car")
+    found = {}
+    with cells.weightless(cell):
+        for part, grasp in GRASPED:
+            at = layout.grasp(part) if grasp is None else grasp
+            cells.put_on(cell, GRIPPER, part, transform(at.inverse()))
+            cell.advance(0.5)
+            state = cell.connectors[GRIPPER].state()
+            assert state.attached_to == part
+            found[part, grasp is None] = state.latched
+            assert layout.locks(GRIPPER, part, se3(state.offset).inverse()) == state.latched, part
+            if grasp is None:
+                assert layout.locks(GRIPPER, part) == state.latched, part
+            cell.connectors[GRIPPER].set(False)
+            cell.advance(0.01)
+            cells.put(cell, part, Transform(position=(20.0 + len(found), 0.0, 0.0)))
+    assert found == {
+        ("bracket_1", True): True,
+        ("bracket_3", True): True,
+        ("tube_1", True): False,
+        ("tube_1", False): True,
+        ("box_1", True): False,
+        ("car", True): True,
+    }
+
+
+def test_a_face_between_two_flanges_is_none(layout: Layout) -> None:
+    pair = replace(layout.setup.parts[0], name="pair", type="platform_pair")
+    made = copy.copy(layout)
+    made.setup = replace(layout.setup, parts=(*layout.setup.parts, pair))
+    assert not made.locks(GRIPPER, "pair")
+    left = connector_frame(made.type_of("pair"), "left") * turned("x", math.pi)
+    assert made.locks(GRIPPER, "pair", left)
+    assert made.locks("pair/left", "servo_1")
+    assert not made.locks("pair/left", "box_1")
+
+
+def test_what_the_cup_bears_need_not_lock(ur10: Assembler) -> None:
+    def held(part: str) -> ConnectorState:
+        offset = transform(ur10.layout.grasp(part).inverse())
+        return ConnectorState(attached_to=part, offset=offset, vacuum=GRIPPER_PLATE.pressure)
+
+    assert not ur10._needs_lock(held("bracket_1")), "light"
+    assert ur10._needs_lock(held("car"))
+    assert not ur10._needs_lock(replace(held("car"), latched=True))
+    assert not ur10._needs_lock(held("box_1")), "it has no latch"
+    ur10.handling.members["bracket_1"] = [("platform_1", shifted(z=0.1))]
+    assert ur10._needs_lock(held("bracket_1"))

@@ -12,7 +12,7 @@ import pytest
 
 from jauspy.cell.measurements import Measured
 from jauspy.cell.physics import JointFigures, Meeting, Physics
-from jauspy.cell.physics_tables import MOST_ROWS, gentle, physics_tables, trials_tables
+from jauspy.cell.physics_tables import MOST_ROWS, energy_table, gentle, physics_tables, trials_tables
 from jauspy.cell.report import Section, page
 from jauspy.cell.trials import read_results
 from jauspy.errors import ConfigError
@@ -27,6 +27,7 @@ class Probe:
     collisions: list[Meeting] = field(default_factory=list)
     joints: dict[str, JointFigures] = field(default_factory=dict)
     peaks: dict[tuple[str, str], Peak] = field(default_factory=dict)
+    stops: int = 0
 
 
 @dataclass
@@ -38,7 +39,7 @@ class Peak:
     moment: tuple[float, float, float] = (0.3, 0.4, 0.0)
 
 
-def physics(*speeds: float, collisions: int = 0, load: float = 0.6) -> Physics:
+def physics(*speeds: float, collisions: int = 0, load: float = 0.6, stops: int = 0) -> Physics:
     meetings = [Meeting(1.0, "gripper", "box_1", speed, 10.0) for speed in speeds]
     hits = [Meeting(2.0, EVIL, "bin_1", 0.1, 30.0 + number) for number in range(collisions)]
     peaks = {
@@ -46,7 +47,8 @@ def physics(*speeds: float, collisions: int = 0, load: float = 0.6) -> Physics:
         ("servo_1/output", "latch"): Peak(0.1),
         ("gripper", "gripper"): Peak(0.2),
     }
-    return Physics.of(Probe(meetings, [], hits, {"elbow": JointFigures(3.0, 50.0, 0.002, 0.0005, 7)}, peaks))
+    joints = {"elbow": JointFigures(3.0, 50.0, 0.002, 0.0005, 7)}
+    return Physics.of(Probe(meetings, [], hits, joints, peaks, stops))
 
 
 def run(seed: int, *speeds: float, **fields: Any) -> Measured:
@@ -54,10 +56,11 @@ def run(seed: int, *speeds: float, **fields: Any) -> Measured:
 
 
 def test_the_largest_of_each_figure_counts() -> None:
-    figures = physics(0.004, 0.012, collisions=2).figures()
+    figures = physics(0.004, 0.012, collisions=2, stops=2).figures()
     assert figures["attach speed"] == 0.012
     assert figures["attachments"] == 2.0
     assert figures["collision force"] == 31.0
+    assert figures["stops at contact"] == 2.0
     assert figures["tracking error"] == 0.002
     assert "landing speed" not in figures, "nothing was put down"
     assert (figures["load of the latch"], figures["load of the gripper"]) == (0.6, 0.2)
@@ -65,22 +68,47 @@ def test_the_largest_of_each_figure_counts() -> None:
 
 def test_gentle_runs_keep_their_promises_and_others_say_what_happened() -> None:
     assert all(promise.kept for promise in gentle(run(1, 0.004, 0.02)))
-    loaded, hard, touched = gentle(run(1, 0.004, 0.111, collisions=2))
+    loaded, hard, touched, stopped = gentle(run(1, 0.004, 0.111, collisions=2, stops=2))
     assert loaded.measured == "platform_1/top (latch) with servo_1: at most 60 % of its strength"
     assert (hard.kept, hard.measured) == (False, "1 of 2, at most 111.0 mm/s and 10 N")
     assert not touched.kept
     assert touched.measured.endswith("on bin_1: 31 N")
+    assert stopped.kept, "there were as many contacts"
 
 
 def test_a_strong_attachment_is_not_gentle() -> None:
     found = run(1, 0.004)
     assert found.physics is not None
     found.physics.attaches.append(Meeting(1.0, "gripper", "box_1", 0.001, 763.0))
-    assert [promise.kept for promise in gentle(found)] == [True, False, True]
+    assert [promise.kept for promise in gentle(found)] == [True, False, True, True]
+
+
+def test_a_stop_without_a_contact_is_a_false_alarm() -> None:
+    *_, stopped = gentle(run(1, 0.004, stops=1))
+    assert (stopped.kept, stopped.measured) == (False, "1 ended, 0 contacts")
+
+
+def test_the_energy_of_each_task_has_its_batteries() -> None:
+    battery = {"battery energy of car": 7200.0, "battery charge of car": 0.99, "battery voltage of car": 41.8}
+    runs = [
+        Measured(1, "lift", duration=10.0, values={"energy": 360.0}),
+        Measured(1, "car", duration=100.0, values={"energy": 7000.0, **battery}),
+        Measured(1, "step", failure="stopped"),
+    ]
+    table = energy_table(runs)
+    assert table is not None
+    assert list(table.rows[1:]) == [
+        ("lift", "10.0", "0.100", "36.0", "none", "", "", ""),
+        ("car", "100.0", "1.944", "70.0", "car", "2.000", "99.0", "41.80"),
+    ]
+    assert energy_table([Measured(1, EVIL)]) is None
+    assert EVIL not in page(
+        "t", "l", [], [Section("s", tables=[energy_table([Measured(1, EVIL, values={"energy": 1.0})])])]
+    )
 
 
 def test_an_overloaded_connector_breaks_its_promise() -> None:
-    assert [promise.kept for promise in gentle(run(1, 0.004, load=1.02))] == [False, True, True]
+    assert [promise.kept for promise in gentle(run(1, 0.004, load=1.02))] == [False, True, True, True]
 
 
 def test_loads_are_listed_by_connector() -> None:

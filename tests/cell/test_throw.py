@@ -25,6 +25,7 @@ from jauspy.cell.tasks import prepared, run_one
 from jauspy.cell.throw import BASE, LEANING, MARGIN, Load, SampledMotion, ThrowPlan, ThrowPlanner, flight
 from jauspy.platform.modular.dynamics import solid_inertia
 from jauspy.platform.modular.holding import LATCH, SAFETY, Holding
+from jauspy.platform.modular.parts import ConnectorLimits
 
 AIM = np.array([2.3, 0.22, 0.0])
 
@@ -42,7 +43,9 @@ def planner() -> ThrowPlanner:
     kind, in_tip, middle = arm.layout.type_of("box_1"), arm.layout.grasp("box_1").inverse(), shifted(z=0.05)
     arm.scene.hold("box_1", pieces_of_part(kind), in_tip)
     shapes = [Piece(piece.shape, middle.inverse() * piece.frame) for piece in pieces_of_part(kind)]
-    return ThrowPlanner(arm.chain, arm.scene, Load(0.3, kind.solids[0].size, in_tip * middle), shapes)
+    return ThrowPlanner(
+        arm.chain, arm.scene, Load(0.3, kind.solids[0].size, in_tip * middle), shapes, ConnectorLimits()
+    )
 
 
 @pytest.fixture(scope="module")
@@ -50,6 +53,7 @@ def plan(planner: ThrowPlanner) -> ThrowPlan:
     return planner.plan(AIM)
 
 
+@pytest.mark.slow
 def test_the_plan_keeps_all_limits_and_lands_at_the_aim(plan: ThrowPlan) -> None:
     assert plan.speed_ratio <= 1.0
     assert plan.torque_ratio <= 0.9
@@ -99,7 +103,8 @@ def test_it_refuses_what_breaks_a_limit(
     with pytest.raises(NoPath, match="m off"):
         planner.aimed(plan.windup, plan.follow_through, AIM + np.array([3.0, 0.0, 0.0]))
     with monkeypatch.context() as patched:
-        patched.setattr(throw, "LATCH", Holding(200.0, 0.025))
+        weak = Holding(200.0, 0.025)
+        patched.setattr(planner, "_strengths", [weak for _ in planner._strengths])
         with pytest.raises(NoPath, match="strengths"):
             planner.turned(plan, AIM)
     with monkeypatch.context() as patched:

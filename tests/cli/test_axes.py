@@ -34,6 +34,7 @@ def running(node_manager):
         portal.run(robot.__aexit__(None, None, None))
 
 
+@pytest.mark.slow
 def test_tf_has_y_to_the_left_and_query_says_that_it_has_not(node_manager, running, monkeypatch):
     with OCU("42.1.1", node_manager.local) as ocu:
         robot = ocu.robot(101)

@@ -231,6 +231,7 @@ def test_films_of_designs_need_something_built(tmp_path: Path) -> None:
     assert "add --build" in result.output + result.stderr
 
 
+@pytest.mark.slow
 def test_a_design_is_built_and_compared_with_what_was_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[str] = []
 

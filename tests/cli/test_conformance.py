@@ -33,6 +33,7 @@ def invoke(*arguments):
     return CliRunner().invoke(app, ["conformance", *map(str, arguments)])
 
 
+@pytest.mark.slow
 def test_steps_run_by_udp_and_through_a_node_manager(robot, tmp_path):
     root, port = robot
     files = {kind: tmp_path / f"run.{kind}" for kind in ("junit", "html", "pcapng")}
@@ -50,6 +51,27 @@ def test_steps_run_by_udp_and_through_a_node_manager(robot, tmp_path):
     assert len(ET.fromstring(files["junit"].read_bytes())[0]) == 13
     assert "13 pass" in files["html"].read_text()
     assert is_capture(files["pcapng"].read_bytes()[:4])
+
+
+def test_a_robot_is_named_by_its_number(robot):
+    root, _ = robot
+    command = (
+        "iop-v3",
+        "--target",
+        "105",
+        "--connect",
+        f"local:{root}",
+        "--timeout",
+        5,
+        "--only",
+        "platform",
+        "--json",
+    )
+    result = invoke(*command)
+    verdicts = {line["step"]: line["verdict"] for line in map(json.loads, result.stdout.splitlines()) if "step" in line}
+    assert verdicts["platform/Discovery"] == "pass"
+    assert verdicts["platform/PlatformState"] == "fail"  # it is a robot for another test
+    assert result.exit_code == 1
 
 
 def test_failures_are_explained(robot):

@@ -1,8 +1,10 @@
 """`jauspy decode` as YAML and CSV, of JSerial lines, and of large messages."""
 
 import csv
+import gc
 import io
 import json
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -10,7 +12,9 @@ import yaml
 from typer.testing import CliRunner
 
 from jauspy.capture import writer
+from jauspy.cli.decode import collected_rarely
 from jauspy.cli.main import app
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import Event, QueryHeartbeatPulse, ReportIdentification
 from jauspy.messages.mobility import ReportLocalPose
@@ -104,3 +108,13 @@ def test_what_comes_before_damage_is_printed(capture):
     result = run(capture, "--json", status=1)
     assert len(result.stdout.splitlines()) >= 3
     assert "damaged or cut off after frame 3" in result.output
+
+
+def test_thresholds_of_the_garbage_collector_are_restored_after_errors_too() -> None:
+    before = gc.get_threshold()
+    found = []
+    with suppress(ConfigError), collected_rarely():
+        found.append(gc.get_threshold()[0])
+        raise ConfigError("the file is cut off")
+    assert found[0] > before[0]
+    assert gc.get_threshold() == before

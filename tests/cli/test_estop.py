@@ -27,6 +27,7 @@ def lines(*arguments, status=0):
     return {each["id"]: each for each in map(json.loads, result.stdout.splitlines())}
 
 
+@pytest.mark.slow
 def test_all_components_stop_beside_the_client_that_drives_and_are_released(robot):
     with sync.OCU("42.1.1", robot.local) as ocu:
         driver = ocu.discover(subsystem=101).service("mobility:PrimitiveDriver")

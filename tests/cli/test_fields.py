@@ -154,6 +154,7 @@ def test_values_have_the_decimals_of_their_resolution():
     assert [line.plain for line in field_lines(message)] == ["x: 2 m", "yaw: 1.5708 rad"]
 
 
+@pytest.mark.slow
 def test_text_and_json_show_the_same_values():
     random = Random(1)
     for cls in registry:

@@ -27,6 +27,7 @@ def children() -> list[psutil.Process]:
     return [each for each in psutil.Process().children() if "node-manager" in each.cmdline()]
 
 
+@pytest.mark.slow
 async def test_foreign_node_manager_is_replaced_when_it_ends(
     root: Path, free_port: int, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -48,6 +48,7 @@ def test_every_verb_has_a_heading_in_the_help():
     assert "Commands" not in text.replace("COMMAND", "")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_there_is_completion(shell):
     variable = "_JAUSPY_COMPLETE"

@@ -26,6 +26,9 @@ def test_map_of_the_surroundings_is_written(robot, node_manager: LocalNode, tmp_
     [
         (["nowhere/yard"], "does not exist"),
         (["yard", "--size", "1000", "--resolution", "0.01"], "cells along a side; a map has 2..4000"),
+        (["yard", "--elevation"], "--elevation and --cloud ADDRESS belong together"),
+        (["yard", "--cloud", "ipc:///none"], "--elevation and --cloud ADDRESS belong together"),
+        (["yard", "--elevation", "--cloud", "ipc:///none", "--size", "100"], "an elevation grid has 4..400"),
     ],
 )
 def test_invalid_options_are_rejected_before_mapping(options, said, tmp_path, monkeypatch, capsys):

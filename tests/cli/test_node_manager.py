@@ -68,6 +68,7 @@ def test_sigusr1_prints_the_counters(node_manager, free_port):
     pytest.fail("the datagram was never counted")
 
 
+@pytest.mark.slow
 def test_port_in_use_error_names_the_process_and_the_option(node_manager, free_port, other_root):
     second = subprocess.run(
         [*COMMAND, "--port", str(free_port), "--local-root", str(other_root)],
@@ -139,6 +140,7 @@ def test_the_printed_configuration_is_valid(tmp_path):
     assert "\nport = 4000\n" in first.stdout
 
 
+@pytest.mark.slow
 def test_peer_sets_its_multicast_group():
     assert '\nmulticast_group = "224.1.0.1"\n' in run("--print-config", "--peer", "openjaus").stdout
     assert '\nmulticast_group = "239.255.0.1"\n' in run("--print-config", "--peer", "jts").stdout
@@ -156,6 +158,7 @@ def test_invalid_file_error_names_file_key_and_fix(tmp_path):
     assert "line 1: prot = 3795: there is no such key; known here are: address," in done.stderr
 
 
+@pytest.mark.slow
 def test_status_of_a_running_node_manager_is_printed(node_manager, free_port, local_root):
     reported = run("--status", "--local-root", str(local_root))
     assert reported.stdout.startswith(f"node manager, process {node_manager.pid}, up ")

@@ -244,9 +244,9 @@ def test_sets_are_found_by_all_names():
         return [service["urn"] for service in objects("ls", "--set", name)]
 
     assert urns("environmentSensing") == urns("environment_sensing") == urns("ENVIRONMENTSENSING") != []
-    assert (
-        urns("exp") == urns("aeodrs") == [f"urn:jaus:jss:exp:aeodrs:HealthMonitor{client}" for client in ("", "Client")]
-    )
+    assert urns("exp") == urns("aeodrs")
+    assert "urn:jaus:jss:exp:aeodrs:HealthMonitor" in urns("aeodrs")
+    assert all(urn.startswith("urn:jaus:jss:exp:aeodrs:") for urn in urns("aeodrs"))
     assert {(each["set"], each["package"]) for each in objects("ls", "--set", "mission_spooler")} == {
         ("missionSpooler", "mission_spooler")
     }

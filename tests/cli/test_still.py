@@ -34,6 +34,7 @@ def test_picture_format_follows_the_file_suffix(robot, tmp_path):
     assert (found["frame_size"], found["still_image_format"]) == ("VGA_640_X480", "JPEG")
 
 
+@pytest.mark.slow
 def test_missing_camera_or_sensor_is_an_error(robot, tmp_path):
     run = jauspy("still", "101.1.102", "--save", str(tmp_path / "x.jpg"), *robot, status=1)
     assert "101.1.102 does not offer StillImage; it offers" in " ".join(run.stderr.split())

@@ -274,6 +274,7 @@ def test_dead_node_manager_is_restarted(robot, local_root):
     robot.family += psutil.Process(robot.process.pid).children()
 
 
+@pytest.mark.slow
 def test_up_without_a_node_manager_says_what_to_do(local_root):
     done = jauspy(
         "up", "inc1", "--backend", "kinematic", "--no-node-manager", "--local-root", str(local_root), status=1

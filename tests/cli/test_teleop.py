@@ -148,6 +148,7 @@ class Terminal:
         os.close(self._end)
 
 
+@pytest.mark.slow
 async def test_keys_drive_the_robot_and_it_stops_without_them(node_manager, robot):
     terminal = Terminal("101", "--connect", node_manager.local, "--speed", "0.3")
     try:

@@ -51,6 +51,7 @@ def port():
         return receiver.port
 
 
+@pytest.mark.slow
 def test_video_is_recorded_in_the_size_that_is_asked_for(robot, port, tmp_path):
     film = tmp_path / "arm.mp4"
     wanted = ["--size", "320x240", "--rate", "20", "--bitrate", "500"]

@@ -60,6 +60,7 @@ _TEXTS = st.lists(st.one_of(st.sampled_from(_FRAGMENTS), _XML), max_size=6).map(
 _numbers = count()
 
 
+@pytest.mark.slow
 @given(st.dictionaries(st.sampled_from(HOLES), _TEXTS, min_size=1, max_size=3))
 @settings(max_examples=30)
 @example(dict.fromkeys(["field", "message", "service", "type", "enum", "action"], "²"))

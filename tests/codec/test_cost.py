@@ -87,6 +87,7 @@ def test_reference_message_takes_normal_time() -> None:
     assert len(ReportServices.decode(normal()).node_list[0].component_list) == 36
 
 
+@pytest.mark.slow
 def test_cost_inputs_cover_all_kinds(inputs: Any) -> None:
     assert {len(data) for _, data in inputs} == {SIZE}
     assert len({cls for cls, _ in inputs}) > 10

@@ -43,6 +43,7 @@ def every_class(cls: type[Any]) -> list[type[Struct]]:
     return [cls, *nested]
 
 
+@pytest.mark.slow
 def test_code_is_generated_for_every_class(odd: Registry) -> None:
     for message in [*registry, *odd]:
         install(message, "_unpack")

@@ -116,6 +116,7 @@ def test_mutated_dictionaries_raise_codec_errors_only(odd: Registry, values_of: 
     run()
 
 
+@pytest.mark.slow
 @MANY
 @given(JSON)
 def test_arbitrary_values_raise_codec_errors_only(data: Any) -> None:

@@ -6,6 +6,7 @@ import json
 import math
 import random
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -38,11 +39,17 @@ def scalings(item: Item) -> Iterator[Scaling]:
             yield from scalings(arm)
 
 
+FINER_THAN_FLOATS = {(1e5, 1e10, 2**64 - 1)}
+"""Frequencies of IOP's Communicator in eight bytes: no float tells two neighbouring raw values apart."""
+
+
 def test_every_scaling_of_the_standards_keeps_its_raw_values() -> None:
     every = {scaling for entry in registry.entries for scaling in scalings(entry.load().layout())}
     assert len(every) > 50
     rng = random.Random(1)
-    for scaling in every:
+    coarse = {scaling for scaling in every if scaling.top <= 2**53}
+    assert {(fine.lower, fine.upper, fine.top) for fine in every - coarse} == FINER_THAN_FLOATS
+    for scaling in coarse:
         raws = [0, 1, scaling.top // 2, scaling.top // 2 + 1, scaling.top - 1, scaling.top]
         for raw in raws + [rng.randint(0, scaling.top) for _ in range(20)]:
             value = scaling.real(raw)
@@ -82,6 +89,22 @@ def test_what_is_outside_of_the_range_stays() -> None:
 def test_a_float_near_the_greatest_of_32_bits_is_rounded_within_them() -> None:
     command = registry.by_name("CBRNScanWindowConfigurationCommand")
     check(command(station_number=0, set_elevation_scan_rate=3.4025001647762064e38))
+
+
+def test_a_float_at_a_limit_is_not_rounded_beyond_it() -> None:
+    command = registry.by_name("CBRNScanWindowConfigurationCommand")
+    check(command(station_number=0, set_end_scan_window_azimuth=6.2831854820251465))
+
+
+def test_reals_of_64_bits_are_read_exactly_and_keep_their_value() -> None:
+    capability = registry.by_name("ReportCommunicatorCapability")
+    data = bytes.fromhex("004900000100000000000000000000000000000000c600")
+    message = capability.decode(data)
+    assert message.frequency_band_list[0].max_frequency == float(
+        100_000 + Fraction(0xC600000000000000, 2**64 - 1) * (10**10 - 100_000)
+    )
+    assert capability.decode(message.encode()) == message
+    check(message)
 
 
 def check(message: Message) -> None:

@@ -38,6 +38,7 @@ def test_what_is_wrong_with_such_a_component_is_found() -> None:
     }
 
 
+@pytest.mark.slow
 def test_message_that_is_unanswered_in_one_state_is_still_sent_in_others() -> None:
     """RequestControl is not answered in an emergency."""
 

@@ -50,6 +50,7 @@ def named(profile: str) -> list[Fault]:
     return [fault for fault in HAND_WRITTEN[profile] if fault.trips and not fault.motion]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("profile", HAND_WRITTEN)
 def test_sampled_faults_are_detected(profile):
     assert list(filter(None, (missed(fault, fault.run()) for fault in named(profile)[::SAMPLE]))) == []
@@ -88,6 +89,7 @@ def test_fault_names_are_unique():
     assert len({fault.name for fault in named}) >= 25
 
 
+@pytest.mark.slow
 def test_robot_without_fault_passes():
     healthy = Fault("none", "igvc-2015", (), lambda: (TargetComponent, VirtualTarget, []), motion=True)
     report = healthy.run()

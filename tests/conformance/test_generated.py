@@ -124,6 +124,7 @@ def test_target_without_the_services_does_not_pass(name):
     assert "it offers core:Discovery 1.1, core:Events 1.1" in report.problem
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("set_name", "version"),
     sampled(

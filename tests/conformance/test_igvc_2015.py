@@ -47,5 +47,5 @@ def test_several_components_that_answer_are_an_error_before_the_first_step():
     report = examined("igvc-2015", robot(name="inc1", tick=None), JausID(101, 1, 255))
     assert report.results == ()
     assert report.status == 2
-    assert report.problem.startswith("8 components answer; name one: 101.1.10")
+    assert report.problem.startswith("10 components answer; name one: 101.1.10")
     assert "(as in --target 101.1.10" in report.problem

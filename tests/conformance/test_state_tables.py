@@ -145,6 +145,7 @@ def test_mistake_in_the_merged_machine_is_detected_by_the_tables_only(mistake):
     assert shared.failures == ()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("profile", ["core-1.1", "mobility-1.1"])
 def test_robot_passes_every_row(profile):
     report = run_of(profile, "table/")

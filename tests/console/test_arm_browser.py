@@ -1,4 +1,4 @@
-"""A person moves the arm in a real browser: sliders, tool by key and button, poses, a trajectory, its program."""
+"""A person moves the arm in a real browser: sliders with a ghost, tool by key and button, poses, a trajectory."""
 
 from __future__ import annotations
 
@@ -44,12 +44,15 @@ def height(page) -> float:
 
 
 def still(page) -> float:
-    """The height of the tool, which must not change within half a second."""
+    """The height of the tool, which does not change any more; on a busy machine the page shows that late."""
     page.wait_for_timeout(600)  # 200 ms of the dead-man's switch, and two pictures of the panel
-    before = height(page)
-    page.wait_for_timeout(700)
-    assert height(page) == pytest.approx(before, abs=0.002)
-    return before
+    heights = [height(page)]
+    for _ in range(4):
+        page.wait_for_timeout(700)
+        heights.append(height(page))
+        if heights[-1] == pytest.approx(heights[-2], abs=0.002):
+            return heights[-1]
+    pytest.fail(f"the tool still moves: {heights}")
 
 
 def move_joints(page) -> None:
@@ -99,6 +102,33 @@ def keep_a_pose(page) -> None:
     page.get_by_role("button", name="go to low").wait_for()
 
 
+def move_to_poses_of_the_robot(page) -> None:
+    """The arm alone, then with the flippers, and stopped on its way."""
+    page.locator(".arm").get_by_text("poses", exact=True).click()
+    page.get_by_role("button", name="go to inspect", exact=True).click()
+    page.locator(".arm").get_by_text("joints", exact=True).click()
+    until(page, least=1.72, most=1.77, joint=1)
+    page.locator(".arm button:has-text('move'):not([disabled])").wait_for()
+    page.locator(".arm").get_by_text("poses", exact=True).click()
+    page.get_by_role("button", name="all to reach_low", exact=True).click()
+    page.locator(".arm").get_by_text("joints", exact=True).click()
+    until(page, least=0.63, most=0.68, joint=1)
+    page.locator(".arm button:has-text('move'):not([disabled])").wait_for()
+    page.locator(".arm").get_by_text("poses", exact=True).click()
+    page.get_by_role("button", name="go to stow", exact=True).click()
+    page.locator(".arm").get_by_role("button", name="stop").click()
+    page.locator(".arm").get_by_role("button", name="stop").wait_for(state="hidden")
+    page.locator(".arm").get_by_text("joints", exact=True).click()
+    page.wait_for_timeout(1500)
+    until(page, most=2.5, joint=1)
+    page.locator(".arm").get_by_text("poses", exact=True).click()
+    page.get_by_role("button", name="all to stow", exact=True).click()
+    page.locator(".arm").get_by_text("joints", exact=True).click()
+    until(page, least=2.68, joint=1)
+    page.locator(".arm button:has-text('move'):not([disabled])").wait_for()
+    assert page.locator(".arm .problem").first.inner_text() == ""
+
+
 def teach(page) -> None:
     """Two rows: too fast first, then played, then one step."""
     page.get_by_role("tab", name="Trajectory").click()
@@ -132,12 +162,12 @@ def export(page, robot: RunningRobot, tmp_path: Path) -> None:
         page.get_by_role("button", name="export as Python").click()
     program = tmp_path / "wave.py"
     program.write_text(exported.value.path().read_text().replace("0.4", "0.7"))
-    page.locator("input[type=file]").set_input_files(
+    page.locator("input[type=file][accept='.json']").set_input_files(
         {"name": "mine.json", "mimeType": "application/json", "buffer": text.encode()}
     )
     page.wait_for_function(f"document.querySelector('[aria-label=\"{TURN} of row 1\"]').value === '-0.500'")
     page.get_by_role("button", name="release", exact=True).first.click()
-    page.get_by_text("observing").wait_for()
+    page.get_by_text("observing", exact=True).wait_for()
     page.locator(".trajectory .problem").get_by_text("take control first").wait_for()
 
     done = subprocess.run(
@@ -159,3 +189,29 @@ def test_an_arm_is_moved_and_taught(url: str, robot: RunningRobot, tmp_path: Pat
         keep_a_pose(page)
         teach(page)
         export(page, robot, tmp_path)
+
+
+def test_an_arm_is_moved_to_poses_of_the_robot(url: str) -> None:
+    with page_at(url) as page:
+        page.locator(".joint-wanted input").first.wait_for()
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_text("you operate this robot").wait_for()
+        move_to_poses_of_the_robot(page)
+
+
+def test_the_wanted_posture_is_a_ghost_that_tells_what_it_would_touch(url: str) -> None:
+    with page_at(url) as page:
+        page.locator(".joint-wanted input").first.wait_for()
+        page.locator(".heading", has_text="Control").click()
+        page.keyboard.press("Digit3")
+        page.wait_for_function("document.getElementById('world-3d').dataset.pictures > 3")
+        page.get_by_label(TURN).first.fill("0.4")
+        page.keyboard.press("Tab")
+        page.wait_for_function("document.getElementById('world-3d').dataset.wanted === 'free'")
+        page.get_by_label(SHOULDER).first.fill("-0.4")
+        page.keyboard.press("Tab")
+        page.locator(".wanted-posture").get_by_text(re.compile("would touch: .* and ")).wait_for()
+        page.wait_for_function("document.getElementById('world-3d').dataset.wanted === 'touches'")
+        page.get_by_role("button", name="reset").click()
+        page.wait_for_function("document.getElementById('world-3d').dataset.wanted === 'none'")
+        assert page.locator(".wanted-posture").inner_text() == ""

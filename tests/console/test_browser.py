@@ -146,6 +146,23 @@ def test_a_message_is_found_and_opened(url: str) -> None:
         page.locator(".fields .path").filter(has_text=re.compile("^status$")).wait_for()
 
 
+def test_costs_of_a_navigator_are_a_layer_of_the_map_that_is_switched(url: str, robot: RunningRobot) -> None:
+    costs = "{rows: 1, columns: 1, width: 6, height: 6, x: 0, y: 0, yaw: 0, cells: btoa('\\u00fe')}"
+    pixel = "[...jauspy.map.canvas.getContext('2d').getImageData(...jauspy.map.toScreen([0.8, -1.1]), 1, 1).data]"
+    with page_at(url) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        page.get_by_role("tab", name="World").click()
+        page.wait_for_function("jauspy.world.pose && jauspy.world.model.shapes.length > 80")
+        page.evaluate(f"jauspy.way.take({{path: [[0, 0], [1, 1]], costs: {costs}}})")
+        page.evaluate("jauspy.map.draw()")
+        before = page.evaluate(pixel)
+        page.get_by_text("costs", exact=True).click()
+        page.wait_for_function("jauspy.world.show.costs")
+        page.evaluate("jauspy.map.draw()")
+        after = page.evaluate(pixel)
+        assert after[0] - after[1] > before[0] - before[1] + 30, "red, as the robot cannot stand there"
+
+
 def test_waypoints_are_set_by_clicks_and_driven(url: str, robot: RunningRobot) -> None:
     with page_at(url) as page:
         page.get_by_text("101 inc1").first.wait_for()
@@ -169,10 +186,15 @@ def test_waypoints_are_set_by_clicks_and_driven(url: str, robot: RunningRobot) -
         assert start_button.is_disabled(), "an observer plans, and does not drive"
         page.get_by_role("button", name="take", exact=True).click()
         page.get_by_text("you operate this robot").wait_for()
+        speed = page.locator(".execution").get_by_label("m/s", exact=True)
+        speed.fill("0.1")  # it is still under way when a slow page has sent the pause
+        page.keyboard.press("Tab")
         start_button.click()
         page.locator(".execution .progress").get_by_text("drives to waypoint").wait_for()
         page.get_by_role("button", name="pause", exact=True).click()
         page.locator(".execution .progress").get_by_text("waits on the way").wait_for()
+        speed.fill("0.5")
+        page.keyboard.press("Tab")
         page.get_by_role("button", name="resume", exact=True).click()
         page.locator(".execution .progress").get_by_text("ended at waypoint 2 of 2").wait_for()
         there = page.evaluate("jauspy.world.pose.slice(0, 2)")

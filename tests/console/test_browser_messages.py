@@ -100,7 +100,7 @@ async def test_a_stick_that_sends_anything_else_stops_the_robot(
             assert operation._wanted == (0.25, 0.0) or at.sent
             drive.send(text)
             await drive.settled()
-            assert operation._timer is None, text
+            assert operation._dead_man._timer is None, text
         assert drive.code is None
         await asyncio.sleep(0.1)
         assert at.sent
@@ -137,7 +137,7 @@ async def test_a_flood_closes_the_socket_and_stops_the_robot(
         assert drive.code == 1008
         operation = at.console.operation(101)
         assert operation is not None
-        assert operation._timer is None
+        assert operation._dead_man._timer is None
         assert at.console.counters["/ws/drive, too many"] == 1
 
 

@@ -127,6 +127,7 @@ def gripper(cell: Cell) -> Transform:
 HELD = Transform(rotation_about((0.0, 0.0, 1.0), 0.4), (0.01, -0.02, 0.0))
 
 
+@pytest.mark.slow
 async def test_what_is_held_is_drawn_where_its_holder_is() -> None:
     async with running() as cell:
         cell.robot.assemble("servo_1", "tube_1")
@@ -181,6 +182,7 @@ async def follow(cell: Cell, operation: Operation) -> Robot:
     return robot
 
 
+@pytest.mark.slow
 async def test_a_car_that_appears_is_operated_and_one_that_goes_is_not() -> None:
     async with running() as cell:
         events: list[str] = []

@@ -329,12 +329,12 @@ def test_a_page_that_is_closed_releases_the_robot_at_once(browser: Any, url: str
     tab, other = new_page(browser), new_page(browser)
     drive(tab, url, robot)
     other.goto(url)
-    other.get_by_text("another browser operates it").or_(other.get_by_text("observing")).first.wait_for()
+    other.get_by_text("another browser operates it").or_(other.get_by_text("observing", exact=True)).first.wait_for()
     take(tab)  # a busy machine may have lost control meanwhile
     other.get_by_text("another browser operates it").wait_for()
     tab.close()
     robot.assert_released_at_once()
-    other.get_by_text("observing").wait_for()
+    other.get_by_text("observing", exact=True).wait_for()
     other.close()
 
 

@@ -14,6 +14,7 @@ from nicegui import Client, ui
 from nicegui.page import page as make_page
 
 from jauspy.console.panels.fleet import FleetPanel
+from jauspy.console.part_names import PartNames
 from jauspy.console.traffic import Traffic
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -28,7 +29,8 @@ def component(robot: int, number: int, name: str = "") -> ComponentInfo:
 
 def panel_of(robots: dict[int, Any]) -> FleetPanel:
     fleet = SimpleNamespace(robots=robots, states={}, is_silent=lambda _: False, age=lambda _: 0.0)
-    console: Any = SimpleNamespace(fleet=fleet, traffic=Traffic(registry), ocu=SimpleNamespace(id=JausID(42, 1, 1)))
+    ocu = SimpleNamespace(id=JausID(42, 1, 1))
+    console: Any = SimpleNamespace(fleet=fleet, traffic=Traffic(registry), ocu=ocu, names=PartNames())
     with Client(make_page(""), request=None):
         return FleetPanel(console, CHOSEN.append)
 
@@ -88,6 +90,7 @@ NAMES = st.sampled_from(["", "pose"])
 ROBOTS = st.dictionaries(st.integers(1, 4), st.tuples(NAMES, st.dictionaries(st.integers(1, 4), NAMES)), max_size=4)
 
 
+@pytest.mark.slow
 @given(st.lists(ROBOTS, min_size=2, max_size=5))
 @settings(max_examples=30)
 def test_whatever_comes_and_goes_the_page_shows_what_is_there(history: list[Any]) -> None:

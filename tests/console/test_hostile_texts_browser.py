@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -13,7 +14,7 @@ from typing import Any
 import pytest
 from tests.helpers.browser import BROWSER_MARKS, chromium, console_for, new_page
 from tests.helpers.command_line import stopped
-from tools.attack.hostile_robot import IN_FILES, PAYLOADS
+from tools.attack.hostile_robot import IN_FILES, PAYLOADS, UNPRINTABLE
 
 from jauspy.console.saved_files import SavedFiles
 from jauspy.printable import printable
@@ -117,7 +118,7 @@ def choose_arm(page: Any) -> Any:
     arm = page.locator("section.arm")
     arm.get_by_text("joints", exact=True).first.click()
     arm.locator(".q-select .q-field__control").click()
-    page.get_by_role("option", name="66.1.2").wait_for()
+    page.get_by_role("option", name=re.compile(r"66\.1\.2$")).wait_for()
     page.get_by_role("option", name="66.1.1").first.click()
     arm.locator(".joint-value").nth(len(PAYLOADS) - 1).wait_for()
     return arm
@@ -147,8 +148,25 @@ def test_joints_and_poses_of_the_arm(page: Any) -> None:
     shown = {text.removeprefix("go to ") for text in labels if text and text.startswith("go to ")}
     assert shown == {"given", "constructor", "__proto__"}, "the other texts are not names of poses"
     hover_all(page, ".arm .poses .grow")
-    for button in arm.get_by_role("button", name="go", exact=True).all()[:3]:
+    for button in arm.get_by_role("button", name=re.compile("^go to ")).all()[:3]:
         button.click()
+    page.locator(".arm .problem").first.wait_for(state="attached")
+    arm.get_by_text("joints", exact=True).first.click()
+
+
+def test_poses_that_the_robot_knows(page: Any) -> None:
+    arm = page.locator("section.arm")
+    arm.locator(".q-select .q-field__control").click()
+    page.get_by_role("option", name=f"66.1.{3 + len(PAYLOADS)}").first.click()
+    arm.get_by_text("poses", exact=True).click()
+    arm.get_by_role("button", name=f"all to {printable(UNPRINTABLE[-1])}", exact=True).wait_for()
+    labels = arm.get_by_role("button").evaluate_all("all => all.map((each) => each.getAttribute('aria-label'))")
+    shown = [text.removeprefix("go to ") for text in labels if text and text.startswith("go to ")]
+    assert [text for text in shown if text in PAYLOADS] == list(PAYLOADS)
+    assert shown[-2:] == [r"\x1b[2Jcleared", r"two\nlines"]
+    hover_all(page, ".arm .poses .grow")
+    arm.get_by_role("button", name=re.compile("^go to ")).nth(5).click()
+    arm.get_by_role("button", name=re.compile("^all to ")).nth(6).click()
     page.locator(".arm .problem").first.wait_for(state="attached")
     arm.get_by_text("joints", exact=True).first.click()
 

@@ -5,16 +5,18 @@ from __future__ import annotations
 import json
 import re
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.helpers.browser import BROWSER_MARKS, chromium, console_for, new_page, sync_api
+from tests.helpers.browser import BROWSER_MARKS, WAIT, chromium, console_for, new_page, sync_api
 from tests.helpers.command_line import JAUSPY, shared_robot
 
 pytestmark = BROWSER_MARKS
 PASSWORD = "correct horse battery"
+TRIES = 4
 ROLES = {"olga": "observer", "anna": "operator", "sam": "supervisor"}
 
 
@@ -48,6 +50,16 @@ def button(page: Any, name: str) -> Any:
     return page.get_by_role("button", name=name, exact=True).first
 
 
+def repeat(act: Callable[[], None], page: Any, text: str | re.Pattern[str]) -> None:
+    """Act until the page has this text, as an operator does: on a loaded machine a robot may not answer in time."""
+    for _ in range(TRIES):
+        with suppress(sync_api.TimeoutError):
+            act()
+            page.get_by_text(text).first.wait_for(timeout=WAIT / TRIES)
+            return
+    pytest.fail(f"the page does not say {text!r} after {TRIES} tries")
+
+
 def test_users_log_in_and_hand_over(url: str, files: Path) -> None:
     with chromium() as browser:
         with pytest.raises(sync_api.Error, match="ERR_CERT_AUTHORITY_INVALID"):
@@ -63,29 +75,24 @@ def test_users_log_in_and_hand_over(url: str, files: Path) -> None:
             pages.append(page)
         olga, anna, sam = pages
 
-        olga.get_by_text("observing (observer)").wait_for()
+        olga.get_by_text("observing (observer)", exact=True).wait_for()
         assert button(olga, "take").is_disabled()
-        button(anna, "take").click()
-        anna.get_by_text("you operate this robot").wait_for()
+        repeat(button(anna, "take").click, anna, "you operate this robot")
         sam.get_by_text("anna operates it").wait_for()
-        button(sam, "ask").click()
+        repeat(lambda: button(sam, "ask").click(timeout=WAIT / TRIES), anna, "sam asks for control")
         button(anna, "hand over").click()
         sam.get_by_text("you operate this robot").wait_for()
         anna.get_by_text("sam operates it").wait_for()
         button(sam, "release").click()
-        anna.get_by_text("observing").wait_for()
-        button(anna, "take").click()
-        sam.get_by_text("anna operates it").wait_for()
+        anna.get_by_text("observing", exact=True).wait_for()
+        repeat(button(anna, "take").click, sam, "anna operates it")
         sam.get_by_label("authority").fill("200")
-        button(sam, "take over").click()
-        sam.get_by_text("you operate this robot").wait_for()
+        repeat(button(sam, "take over").click, sam, "you operate this robot")
 
-        olga.keyboard.press("Escape")
-        olga.get_by_text("components stopped").first.wait_for()
+        repeat(lambda: olga.keyboard.press("Escape"), olga, "components stopped")
         button(olga, "clear emergency").click()
         olga.get_by_text("olga may stop robots, and not release them (observer)").wait_for()
-        button(sam, "clear emergency").click()
-        sam.get_by_text(re.compile("8 of 8 components released")).first.wait_for()
+        repeat(button(sam, "clear emergency").click, sam, re.compile(r"\b(\d+) of \1 components released"))
         button(sam, "sign out").click()
         sam.locator("input[name=password]").wait_for()
 

@@ -69,6 +69,7 @@ async def test_a_cell_has_two_arms_and_the_joints_of_one_come_and_go() -> None:
         assert [each.name for each in await arm.joints()] == ["servo_1"]
 
 
+@pytest.mark.slow
 async def test_rows_with_times_are_one_motion() -> None:
     async with world() as cell:
         robot = await cell.ocu.discover(201)

@@ -83,7 +83,7 @@ def _changes_props(node: ast.Subscript | ast.Call) -> bool:
 
 def test_the_console_keeps_the_rule() -> None:
     found = {
-        path.name: list(problems(path.read_text())) for path in sorted(CONSOLE.glob("*.py")) if path.name != EXEMPT
+        path.name: list(problems(path.read_text())) for path in sorted(CONSOLE.rglob("*.py")) if path.name != EXEMPT
     }
     assert len(found) > 30
     assert {name: each for name, each in found.items() if each} == {}
@@ -158,5 +158,5 @@ def test_the_scripts_of_the_page_make_no_markup_of_text() -> None:
 
 
 def test_no_markup_has_a_handler_in_an_attribute() -> None:
-    for path in CONSOLE.glob("*.py"):
+    for path in CONSOLE.rglob("*.py"):
         assert not re.search(r"<[a-z][^>]*\son\w+=", path.read_text()), path.name

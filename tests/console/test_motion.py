@@ -13,9 +13,10 @@ from typing import Any, cast
 import pytest
 
 from jauspy.console.browser_messages import ToolVelocity, jog_message
+from jauspy.console.dead_man import DEAD_MAN_TIME
 from jauspy.console.manipulators import StandardArm, manipulators
 from jauspy.console.motion import MAX_SPEED, STILL, Jogging, Motion, velocity
-from jauspy.console.operation import DEAD_MAN_TIME, Operation
+from jauspy.console.operation import Operation
 from jauspy.ocu.robot import Robot
 from jauspy.robot.runner import RobotRunner
 from jauspy.testing import VirtualNetwork
@@ -74,6 +75,7 @@ def test_a_browser_cannot_ask_for_more_than_the_greatest_speed() -> None:
     assert (angular, frame) == ((0.0, 0.0, 0.5), "tool")
 
 
+@pytest.mark.slow
 async def test_the_tool_moves_while_held_and_stands_when_the_browser_is_silent(virtual_network: VirtualNetwork) -> None:
     async with bench(virtual_network) as at:
         assert at.jogging.move("second", UP) == "another browser operates this robot"

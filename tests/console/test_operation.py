@@ -8,9 +8,12 @@ from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 
+import pytest
+
+from jauspy.console.dead_man import DEAD_MAN_TIME
 from jauspy.console.fleet import Fleet
 from jauspy.console.killed_console import Watchdog
-from jauspy.console.operation import DEAD_MAN_TIME, REQUEST_TIME, Operation, modes_of
+from jauspy.console.operation import REQUEST_TIME, Operation, modes_of
 from jauspy.console.users import User
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -74,9 +77,9 @@ async def test_the_watchdog_knows_what_is_controlled(virtual_network: VirtualNet
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         operation = Operation(await ocu.discover(101), lambda _: None, Recorder("42.1.1", None))
         await operation.take("first", 127)
-        assert told == [(101, 4)]
+        assert told == [(101, 5)]
         await operation.release()
-        assert told == [(101, 4), (101, 0)]
+        assert told == [(101, 5), (101, 0)]
 
 
 async def test_the_robot_stops_when_the_browser_is_silent(virtual_network: VirtualNetwork) -> None:
@@ -110,6 +113,7 @@ ANNA, BEN, CARA, DAN = (
 )
 
 
+@pytest.mark.slow
 async def test_another_user_asks_and_the_operator_decides(virtual_network: VirtualNetwork) -> None:
     async with desk(virtual_network) as at:
         operation = at.operation

@@ -43,8 +43,8 @@ class Operator:
     def pose(self) -> tuple[float, float, float]:
         """x, y and yaw, as the panel Drive shows them."""
         text = self.page.locator(".facts").inner_text()
-        x, y, heading = (float(re.search(rf"{name} (-?[\d.]+)", text)[1]) for name in ("x", "y", "heading"))
-        return x, -y, math.remainder(math.radians(-heading), math.tau)
+        x, y, yaw = (float(re.search(rf"{name} (-?[\d.]+)", text)[1]) for name in ("x", "y", "yaw"))
+        return x, y, math.radians(yaw)
 
     def hold(self, key: str, milliseconds: float) -> None:
         """Hold a key, and wait until everything stands."""

@@ -13,6 +13,7 @@ pytest.importorskip("nicegui", reason="needs the extra 'console'")
 from nicegui import Client, ui
 from nicegui.page import page as make_page
 
+from jauspy.console.conventions import Conventions
 from jauspy.console.plots import PlotsPanel, Trace
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus
@@ -23,7 +24,7 @@ NUMBERS = count()
 def panel_of(*paths: str) -> PlotsPanel:
     ocu: Any = SimpleNamespace()
     with Client(make_page(""), request=None):
-        panel = PlotsPanel(ocu)
+        panel = PlotsPanel(ocu, Conventions())
     for path in paths:
         add(panel, path)
     update(panel)

@@ -58,12 +58,35 @@ async def test_a_list_is_sent_carried_out_paused_and_cleared(virtual_network: Vi
             await arrive(route, 1)
             text, part = progress_of(route, RobotPose(x=1.5, y=0.1))
             assert (text, 0.5 < part < 1.0) == ("drives to waypoint 2 of 2: 0.5 m left", True)
+            pose = RobotPose(x=2.0)
             await arrive(route, None)
             assert progress_of(route, None) == ("ended at waypoint 2 of 2", 1.0)
             assert state_of(1, route, is_draft=False) == "reached"
             assert math.dist(((end := await robot.pose()).x, end.y), (2.0, 0.0)) < 0.2
             await route.clear()
             assert (route.waypoints, route.ended_at) == ((), -1)
+
+
+@pytest.mark.parametrize(
+    ("pose", "text"),
+    [
+        (RobotPose(x=2.0, y=0.09), "ended at waypoint 2 of 2"),  # the last leg was shorter than the time between looks
+        (RobotPose(x=0.95, y=0.2), "ended at waypoint 1 of 2"),
+        (RobotPose(x=0.2, y=0.1), "ended on the way to waypoint 1 of 2"),
+        (None, "ended at waypoint 1 of 2"),
+    ],
+)
+async def test_the_end_is_where_the_robot_stands(
+    virtual_network: VirtualNetwork, pose: RobotPose | None, text: str
+) -> None:
+    async with virtual_network.robot(), virtual_network.ocu() as ocu:
+        robot = await ocu.discover(101)
+        route = Route(ocu, lambda: robot, lambda: pose)
+        async with robot.control():
+            await route.start([Waypoint(1.0, 0.2), Waypoint(2.0, 0.0)], 0.5)
+            await robot.stop()
+            await arrive(route, None)
+            assert progress_of(route, pose)[0] == text
 
 
 async def test_what_another_client_changes_is_seen_and_what_is_missing_said(virtual_network: VirtualNetwork) -> None:

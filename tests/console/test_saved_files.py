@@ -72,7 +72,7 @@ def test_who_may_only_observe_changes_nothing(shelf: Shelf, user: User | None) -
         lambda: theirs.save_trajectory("wave", Trajectory(), "inc1"),
         lambda: theirs.delete_trajectory("wave"),
     ):
-        with pytest.raises(ConfigError, match="may not save or delete poses and trajectories"):
+        with pytest.raises(ConfigError, match="may not save or delete poses, trajectories and missions"):
             change()
     assert {path: path.read_bytes() for path in shelf.root.rglob("*.json")} == before
     assert theirs.poses(ARM)["stow"].positions == {"elbow": 1.0}

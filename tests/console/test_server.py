@@ -62,6 +62,7 @@ def console() -> Iterator[Visit]:
             process.communicate(timeout=30)
 
 
+@pytest.mark.slow
 async def test_a_browser_takes_control_of_nothing_and_stops_all(console: Visit) -> None:
     token = token_of(await page(console))
     async with asyncio.timeout(60.0):
@@ -107,6 +108,7 @@ async def test_each_answer_has_a_policy_and_each_script_of_the_page_its_nonce(co
         "style-src": "'self' 'unsafe-inline'",
         "img-src": "'self' data: blob:",
         "font-src": "'self'",
+        "media-src": "'self'",
         "connect-src": "'self' data: blob:",
         "base-uri": "'none'",
         "form-action": "'self'",
@@ -166,6 +168,7 @@ async def test_the_world_of_a_robot_is_sent(console: Visit) -> None:
             await page(console, f"/world/mesh/{path}")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("host", "said"), [("0.0.0.0", "only with TLS and a login"), ("127.0.0.1", "choose another")])
 async def test_addresses_that_cannot_be_served(node_manager: LocalNode, host: str, said: str) -> None:
     async with node_manager.ocu("42.1.2") as ocu, node_manager.ocu("42.1.3") as stopper:

@@ -78,6 +78,7 @@ async def watched(ocu: OCU, robot: Robot) -> AsyncIterator[tuple[World, RobotGeo
         await world.close()
 
 
+@pytest.mark.slow
 async def test_a_known_robot_moves_as_measured(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         robot = await ocu.discover(101)

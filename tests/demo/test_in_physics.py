@@ -82,7 +82,7 @@ async def play(
         assert runner._realtime is not None
         report = Report()
         tour = GraspTour(ocu, config, View(), report, folder, goals=plan.PLANS[world])
-        opened = runner._realtime._robot
+        opened = runner._realtime._robot.inner
         tour.simulated, tour.folder = opened.fleet.plant.robot if backend == "can" else opened, folder
         await tour.run()
         report.save(folder)

@@ -18,7 +18,6 @@ from jauspy.capture.reader import CaptureReader
 from jauspy.cli.main import app
 from jauspy.errors import ProtocolError
 from jauspy.export.films import compressed_video
-from jauspy.export.tables import flattened
 
 parquet = pytest.importorskip("pyarrow.parquet", reason="pyarrow is of the extra `export`")
 RunFile = Callable[..., Path]
@@ -48,8 +47,8 @@ def test_csv_has_a_table_of_each_sender_and_message(run_file: RunFile, tmp_path:
     rows = csv_rows(folder / "101.1.103_ReportJointPositions.csv")
     assert len(rows) == 30
     assert float(rows[7]["time"]) == pytest.approx(START + 0.7, abs=1e-4)
-    assert float(rows[7]["joint_position_list.0.joint_position.value"]) == pytest.approx(0.07, abs=1e-6)
-    assert (rows[7]["joint_position_list.1.joint_position.choice"], rows[7]["destination"]) == ("RADIAN", "42.1.1")
+    assert float(rows[7]["joint_position_list[0].joint_position.value"]) == pytest.approx(0.07, abs=1e-6)
+    assert (rows[7]["joint_position_list[1].joint_position.choice"], rows[7]["destination"]) == ("RADIAN", "42.1.1")
 
 
 def test_text_of_the_network_is_no_formula_in_csv(run_file: RunFile, tmp_path: Path) -> None:
@@ -68,14 +67,9 @@ def test_parquet_has_types(run_file: RunFile, tmp_path: Path) -> None:
     table = parquet.read_table(path)
     types = {name: str(table.schema.field(name).type) for name in table.column_names}
     assert (types["time"], types["sequence"], types["destination"]) == ("double", "int64", "string")
-    assert types["joint_position_list.0.joint_position.value"] == "double"
+    assert types["joint_position_list[0].joint_position.value"] == "double"
     assert table.num_rows == 30
     assert table.schema.metadata[b"service"].endswith(b"ManipulatorJointPositionSensor")
-
-
-def test_lists_and_records_are_flattened() -> None:
-    value = {"a": [1, {"b": True}], "c": None, "d": {"e": "x"}}
-    assert dict(flattened(value)) == {"a.0": 1, "a.1.b": True, "d.e": "x"}
 
 
 def frames_of(path: Path) -> list[tuple[float, np.ndarray]]:
@@ -187,8 +181,8 @@ def test_a_data_set_has_the_files_of_lerobot(dataset: Path) -> None:
     assert (info["codebase_version"], info["fps"], info["total_frames"]) == ("v3.0", 5, 30)
     assert info["features"]["observation.images.10_0_0_1-5004"]["shape"] == [HEIGHT, WIDTH, 3]
     assert info["features"]["action"]["names"] == [
-        "101.1.103.SetJointPositions.joint_position_list.0.joint_position.value",
-        "101.1.103.SetJointPositions.joint_position_list.1.joint_position.value",
+        "101.1.103.SetJointPositions.joint_position_list[0].joint_position.value",
+        "101.1.103.SetJointPositions.joint_position_list[1].joint_position.value",
         "101.1.104.SetEndEffectorEffort.end_effector_effort",
     ]
     assert set(info["features"]) == {

@@ -1,13 +1,15 @@
-"""A component on UDP that fails on a certain message: `faulty_target.py PORT [died|hangs|leaks]`."""
+"""A component on UDP that fails on a certain message: `faulty_target.py PORT [died|hangs|leaks|lost] [FILE]`."""
 
 from __future__ import annotations
 
 import os
 import select
+import signal
 import socket
 import sys
 import time
 from datetime import UTC, datetime
+from pathlib import Path
 
 from jauspy.conformance.virtual_target import TargetComponent
 from jauspy.ids import JausID, message_id
@@ -28,6 +30,16 @@ def died(packet: Packet) -> None:
         os._exit(3)
 
 
+def lost(packet: Packet) -> None:
+    """At the first such message, write ids to FILE and kill the worker that started this; later end as above."""
+    path = Path(sys.argv[3])
+    if message_id(packet.payload) == SetAuthority.CODE and HOST.status == ReportStatus.Status.READY:
+        if path.exists():
+            died(packet)
+        path.write_text(f"{os.getpid()} {os.getppid()}")
+        os.kill(os.getppid(), signal.SIGKILL)
+
+
 def hangs(packet: Packet) -> None:
     """Stop working at QueryEvents with bytes that its definition does not have."""
     if message_id(packet.payload) == QueryEvents.CODE and len(packet.payload) > 6:
@@ -42,7 +54,7 @@ def leaks(packet: Packet) -> None:
 
 def main(port: int, fault: str) -> None:
     """Serve until the process is ended."""
-    fail = {"died": died, "hangs": hangs, "leaks": leaks}.get(fault)
+    fail = {"died": died, "hangs": hangs, "leaks": leaks, "lost": lost}.get(fault)
 
     def intercept(packet: Packet) -> bool:
         if fail is not None and len(packet.payload) >= 2:

@@ -39,6 +39,7 @@ def test_findings_are_kept(tmp_path, plant, hunt):
     assert again.findings == first.findings
 
 
+@pytest.mark.slow
 def test_a_campaign_may_get_more_cases_and_jobs(tmp_path):
     file = tmp_path / "progress.json"
     run(CampaignPlan(500, only=("ConfirmControl",)), resume=file)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import signal
+import subprocess
 import sys
 from pathlib import Path
 
+import psutil
 import pytest
 
 from jauspy.capture.reader import CaptureReader
@@ -117,6 +120,58 @@ def test_cases_are_spread_over_a_cluster():
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
         result = run_on_cluster(plan, cluster.scheduler_address)
     assert (result.cases, result.component, result.findings) == (1000, "101.1.1", {})
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("default")  # of Dask, about its own processes
+def test_findings_survive_a_killed_worker_and_its_target_ends(tmp_path):
+    distributed = pytest.importorskip("distributed", reason="needs jauspy[cell-cluster]")
+    ids = tmp_path / "ids"
+    restart = f"{command('lost')} {ids}"
+    only = ("SetAuthority", "QueryAuthority")
+    plan = TargetPlan(("127.0.0.1", 1), 100, 1, restart=restart, only=only, limits=Limits(5.0), tries=1)
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        result = run_on_cluster(plan, cluster.scheduler_address)
+        for pid in map(int, ids.read_text().split()):  # the target, and the worker that was lost
+            assert is_gone(pid)
+    (finding,) = result.findings.values()
+    assert (result.cases, finding.failure) == (100, Failure.DIED)
+    assert "SetAuthority" in map(message_of, finding.datagrams)
+
+
+def test_a_target_ends_with_the_process_that_started_it():
+    starter = (
+        "import os, signal, sys\n"
+        "from jauspy.fuzz.target.process import TargetProcess\n"
+        "process = TargetProcess('sleep 600')\n"
+        "process.restart()\n"
+        "print(process.pid, flush=True)\n"
+        "os.kill(os.getpid(), signal.SIGKILL)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", starter], stdout=subprocess.PIPE, text=True, check=False)
+    assert done.returncode == -signal.SIGKILL
+    assert is_gone(int(done.stdout))
+
+
+def test_a_target_that_is_closed_leaves_no_guard():
+    before = set(psutil.Process().children(recursive=True))
+    process = TargetProcess("sleep 600")
+    process.restart()
+    children = set(psutil.Process().children(recursive=True)) - before
+    assert len(children) == 2
+    process.close()
+    assert not any(child.is_running() for child in children)
+
+
+def is_gone(pid: int) -> bool:
+    """True once the process has ended, within ten seconds."""
+    try:
+        psutil.Process(pid).wait(10.0)
+    except psutil.NoSuchProcess:
+        return True
+    except psutil.TimeoutExpired:
+        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE
+    return True
 
 
 def test_nothing_that_answers_is_an_error():

@@ -29,13 +29,18 @@ ENDS_WITH_TESTS = ["setpriv", "--pdeathsig", "KILL"] if shutil.which("setpriv") 
 
 def jauspy(*arguments: str, status: int = 0) -> Result:
     """Run a verb in this process, which must exit with this status; `stdout` and `stderr` are in the result."""
-    result = CliRunner(env={"COLUMNS": "80"}).invoke(app, arguments)
+    result = jauspy_in_process(*arguments)
     while client._claims:  # of the client's id, which a process holds until it ends
         client._claims.pop().close()
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception
     assert result.exit_code == status, result.stderr
     return result
+
+
+def jauspy_in_process(*arguments: str) -> Result:
+    """Run a verb in this process, however it ends."""
+    return CliRunner(env={"COLUMNS": "80"}).invoke(app, arguments)
 
 
 def start(*arguments: str, **options: Any) -> subprocess.Popen[str]:
@@ -76,14 +81,14 @@ def assert_gone(processes: list[psutil.Process]) -> None:
 class RunningRobot:
     """A process `jauspy up`, with its node manager."""
 
-    def __init__(self, port: int, root: Path, name: str = "inc1", *, backend: str = "kinematic") -> None:
+    def __init__(self, port: int, root: Path, name: str = "inc1", *options: str, backend: str = "kinematic") -> None:
         self.port = port
         self.root = root
         self.local = f"local:{root}"
         self.udp = f"udp://127.0.0.1:{port}"
         where = ("--port", str(port), "--interface", "127.0.0.1", "--local-root", str(root))
         self.family: list[psutil.Process] = []
-        self.process = start("up", name, "--backend", backend, *where)
+        self.process = start("up", name, "--backend", backend, *where, *options)
         try:
             self.family = wait_for(self.process, "stop it")
         except BaseException:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from jauspy.backends.kinematic import KinematicJoints
 from jauspy.geometry.poses import ORIGIN, Pose, Twist
+from jauspy.platform.battery import BatteryState
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.drives import FixedBase
@@ -21,7 +22,6 @@ from jauspy.platform.modular.arm import (
     MotionResult,
 )
 from jauspy.platform.modular.cell import (
-    BatteryState,
     Car,
     CarState,
     Consumption,

@@ -38,5 +38,5 @@ def simulated(network: VirtualNetwork, simulation: Simulation, name: str = "inc1
     """The robot, to be used with `async with`; without cameras, which need a process each."""
     config = robot_files.load(name)
     modules = tuple(each for each in config.modules if each.type != "CM-VIS")
-    config = config.model_copy(update={"modules": modules})
+    config = config.model_copy(update={"modules": modules, "cameras": ()})
     return RobotRunner(config, network.transport, backend=simulation, world=world, realtime=VirtualTime)

@@ -79,6 +79,7 @@ def mismatches(lua: Path, capture: Path, contents: list[Content]) -> Iterator[st
             yield f"{number} {content.message.NAME}: {found}"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(path.stem for path in GOLDEN.glob("*.jsonl") if path.stem != "scaling"))
 def test_golden_vectors_are_shown_as_we_decode_them(name: str, tmp_path: Path) -> None:
     rows = [json.loads(line) for line in (GOLDEN / f"{name}.jsonl").read_text().splitlines()]
@@ -121,6 +122,7 @@ def seeds() -> tuple[list[bytes], list[bytes]]:
     ]
 
 
+@pytest.mark.slow
 def test_random_messages_are_shown_as_we_decode_them(lua: Path, tmp_path: Path) -> None:
     valid, _ = seeds()
     contents = [read_message(payload, registry) for payload in valid]
@@ -130,6 +132,7 @@ def test_random_messages_are_shown_as_we_decode_them(lua: Path, tmp_path: Path) 
     assert found == [], "\n".join(found)
 
 
+@pytest.mark.slow
 def test_damaged_messages_are_shown_as_far_as_we_decode_them(lua: Path, tmp_path: Path) -> None:
     _, damaged = seeds()
     contents = [read_message(payload, registry) for payload in damaged]
@@ -139,6 +142,7 @@ def test_damaged_messages_are_shown_as_far_as_we_decode_them(lua: Path, tmp_path
     assert found == [], "\n".join(found)
 
 
+@pytest.mark.slow
 def test_no_packet_makes_the_dissector_fail(lua: Path, tmp_path: Path) -> None:
     """Random bytes, mutated datagrams, counts of four thousand million, a thousand packets in a datagram."""
     rng = Random(3)
@@ -335,12 +339,21 @@ MUTANTS: Final = {
 }
 
 
-@pytest.mark.parametrize("name", MUTANTS)
-def test_mistakes_in_the_dissector_are_noticed(name: str, lua: Path, tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def some_seeds(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[Content]]:
+    """A capture of messages, right and damaged ones, and what our decoder reads in them."""
     valid, damaged = seeds()
-    payloads = valid[:200] + damaged[:200]
-    contents = [read_message(payload, registry) for payload in payloads]
-    capture = capture_of(map(datagram, payloads), tmp_path / "seeds.pcapng")
+    payloads = valid[:400] + damaged
+    capture = capture_of(map(datagram, payloads), tmp_path_factory.mktemp("seeds") / "seeds.pcapng")
+    return capture, [read_message(payload, registry) for payload in payloads]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", MUTANTS)
+def test_mistakes_in_the_dissector_are_noticed(
+    name: str, lua: Path, some_seeds: tuple[Path, list[Content]], tmp_path: Path
+) -> None:
+    capture, contents = some_seeds
     right, wrong = MUTANTS[name]
     text = lua.read_text("utf-8")
     assert right in text

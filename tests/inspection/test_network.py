@@ -161,6 +161,7 @@ while True:
 """
 
 
+@pytest.mark.slow
 def test_fragments_are_seen_on_the_cable(cable: tuple[str, str], tmp_path: Path) -> None:
     path, end = tmp_path / "run.pcapng", cable[1].replace("jn", "jv")
     within = [str(shutil.which("ip")), "netns", "exec"]
@@ -188,3 +189,85 @@ def test_tags_of_vlans_are_taken_off(tags: bytes, free_port: int) -> None:
     (found,) = capture
     capture.close()
     assert found[2:] == (("127.0.0.1", 9), ("127.0.0.1", free_port), b"tagged")
+
+
+@needs_capturing
+@pytest.mark.parametrize("address", ["127.0.0.1", "::1"])
+def test_packets_of_jtcp_are_datagrams_and_other_connections_are_left_out(address: str, free_port: int) -> None:
+    family = socket.AF_INET6 if ":" in address else socket.AF_INET
+    stream = judp.pack(Packet(JausID(1, 1, 1), JausID(2, 1, 1), b"\x02\x20", 1)) + PAYLOAD[1:]
+    capture = InterfaceCapture("lo", free_port, 5.0)
+    with ExitStack() as stack:
+        stack.callback(capture.close)
+        for port in (0, free_port):  # the first is another one
+            server = stack.enter_context(socket.create_server((address, port), family=family))
+            client = stack.enter_context(socket.create_connection(server.getsockname()[:2]))
+            for byte in (stream[:9], stream[9:]):
+                client.sendall(byte)
+        found = list(islice(capture, 2))
+        assert [row.payload for row in found] == [stream[: len(stream) - len(PAYLOAD) + 1], PAYLOAD]
+        assert {row.destination for row in found} == {(address, free_port)}
+        assert {row.source for row in found} == {client.getsockname()[:2]}
+        assert found[-1].number < 20  # frames that the kernel has let pass
+
+
+@needs_capturing
+def test_datagrams_over_ipv6_are_seen(free_port: int) -> None:
+    capture = InterfaceCapture("lo", free_port)
+    with socket.socket(socket.AF_INET6, socket.SOCK_DGRAM) as sock:
+        sock.sendto(PAYLOAD, ("::1", free_port + 1))
+        sock.sendto(PAYLOAD, ("::1", free_port))
+    (found,) = islice(capture, 1)
+    capture.close()
+    assert (found.destination, found.payload) == (("::1", free_port), PAYLOAD)
+
+
+@needs_capturing
+@pytest.mark.parametrize(
+    ("kind", "packet"),
+    [
+        (b"\x86\xdd", b"\x60" + bytes(3) + b"\x00\x08\x3a\x40" + bytes(40)),  # ICMPv6
+        (b"\x86\xdd", b"\x60"),
+        (b"\x86\xdd", b"\x60" + bytes(5) + b"\x2c\x40" + bytes(32)),  # a fragment without its header
+        (b"\x86\xdd", b"\x60" + bytes(5) + b"\x11\x40" + bytes(34)),
+        (b"\x08\x00", b"\x45" + bytes(8) + b"\x06" + bytes(12)),  # TCP without ports
+        (b"\x08\x06", bytes(40)),
+        (b"\x81\x00", b"\x00"),
+    ],
+)
+def test_frames_that_are_cut_off_or_of_others_are_left_out(kind: bytes, packet: bytes, free_port: int) -> None:
+    capture = InterfaceCapture("lo", free_port, 0.3)
+    with socket.socket(socket.AF_PACKET, socket.SOCK_RAW) as sock:
+        sock.bind(("lo", 0))
+        sock.send(bytes(12) + kind + packet)
+    assert list(capture) == []
+    capture.close()
+
+
+SEND_IPV6 = """
+import socket, sys, time
+sock = socket.socket(socket.AF_INET6, socket.SOCK_DGRAM)
+index = socket.if_nametoindex(sys.argv[1])
+while True:
+    try:
+        sock.sendto(bytes(5000), ("ff02::1", 3794, 0, index))
+    except OSError:  # the interface has no address yet
+        pass
+    time.sleep(0.05)
+"""
+
+
+@pytest.mark.slow
+def test_fragments_of_ipv6_are_seen_on_the_cable(cable: tuple[str, str], tmp_path: Path) -> None:
+    path = tmp_path / "run.pcapng"
+    within = [str(shutil.which("ip")), "netns", "exec"]
+    near, far = (name.replace("jn", "jv") for name in cable)
+    with subprocess.Popen([*within, cable[0], sys.executable, "-c", SEND_IPV6, near]) as sending:
+        try:
+            verb = ["-m", "jauspy.cli.main", "record", str(path), "--interface", far, "--for", "4"]
+            subprocess.run([*within, cable[1], sys.executable, *verb], check=True, capture_output=True, timeout=60)
+        finally:
+            sending.kill()
+    with path.open("rb") as file:
+        found = list(CaptureReader(file, name="run"))
+    assert {(row.destination, row.payload) for row in found} == {(("ff02::1", 3794), bytes(5000))}

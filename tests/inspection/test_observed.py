@@ -258,13 +258,13 @@ def test_captures_of_others(name: str) -> None:
 
 def test_values_of_a_field() -> None:
     talk = long_talk()
-    series = Series(Route(str(ROBOT), str(OCU), "ReportLocalPose"), ("x",))
+    series = Series(Route(str(ROBOT), str(OCU), "ReportLocalPose"), "x")
     for seen in seen_messages(talk.datagrams, registry):
         series.add(seen)
     assert [value for _, value in series.points] == list(range(40))
     last = list(seen_messages(talk.datagrams, registry))[-1].part.content.message
     assert last is not None
-    assert {("x",), ("y",)} <= set(numeric_fields(last))
+    assert {"x", "y"} <= set(numeric_fields(last))
 
 
 def test_a_curve() -> None:

@@ -45,6 +45,7 @@ def walled(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(kinematic.KinematicRobot, "__init__", init)
 
 
+@pytest.mark.slow
 async def test_wall_is_mapped_at_its_position(walled: None, robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     live = LiveMapping(found, Mapper(OccupancyGrid(20.0)))

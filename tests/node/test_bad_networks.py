@@ -50,6 +50,7 @@ def test_acknowledged_messages_arrive_once_each(
     assert min(counted["resent"], counted["dropped.duplicate"]) > 0
 
 
+@pytest.mark.slow
 def test_compressed_headers_survive_a_bad_network(switch: Callable[[int], Switch], root: Path) -> None:
     made = switch(2)
     made.relay()

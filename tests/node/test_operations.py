@@ -56,9 +56,16 @@ async def test_status_has_components_peers_queues_and_drops(root: Path, introduc
         before = await status.read(root)
         _, peer = await traffic(node, introduce, udp)
         reported = status.with_rates(before, await status.read(root))
-        assert reported["components"] == [{"id": "101.1.1", "path": str(root / str(int(HERE))), "waiting": 0}]
+        here = {"id": "101.1.1", "path": str(root / str(int(HERE))), "waiting": 0, "waiting_bytes": 0}
+        assert reported["components"] == [here]
         host, port = peer.getsockname()
         assert [(each["id"], each["address"]) for each in reported["peers"]] == [("42.1.1", f"{host}:{port}")]
+        sent = reported["peers"][0]["sent_bytes"]
+        assert isinstance(sent, int)
+        peer_address = reported["peers"][0]["address"].rpartition(":")
+        node._networks[reported["peers"][0]["network"]].send(b"x" * 100, peer_address[0], int(peer_address[2]))
+        assert (await status.read(root))["peers"][0]["sent_bytes"] == sent + 100
+        assert reported["networks"][0]["send_queue"] >= 0
         assert reported["counters"]["dropped.malformed.version"] == 1
         assert reported["rates"]["dropped.malformed.version"] > 0
         assert reported["queues"] == {"ingress": 0, "unknown_destinations": 0}
@@ -408,9 +415,10 @@ async def test_a_reader_that_does_not_read_loses_packets_and_is_told(
 
 def read_until(reader: socket.socket, payload: bytes) -> int:
     """The packets that the reader has lost, as the mirror told it before this datagram."""
-    capture = CaptureReader(reader.makefile("rb"), name="mirror")
-    assert any(datagram.payload == payload and capture.lost for datagram in capture)
-    return capture.lost
+    with reader.makefile("rb") as stream:  # which keeps the socket open
+        capture = CaptureReader(stream, name="mirror")
+        assert any(datagram.payload == payload and capture.lost for datagram in capture)
+        return capture.lost
 
 
 async def test_the_mirrors_socket_may_be_switched_off(root: Path) -> None:

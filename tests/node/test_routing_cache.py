@@ -10,9 +10,9 @@ from jauspy.ids import EVERYONE, JausID
 from jauspy.node import NodeConfig, NodeManager, manager
 from jauspy.node.manager import RoutingCache
 from jauspy.protocol import judp, junior
-from jauspy.protocol.addressing import LocalPort, Port, UdpPort
+from jauspy.protocol.addressing import GroupPort, LocalPort, Port, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
-from jauspy.protocol.routing import Router
+from jauspy.protocol.routing import BroadcastRoute, Router
 from jauspy.protocol.sources import SourceChecks, SourceLimits
 
 HERE, THERE, FAR, AWAY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "43.1.1"))
@@ -35,14 +35,29 @@ class CountingRouter:
 
     def __init__(self, *, cached: bool, check_address: bool = True) -> None:
         self.out: list[tuple[Port, bytes]] = []
-        self.cached = 0
+        self.cached = self.broadcast = 0
         self.router = Router("/tmp", sources=SourceChecks(SourceLimits(check_address)), changed=self._changed)
-        self.cache = RoutingCache(self.router, self._open if cached else lambda _: None)
+        self.cache = RoutingCache(
+            self.router,
+            self._open if cached else lambda _: None,
+            self._open_broadcast if cached else lambda _: None,
+        )
 
     def _open(self, port: LocalPort | UdpPort) -> manager.Send:
         def send(datagram: bytes) -> None:
             self.cached += 1
             self.out.append((port, datagram))
+
+        return send
+
+    def _open_broadcast(self, route: BroadcastRoute) -> manager.Send:
+        def send(datagram: bytes) -> None:
+            self.cached += 1
+            self.broadcast += 1
+            self.out += [(port, datagram) for port in route.components]
+            for network in route.networks:
+                self.router.note_multicast(datagram, network, asyncio.get_running_loop().time())
+                self.out.append((GroupPort(network), datagram))
 
         return send
 
@@ -115,10 +130,11 @@ async def test_routing_is_the_same_with_and_without_cache(seed: int, check_addre
         whole.out.clear()
     assert quick.router.counters == whole.router.counters
     assert quick.cached > (0 if check_address else 100)
+    assert quick.broadcast > 5
     quick.cache.clear()
 
 
-async def test_cached_routes_expire(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_cached_routes_of_networks_expire(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(manager, "CACHE_LIFETIME", 0.0)
     router = CountingRouter(cached=True)
     now = asyncio.get_running_loop().time()
@@ -127,9 +143,19 @@ async def test_cached_routes_expire(monkeypatch: pytest.MonkeyPatch) -> None:
         router.take(junior.connect(id), LocalPort(f"/tmp/{int(id)}"), now)
     router.take(judp.pack(Packet(HERE, THERE, b"\x02\x20")), port, now)
     assert len(router.cache) == 1
+    peer = UdpPort("10.0.0.2", 3794)
+    for _ in range(2):  # the first is learned from
+        router.take(judp.pack(Packet(FAR, HERE, b"\x02\x20")), peer, now)
+    router.take(judp.pack(Packet(HERE, FAR, b"\x02\x40")), port, now)
+    assert len(router.cache) == 3
     async with asyncio.timeout(20):
-        while len(router.cache):
+        while len(router.cache) > 1:
             await asyncio.sleep(0)
+    cached = router.cached
+    router.take(judp.pack(Packet(HERE, THERE, b"\x02\x20")), port, now)
+    assert router.cached == cached + 1, "the route between components of this machine holds"
+    router.take(junior.cancel(THERE), LocalPort(f"/tmp/{int(THERE)}"), now)
+    assert len(router.cache) == 0
 
 
 async def test_unknown_destinations_are_not_cached(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -16,6 +16,7 @@ np = pytest.importorskip("numpy")
 pytest.importorskip("av")
 
 
+@pytest.mark.slow
 async def test_frames_are_images_in_bgr_with_a_time(node_manager, robot, ocu):
     inc1 = await ocu.robot(101)
     frames = inc1.camera("arm").frames()
@@ -34,6 +35,7 @@ async def test_frames_are_images_in_bgr_with_a_time(node_manager, robot, ocu):
     assert sum(robot.videos["arm"].receivers.values()) == 0
 
 
+@pytest.mark.slow
 async def test_video_is_sent_as_it_was_set_and_counted(node_manager, robot, ocu):
     camera = (await ocu.robot(101)).camera("arm")
     assert not camera.counters

@@ -158,7 +158,7 @@ async def test_discover_all_ends_after_a_second_when_all_have_answered(virtual_n
         began = clock()
         (robot,) = await ocu.discover_all()
         assert clock() - began <= 1.1
-        assert len(robot.components) == 8
+        assert len(robot.components) == 10
     began = clock()
     assert await ocu.discover_all() == ()
     assert clock() - began == pytest.approx(2.0, abs=0.1)

@@ -49,9 +49,7 @@ async def test_shutdown_that_was_taken_needs_no_explanation(inc1, ocu):
 
 async def test_service_that_is_not_offered(inc1, ocu):
     reason = await ocu.explain(ARM, WRENCH)
-    assert reason.startswith(
-        f"{ARM} does not offer SetWrenchEffort of mobility:PrimitiveDriver; it offers manipulator:"
-    )
+    assert reason.startswith(f"{ARM} does not offer SetWrenchEffort of mobility:PrimitiveDriver; it offers iop:")
     assert "core:" not in reason
 
 

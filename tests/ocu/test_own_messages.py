@@ -87,7 +87,8 @@ async def test_messages_are_found_by_name(own: Registry, lamp: Any, world: Any, 
 async def test_query_without_known_report_is_an_error(own: Registry, world: Any, tmp_path: Path) -> None:
     ocu = await world.ocu()
     file = tmp_path / "Lamp.xml"
-    file.write_text(LAMP.read_text().replace("ReportLamp", "TellLamp"))
+    text = LAMP.read_text().replace("'ReportLamp'", "'SetLamp'")  # no state sends the report, which has another name
+    file.write_text(text.replace("ReportLamp", "TellLamp").replace("'SetLamp'", "msg"))
     with pytest.raises(ConfigError, match=r"no message called ReportLamp .* is known to answer QueryLamp"):
         await ocu.query("101.1.7", jauspy.load(file).by_name("QueryLamp")())
     with pytest.raises(ConfigError, match="SetLamp is not a query"):

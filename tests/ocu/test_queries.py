@@ -304,10 +304,15 @@ async def test_query_each_without_answers_ends(world):
     assert [each async for each in ocu.query_each("9.255.255", QueryStatus(), within=0.1)] == []
 
 
+NAMED_OTHERWISE = {"QueryHostManipulator", "QueryJointOperationalParameters", "QueryPanTiltHostManipulator"}
+"""Queries of IOP v3 whose reports are not named after them; what their services send says which they are."""
+
+
 def test_the_report_is_of_the_same_service_and_version():
-    queries = [each for each in registry if each.IS_QUERY]
-    known = [each for each in queries if hasattr(each, "REPORT")]
+    queries = [query for query in registry if query.IS_QUERY]
+    known = [query for query in queries if hasattr(query, "REPORT")]
     assert len(known) > 0.9 * len(queries)
-    for each in known:
-        assert (each.REPORT.SERVICE, each.REPORT.VERSION) == (each.SERVICE, each.VERSION)
-        assert each.REPORT.NAME.removeprefix("Report") == each.NAME.removeprefix("Query") or each.CODE < 0x4000
+    for query in known:
+        assert (query.REPORT.SERVICE, query.REPORT.VERSION) == (query.SERVICE, query.VERSION)
+        same = query.REPORT.NAME.removeprefix("Report") == query.NAME.removeprefix("Query")
+        assert same or query.CODE < 0x4000 or query.NAME in NAMED_OTHERWISE, query

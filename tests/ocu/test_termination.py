@@ -148,6 +148,7 @@ async def driving_until_error(node, program: str):
         yield runner
 
 
+@pytest.mark.slow
 async def test_hung_program_loses_control_and_the_robot_stops(node_manager):
     async with driving(node_manager, ASYNCHRONOUS.format(what="time.sleep(60)")) as (runner, process):
         await until(lambda: abs(runner.snapshot.twist.vx) < 0.01, within=CONTROL_TIMEOUT + 2.0)

@@ -18,7 +18,7 @@ from jauspy.geometry.poses import Pose
 from jauspy.geometry.vectors import GRAVITY
 from jauspy.messages.core import Standby, TimeStamp
 from jauspy.messages.mobility import QueryWrenchEffort, SetWrenchEffort
-from jauspy.ocu import MotionLimits
+from jauspy.ocu import CoursePoint, MotionLimits
 from jauspy.ocu.driving import PROGRESS_INTERVAL, Driving
 from jauspy.ocu.state import datetime_of
 from jauspy.platform.chassis import Chassis
@@ -117,6 +117,54 @@ async def test_go_to_in_the_frame_of_the_robot_is_relative(inc1):
     assert math.dist((there.x, there.y), (1.0, 0.8)) < 0.25
 
 
+async def test_link_is_measured_by_the_robot(inc1):
+    await inc1.link()
+    await asyncio.sleep(3.0)
+    health = await inc1.link()
+    assert health.is_up
+    assert (health.round_trip, health.loss) == (pytest.approx(0.0, abs=0.01), 0.0)
+
+
+async def test_course_with_reverse_and_waits(inc1):
+    headings = []
+    async with inc1.control("drive"):
+        there = await inc1.drive_course(
+            [(1.0, 0.0), CoursePoint(1.5, 0.0, wait=2.0), CoursePoint(0.0, 0.0, reverse=True)], speed=0.8
+        )
+        headings.append(there.yaw)
+    assert math.hypot(there.x, there.y) < 0.25
+    assert abs(headings[0]) < 0.3
+
+
+@pytest.mark.parametrize(
+    ("points", "error", "text"),
+    [
+        ([], ConfigError, "at least one point"),
+        (7, TypeError, "a course is made of points"),
+        ([(1.0, float("nan"))], ConfigError, "y=nan of a point of a course is no finite number"),
+        ([(1.0, 2.0, 3.0)], TypeError, "a pair of metres or a CoursePoint"),
+        (["ab"], TypeError, "a pair of metres or a CoursePoint"),
+    ],
+)
+async def test_a_course_needs_points(inc1, points, error, text):
+    with pytest.raises(error, match=text):
+        await inc1.drive_course(points)
+
+
+def test_waits_have_limits():
+    with pytest.raises(ConfigError, match="wait=0 is outside of"):
+        CoursePoint(1.0, 0.0, wait=0.0)
+
+
+async def test_cancelled_course_stops_the_robot(inc1, robot):
+    async with inc1.control("drive"):
+        with pytest.raises(TimeoutError):
+            async with asyncio.timeout(3.0):
+                await inc1.drive_course([(20.0, 0.0)])
+        await asyncio.sleep(1.0)
+        assert abs(robot.snapshot.twist.vx) < 0.01
+
+
 async def test_cancelled_go_to_stops_the_robot(inc1, robot):
     async with inc1.control("drive"):
         with pytest.raises(TimeoutError):
@@ -124,6 +172,26 @@ async def test_cancelled_go_to_stops_the_robot(inc1, robot):
                 await inc1.go_to(x=20.0, y=0.0)
         await asyncio.sleep(1.5)
         assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
+
+
+@pytest.mark.parametrize("earlier", ["course", "go_to", "drive"])
+async def test_the_end_of_an_earlier_motion_does_not_stop_a_later_one(inc1, robot, earlier):
+    async with inc1.control("drive"):
+        motion = {
+            "course": lambda: inc1.drive_course([(20.0, 0.0)]),
+            "go_to": lambda: inc1.go_to(x=20.0, y=0.0),
+            "drive": lambda: inc1.drive(0.3, seconds=30.0),
+        }[earlier]
+        first = asyncio.create_task(motion())
+        await asyncio.sleep(1.5)
+        later = asyncio.create_task(inc1.drive_course([(20.0, 0.0)], speed=0.4))
+        await asyncio.sleep(1.0)
+        first.cancel()
+        await asyncio.wait({first})
+        await asyncio.sleep(2.0)
+        assert robot.snapshot.twist.vx == pytest.approx(0.4, abs=0.05)
+        later.cancel()
+        await asyncio.wait({later})
 
 
 async def test_go_to_accepts_where_the_robot_stands(inc1, robot, monkeypatch):
@@ -352,6 +420,7 @@ async def test_a_speed_may_be_that_of_some_joints(inc1, robot):
         assert clock() - begun == pytest.approx(3.1, abs=0.4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("service", ["velocity", "pose"])
 async def test_the_tool_moves_at_a_velocity_in_both_frames(inc1, robot, monkeypatch, service):
     if service == "pose":
@@ -451,6 +520,7 @@ async def test_an_arm_that_presses_on_something_stops_and_says_which_joint(caplo
                 await inc1.arm.move({SHOULDER: 0.5})
 
 
+@pytest.mark.slow
 async def test_a_slow_move_is_not_taken_for_a_blocked_one():
     pytest.importorskip("mujoco")
     async with VirtualNetwork() as network:

@@ -9,7 +9,7 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import ComponentRec, ReportIdentification, ReportServices, ServiceRec
-from jauspy.ocu import Appeared, Changed, ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo, Vanished, subsystems
+from jauspy.ocu import OCU, Appeared, Changed, ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo, Vanished, subsystems
 from jauspy.ocu.subsystems import INTRODUCTION_TIME, MAX_COMPONENTS, MAX_SERVICES_OF_COMPONENT, SubsystemTree
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
@@ -217,9 +217,19 @@ def test_a_flood_of_ids_is_bounded():
     assert tree._names == {}
 
 
+def test_bound_of_components_is_set_by_the_client():
+    tree = SubsystemTree(3)
+    for number in range(1, 9):
+        tree.add(ReportIdentification(4, 60001, "x"), JausID(number, 1, 1), 0.0)
+    assert [id.subsystem for id in tree] == [1, 2, 3]
+    for wrong in (0, -1, 1 << 21):
+        with pytest.raises(ConfigError, match=r"max_components .* is outside 1..1048576"):
+            OCU(max_components=wrong)
+
+
 def test_a_flood_of_services_and_levels_is_bounded(monkeypatch):
-    monkeypatch.setattr(subsystems, "MAX_SERVICES", 1000)
-    tree = SubsystemTree()
+    monkeypatch.setattr(subsystems, "SERVICES_PER_COMPONENT", 10)
+    tree = SubsystemTree(100)
     robot = JausID(9, 1, 1)
     tree.add(listed(robot, 10), robot, 0.0)
     for number in range(1, 21):
@@ -277,6 +287,7 @@ async def test_watch_works_over_a_node_manager():
             await asyncio.wait({task})
 
 
+@pytest.mark.slow
 async def test_one_event_for_a_robot_found_and_one_for_a_robot_lost(virtual_network, ocu):
     found: list = []
 
@@ -289,13 +300,24 @@ async def test_one_event_for_a_robot_found_and_one_for_a_robot_lost(virtual_netw
         await asyncio.sleep(20)
         ((kind, id, event),) = found
         assert (kind, id) == (Appeared, JausID(101, 0, 0))
-        assert [each.id.component for each in event.now.components] == [102, 103, 104, 105, 106, 107, 108, 109]
+        assert [each.id.component for each in event.now.components] == [
+            102,
+            103,
+            104,
+            105,
+            106,
+            107,
+            108,
+            109,
+            110,
+            113,
+        ]
         assert all(each.name and each.services for each in event.now.components)
         found.clear()
     await asyncio.sleep(30)
     ((kind, id, event),) = found
     assert (kind, id) == (Vanished, JausID(101, 0, 0))
-    assert len(event.before.components) == 8
+    assert len(event.before.components) == 10
     task.cancel()
     await asyncio.wait({task})
 

@@ -43,7 +43,7 @@ def test_a_model_that_does_not_fit_is_less_certain() -> None:
 def test_of_one_measurement_little_is_known() -> None:
     identifier = PayloadIdentifier()
     found = identifier.add(np.array([[8.0, 0.0, 0.0, 9.81]]), np.array([16.0]), np.array([NOISE]), 0.01)
-    assert found.mass_deviation > 0.3
+    assert found.mass_deviation > 0.25
     assert all(abs(value) <= 1.0 for value in found.center)
 
 
@@ -63,3 +63,12 @@ def test_old_measurements_are_forgotten() -> None:
             rows = random.normal(0.0, 8.0, (3, 4))
             found = identifier.add(rows, rows @ np.array([mass, 0.0, 0.0, 0.0]), np.full(3, NOISE), 0.01)
     assert found.mass == pytest.approx(3.0, abs=0.05)
+
+
+def test_a_centre_that_motions_hardly_show_stays_near_the_tool() -> None:
+    """An error of 0.3 N m on the second joint, which only a moment of 6 kg m would explain."""
+    identifier, rows = PayloadIdentifier(), np.array([[8.0, 0.0, 0.0, 0.0], [0.0, 0.05, 0.0, 0.0]])
+    for _ in range(200):
+        found = identifier.add(rows, rows @ np.array([0.57, 0.0, 0.0, 0.0]) + [0.0, 0.3], np.array([0.5, 0.5]), 0.01)
+    assert found.mass == pytest.approx(0.57, abs=0.05)
+    assert np.linalg.norm(found.center) < 0.15

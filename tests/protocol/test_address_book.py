@@ -1,7 +1,7 @@
 """Static and learned addresses: precedence, wildcards, expiry, bounds."""
 
 from jauspy.ids import JausID
-from jauspy.protocol.address_book import AddressBook
+from jauspy.protocol.address_book import AddressBook, IdBounds
 from jauspy.protocol.addressing import TcpPort, UdpPort
 
 HOME, AWAY, GATE = UdpPort("10.0.0.1", 1), UdpPort("10.0.0.2", 2), UdpPort("10.0.0.3", 3)
@@ -37,7 +37,7 @@ def test_udp_and_tcp_on_one_port_are_two_addresses() -> None:
 
 
 def test_least_recently_received_id_is_dropped() -> None:
-    book = AddressBook(lifetime=10.0, limit=3)
+    book = AddressBook(lifetime=10.0, bounds=IdBounds(3))
     for number in range(5):
         book.learn(number, HOME, float(number))
     assert len(book) == 3

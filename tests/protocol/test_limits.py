@@ -2,8 +2,10 @@
 
 import pytest
 
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.logs import MAX_LINES_AT_ONCE
+from jauspy.node import NodeConfig
 from jauspy.protocol import (
     address_book,
     judp,
@@ -11,7 +13,7 @@ from jauspy.protocol import (
     sources,
     sources as buckets,
 )
-from jauspy.protocol.address_book import LearnedAddresses
+from jauspy.protocol.address_book import IdBounds, LearnedAddresses
 from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.header import Packet, Priority
 from jauspy.protocol.routing import Router
@@ -92,8 +94,24 @@ def test_forged_ids_of_a_host_displace_only_its_own() -> None:
     assert node.poll_output() == [(UdpPort("10.0.0.1", 3794), answer)]
 
 
+def test_bounds_of_ids_are_configured() -> None:
+    """In the node manager's file, for addresses and for checks of sources."""
+    config = NodeConfig.make(max_ids=64, max_ids_per_host=64)
+    checks = SourceChecks(SourceLimits(rate=1.0), bounds=config.id_bounds)
+    node = Router("/root", sources=checks, bounds=config.id_bounds)
+    for number in range(200):
+        made_up = JausID(1 + number, 1, 1)
+        node.receive(judp.pack(Packet(made_up, HERE, b"", 1)), UdpPort(f"10.0.0.{number}", 3794), 0.0)
+    assert len(node.address_book) == 64
+    assert not checks.check_address(int(JausID(200, 1, 1)), UdpPort("10.0.1.1", 3794), 0.1)
+    assert checks.check_address(int(JausID(1, 1, 1)), UdpPort("10.0.1.1", 3794), 0.1), "forgotten"
+    for name in ("max_ids", "max_ids_per_host"):
+        with pytest.raises(ConfigError, match=f"{name}.*64"):
+            NodeConfig.make(**{name: 0})
+
+
 def test_ids_of_a_host_are_bounded_and_the_oldest_is_dropped() -> None:
-    places, port, other = LearnedAddresses(limit=4, per_host=2), UdpPort("10.0.0.1", 3794), UdpPort("10.0.0.2", 3794)
+    places, port, other = LearnedAddresses(IdBounds(4, 2)), UdpPort("10.0.0.1", 3794), UdpPort("10.0.0.2", 3794)
     for now, id in enumerate((1, 2, 1, 3)):
         places.set(id, port, float(now))
     places.set(4, other, 9.0)

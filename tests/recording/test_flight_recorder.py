@@ -126,6 +126,7 @@ def test_only_the_wanted_kinds_are_incidents() -> None:
     assert list(IncidentDetector(None, [Kind.FAILURE]).incidents(parts)) == [Incident(Kind.FAILURE, ROBOT)]
 
 
+@pytest.mark.slow
 @given(st.lists(st.integers(0, 3000), max_size=3))
 def test_memory_of_states_is_bounded(numbers: list[int]) -> None:
     detector = IncidentDetector(None)

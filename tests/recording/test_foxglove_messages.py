@@ -320,6 +320,7 @@ async def scans(robot: Any) -> None:
         pass
 
 
+@pytest.mark.slow
 async def test_every_message_of_a_run_fits_its_schema(tmp_path: Path, inc1: DescribedRobot) -> None:
     jsonschema, reader = pytest.importorskip("jsonschema"), pytest.importorskip("mcap.reader")
     path = tmp_path / "run.mcap"

@@ -68,6 +68,7 @@ def test_an_mcap_file_has_each_datagram_as_it_was(mcap_file: Path) -> None:
     assert [packet.log_time for packet in packets] == [round(row.time * 1e9) for row in RUN]
 
 
+@pytest.mark.slow
 def test_an_mcap_file_is_a_capture(mcap_file: Path) -> None:
     with mcap_file.open("rb") as file:
         found = list(open_capture_file(file, name="run"))
@@ -108,6 +109,7 @@ def test_definitions_are_attached(mcap_file: Path) -> None:
     assert all(b"service_def" in data for data in found.values())
 
 
+@pytest.mark.slow
 def test_schemas_of_all_messages_are_valid_and_fit_their_messages() -> None:
     jsonschema = pytest.importorskip("jsonschema")
     for entry in registry.entries:
@@ -245,6 +247,7 @@ def test_the_verbs(tmp_path: Path) -> None:
     assert "mcap recover" in run("info", output, status=1).stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["mcap", "pcapng"])
 def test_a_full_disk_is_said_at_once(tmp_path: Path, suffix: str) -> None:
     if suffix == "mcap":

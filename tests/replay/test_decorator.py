@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 FILE = """
 import jauspy.testing
 import pytest_asyncio
@@ -34,6 +36,7 @@ def test_fault(silent_target): ...
 """
 
 
+@pytest.mark.slow
 def test_a_recording_is_a_test(recording: Path) -> None:
     (recording.parent / "test_run.py").write_text(FILE)
     found = subprocess.run(

@@ -25,6 +25,7 @@ from jauspy.messages.core import (
     CancelEvent,
     ConfirmEventRequest,
     CreateEvent,
+    Event,
     QueryHeartbeatPulse,
     ReportStatus,
     RequestControl,
@@ -224,7 +225,7 @@ def test_the_verb(recording: Path, node_manager: jauspy.testing.LocalNode) -> No
     found = run(recording, "--to", address, "--as", "42.1.77", "--asap", "--timeout", 0.05, "--json")
     assert found.exit_code == 1
     rows = [json.loads(line) for line in found.stdout.splitlines()]
-    assert {row["live"] for row in rows} == {"(no answer)"}
+    assert {row["live"] for row in rows} == {"(no answer)", "(no report)"}
     assert "messages sent" in found.stderr
     assert (
         "QueryStatus to 101.1.1"
@@ -232,6 +233,7 @@ def test_the_verb(recording: Path, node_manager: jauspy.testing.LocalNode) -> No
     )
 
 
+@pytest.mark.slow
 async def test_the_verb_finds_no_difference(recording: Path, node_manager: jauspy.testing.LocalNode) -> None:
     async with node_manager.component(ROBOT, services()):
         process = await asyncio.create_subprocess_exec(
@@ -263,3 +265,16 @@ def test_too_many_clients_for_the_ids(recording: Path) -> None:
     assert [str(id) for id in _ids_for((CLIENT, CLIENT), JausID(42, 1, 7))] == ["42.1.7", "42.1.8"]
     with pytest.raises(ConfigError, match="254 is the last one"):
         _ids_for((CLIENT, CLIENT), JausID(42, 1, 254))
+
+
+async def test_reports_of_events_are_compared(recording: Path) -> None:
+    found = load(recording, registry)
+    assert [(key[0], key[1]) for key in found.events.by_event] == [(CLIENT, ROBOT)]
+    async with target() as (network, _):
+        assert (await play(network, found)).events == 1
+    async with target() as (network, _):
+        network.lose(Event)
+        result = await play(network, found)
+    assert [(row.request, row.recorded, row.live) for row in result.differences] == [
+        ("Event 1", "ReportHeartbeatPulse", "(no report)")
+    ]

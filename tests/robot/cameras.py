@@ -29,6 +29,7 @@ class FakeVideo:
         self.setup, self.settings, self.receivers = setup, VideoSettings(), {}
         self.imaging = setup.imaging.initial
         self.under_way, self.refuses = [], False
+        self.reduced = ""
 
     def watch(self, address, *, playing=True):
         if address[1] == 666:

@@ -19,6 +19,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import Reset
 from jauspy.platform.contract import Robot
+from jauspy.platform.guarded_robot import GuardedRobot
 from jauspy.robot import robot_files
 from jauspy.robot.runner import RobotRunner
 from jauspy.testing import VirtualNetwork
@@ -70,15 +71,17 @@ class Start:
         return self.network.transport(id)
 
     def _realtime(self, robot: Robot) -> VirtualTime:
-        assert isinstance(robot, CanRobot)
-        self.robots.append(robot)
-        wait = robot.master._wait_cycle
+        assert isinstance(robot, GuardedRobot)
+        inner = robot.inner
+        assert isinstance(inner, CanRobot)
+        self.robots.append(inner)
+        wait = inner.master._wait_cycle
 
         def wait_cycle() -> None:
             self.before_cycle(self)
             wait()
 
-        robot.master._wait_cycle = wait_cycle
+        inner.master._wait_cycle = wait_cycle
         return VirtualTime(robot)
 
 

@@ -6,12 +6,14 @@ import math
 from pathlib import Path
 
 import pytest
+from pydantic import ValidationError
 
 from jauspy.backends.kinematic import KinematicBackend
 from jauspy.errors import ConfigError
+from jauspy.platform.joints import ContactReaction
 from jauspy.platform.modular.parts import POSITION_GAINS, PartKind
 from jauspy.robot import robot_files
-from jauspy.robot.config import RobotConfig
+from jauspy.robot.config import GroupConfig, RobotConfig
 
 CELL = robot_files.load("cell")
 
@@ -172,3 +174,10 @@ def test_modules_that_do_not_fit_the_cell_are_explained(tmp_path, module, compla
 def test_the_kinematic_backend_has_no_cells():
     with pytest.raises(ConfigError, match="the kinematic backend has no factory cells"):
         KinematicBackend().open(robot_files.robot_model(CELL), "empty")
+
+
+def test_contact_needs_the_model_of_the_arm() -> None:
+    group = CELL.groups["ur10"]
+    assert group.setup().contact is ContactReaction.STOP
+    with pytest.raises(ValidationError, match=r'contact = "stop": needs feed_forward = true'):
+        GroupConfig.model_validate({**group.model_dump(), "feed_forward": False})

@@ -74,6 +74,7 @@ async def test_modules_appear_and_disappear_with_their_power():
     assert cell.runner.components == ()
 
 
+@pytest.mark.slow
 async def test_discovery_follows_at_once():
     async with world() as cell:
         cell.robot.assemble("servo_1", "tube_1", "servo_2")

@@ -54,9 +54,9 @@ async def test_every_scan_is_published_once() -> None:
     [
         (
             ["nose=tcp://127.0.0.1:1"],
-            r"'nose' is no lidar \(lidar\) and no camera with `depth` \(chassis\)",
+            r"'nose' is no lidar \(lidar\) and no camera with `depth` \(arm, chassis\)",
         ),
-        (["arm=tcp://127.0.0.1:1"], "'arm' is no lidar"),
+        (["outside=tcp://127.0.0.1:1"], "'outside' is no lidar"),
         (["lidar=ipc:///a", "lidar=ipc:///b"], "lidar would be published twice"),
         (["ipc:///a", "chassis=ipc:///a"], "ipc:///a is there twice"),
         (["ipc:///a", "ipc:///b"], "the lidars would be published twice"),

@@ -104,6 +104,7 @@ def test_vector_follows_a_change_of_its_frame(world: World) -> None:
     assert world.vehicle.pose.yaw == pytest.approx(-1.0, abs=0.05)
 
 
+@pytest.mark.slow
 def test_vector_without_heading_keeps_the_present_heading(world: World) -> None:
     world.tell(SetLocalVector(speed=0.0, heading=0.7))
     world.run(4.0)

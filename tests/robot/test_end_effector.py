@@ -110,6 +110,7 @@ def arm(backend: str) -> Handler:
 # --- poses
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("robot", sampled([*STARTS], 1))
 def test_tool_reaches_commanded_poses(backend: str, robot: str) -> None:
     arm, rng = Handler(backend, robot), random.Random(7)
@@ -224,6 +225,7 @@ def test_does_not_move_without_control(arm: Handler) -> None:
     assert arm.positions() == pytest.approx(before, abs=0.003)
 
 
+@pytest.mark.slow
 def test_rapid_poses_are_followed_before_searches_end(arm: Handler) -> None:
     attitude = arm.pose_at((-0.4, 1.2, -0.9, 0.3, 0.9)).rotation  # which the arm cannot have: a long search for each
     x, y, z = arm.pose().position
@@ -242,6 +244,7 @@ def element(uid: int, following: int, pose: Message) -> ElementRec:
     return ElementRec(uid, uid - 1, following, ElementRec.ElementData(format=0, data=pose))
 
 
+@pytest.mark.slow
 def test_list_of_poses_is_executed(arm: Handler) -> None:
     goals = [arm.pose_at(q) for q in ((0.2, 1.3, -1.0, 0.2, -0.3), (0.3, 1.1, -0.8, 0.0, 0.0), STARTS["inc1"])]
     rows = [element(uid, (uid + 1) % 4, command(goal)) for uid, goal in enumerate(goals, 1)]
@@ -321,6 +324,7 @@ def test_repeated_commands_respect_the_motion_profile(arm: Handler) -> None:
     assert max(map(abs, arm.velocities())) < 0.2 * 0.5 + 0.02, "what half a second of acceleration gives"
 
 
+@pytest.mark.slow
 def test_velocity_is_reported_until_another_service_commands(arm: Handler) -> None:
     def commanded() -> list[float]:
         report = arm.ask(m.QueryCommandedEndEffectorVelocityState())
@@ -336,6 +340,7 @@ def test_velocity_is_reported_until_another_service_commands(arm: Handler) -> No
     assert errors(arm.pose(), arm.commanded())[0] < MILLIMETRE
 
 
+@pytest.mark.slow
 def test_velocities_stay_within_limits(arm: Handler) -> None:
     def look() -> None:
         rows = zip(arm.robot.groups["arm"].state().positions, arm.robot.groups["arm"].joints, strict=True)

@@ -24,9 +24,9 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.robot.config import ModuleConfig
-from jauspy.robot.hosts import WATCHDOG_PERIOD, may_move, module_host
+from jauspy.robot.hosts import WATCHDOG_PERIOD, module_host
 from jauspy.robot.kinds import MobilityContext
-from jauspy.services.core import Identity
+from jauspy.services.core import Identity, may_move
 from jauspy.services.mobility import GlobalPose, Vehicle
 
 ME, CLIENT = JausID(101, 1, 102), JausID(42, 1, 1)
@@ -89,10 +89,22 @@ ALL = {"Transport", "Events", "AccessControl", "Management", "ListManager", "Tim
     "LocalVectorDriver",
     "LocalWaypointDriver",
     "LocalWaypointListDriver",
+    "EnhancedLocalWaypointListDriver",
     "SkidSteerDriver",
     "PlatformSpecifications",
+    "Convoy",
+    "LeaderManagement",
+    "CommsLostPolicyManager",
+    "Retrotraverse",
 }
-GLOBAL = {"GlobalPoseSensor", "GlobalVectorDriver", "GlobalWaypointDriver", "GlobalWaypointListDriver"}
+GLOBAL = {
+    "GlobalPoseSensor",
+    "GlobalVectorDriver",
+    "GlobalWaypointDriver",
+    "GlobalWaypointListDriver",
+    "EnhancedGlobalWaypointListDriver",
+    "LeaderFollowerDriver",
+}
 
 
 def test_offers_everything_by_default(module):

@@ -69,6 +69,7 @@ async def test_a_robot_that_requires_operators(virtual_network: VirtualNetwork, 
     assert (report.commands["-"], report.refused) == (3, 2)
 
 
+@pytest.mark.slow
 async def test_an_emergency_of_anybody_is_released_with_a_key(virtual_network: VirtualNetwork, folder: Path) -> None:
     everything = destination("101")
     async with virtual_network.robot(str(folder / "robot.toml")):

@@ -173,6 +173,7 @@ def test_leaving_ready_stops_the_unit(head: Head, ending: Message) -> None:
     assert head.ask(m.QueryCommandedPanTiltJointVelocity()).joint1_velocity == pytest.approx(0.0, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_commands_without_control_are_ignored(head: Head) -> None:
     head.tell(m.SetPanTiltJointPositions(1.0, 0.0), client=OTHER)
     head.run(1.0)

@@ -3,8 +3,10 @@
 from pathlib import Path
 
 import pytest
+from pydantic import TypeAdapter
 
 from jauspy.errors import ConfigError
+from jauspy.robot.config import RobotConfig
 from jauspy.robot.robot_files import known, load, robot_model
 from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LoopbackTransport
@@ -44,11 +46,33 @@ def test_inc1_is_included():
         "101.1.104",
         "101.1.105",
         "101.1.108",
+        "101.1.110",
+        "101.1.113",
         "101.1.106",
         "101.1.107",
         "101.1.109",
     ]
     assert (config.backend, config.world) == ("sim", "yard")
+
+
+def lax_values(schema: object, names: tuple[str, ...] = ()):
+    """The keys of a schema of pydantic whose numbers or flags are converted from something else."""
+    if isinstance(schema, dict):
+        if str(schema.get("ref", "")).startswith(("jauspy.services.", "jauspy.messages.")):
+            return  # objects of Python, made from tables that are declared elsewhere
+        if schema.get("type") in ("int", "float", "bool") and not schema.get("strict"):
+            yield ".".join(names)
+        names = (*names, schema["name"]) if isinstance(schema.get("name"), str) else names
+        for key, part in schema.items():
+            yield from lax_values(part, (*names, key) if schema.get("type") == "model-fields" else names)
+    elif isinstance(schema, list | tuple):
+        for part in schema:
+            yield from lax_values(part, names)
+
+
+def test_no_table_takes_true_or_text_for_a_number():
+    assert list(lax_values(RobotConfig.__pydantic_core_schema__)) == []
+    assert list(lax_values(TypeAdapter(tuple[int, ...]).core_schema)) == [""]
 
 
 @pytest.mark.parametrize("name", known())
@@ -114,6 +138,28 @@ def test_binary_file_is_an_error(write, tmp_path):
         ("component = 33", "component = 255", r"modules\[0\]\.component = 255: .*254"),
         ("CM-MOB", "CM-BOM", r"modules\[0\]\.type = 'CM-BOM': .*'CM-MOB'"),
         ("component = 33", "component = 33\nspeed = 3", r"modules\[0\]\.speed = 3: .*known here are: access_control"),
+        (
+            "component = 33",
+            "component = 33\ncomms_lost = { far = 1 }",
+            r"comms_lost\.far = 1: .*known here are: distance, policy, regained, regained_timeout, speed, timeout",
+        ),
+        (
+            "component = 33",
+            "component = 33\ncomms_lost = { timeout = 2 }",
+            r"comms_lost\.timeout = 2: too short: an idle client .* 4 s; give 4 or more, or 0 for",
+        ),
+        (
+            "component = 33",
+            "component = 33\ncomms_lost = { timeout = true }",
+            r"comms_lost\.timeout = True: input should be a valid integer",
+        ),
+        (
+            "node = 2",
+            "node = 2\nbattery = { capacity = true, full_voltage = 30, empty_voltage = 20 }",
+            r"battery\.capacity = True: input should be a valid number",
+        ),
+        ("node = 2", "node = 2\nskip_missing_packages = 1", r"skip_missing_packages = 1: .*valid boolean"),
+        ("node = 2", "node = 2\nmax_message_age = '5'", r"max_message_age = '5': input should be a valid number"),
         (
             "component = 33",
             "component = 33\nservices = ['Tim']",

@@ -147,6 +147,22 @@ def test_a_robot_that_recovers_has_more_time() -> None:
         assert not runner.faults
 
 
+def test_a_robot_that_is_retried_amid_a_step_has_more_time_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock, robot = Clock(), HangingRobot(breaks_after=1)
+    with RealTime(robot, clock=clock) as runner:
+        while not runner.faults:
+            pass
+        monkeypatch.setattr(robot.drive, "set_effort", lambda *_: runner.retry(WHOLE_ROBOT))
+        runner.drive.set_effort(1.0, 0.0)  # a command is applied before the robot is advanced
+        assert robot.hangs.wait(30.0)
+        runner.alive()
+        beat(runner, clock, 2 * STALL_TIME)
+        robot.goes_on.set()
+        assert not runner.faults
+        robot.wait_for_steps(1)
+        assert not runner.faults
+
+
 def test_a_robot_that_cannot_be_closed_is_told(
     hanging_robot: HangingRobot, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:

@@ -219,6 +219,7 @@ def test_events_on_change_report_changed_images(module):
 # --- several cameras
 
 
+@pytest.mark.slow
 def test_several_cameras_of_one_component():
     videos = [FakeVideo(CameraSetup(name, "link", 1.0)) for name in ("left", "right")]
     videos[1].settings = VideoSettings(320, 240)

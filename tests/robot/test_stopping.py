@@ -24,7 +24,8 @@ from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot import realtime
 from jauspy.robot.config import AccessControlConfig
-from jauspy.robot.hosts import host_of, may_move
+from jauspy.robot.hosts import host_of
+from jauspy.services.core import may_move
 
 CLIENT = JausID(42, 1, 1)
 START = datetime(2026, 1, 1, tzinfo=UTC)

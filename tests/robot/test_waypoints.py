@@ -76,6 +76,7 @@ class Watch:
         self.fastest = max(self.fastest, self.world.velocity.velocity_x)
 
 
+@pytest.mark.slow
 def test_four_local_waypoints_in_order_by_list(world: World) -> None:
     world.set_list(SetLocalWaypoint(x=x, y=y) for x, y in SQUARE)
     assert [each.element_uid for each in world.ask(QueryElementList()).element_list] == [1, 2, 3, 4]

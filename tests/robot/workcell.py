@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from importlib.util import find_spec
 from typing import Any
@@ -16,6 +17,7 @@ from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m, registry
 from jauspy.messages.core import CommandEvent, RequestControl, Resume
+from jauspy.platform.named_poses import NamedPose
 from jauspy.robot.config import AccessControlConfig
 from jauspy.robot.hosts import host_of
 
@@ -27,8 +29,19 @@ START = datetime(2026, 1, 1, tzinfo=UTC)
 class Workcell:
     """A robot, and the component of one of its modules."""
 
-    def __init__(self, backend: str, robot: str, component: int) -> None:
+    def __init__(
+        self,
+        backend: str,
+        robot: str,
+        component: int,
+        *,
+        start: Mapping[str, Sequence[float]] | None = None,
+        poses: Sequence[NamedPose] = (),
+    ) -> None:
+        """`start`: initial positions of groups, in place of those of the robot's file; `poses`: beside those."""
         config, model = described(robot)
+        groups = {name: replace(model.groups[name], start=tuple(values)) for name, values in (start or {}).items()}
+        model = replace(model, groups={**model.groups, **groups}, poses=(*model.poses, *poses))
         self.backend = backend
         self.model = model
         self.robot = find(backend).open(model, "empty")
@@ -56,7 +69,11 @@ class Workcell:
         return [registry.decode(each.payload, service=_service(each.payload)) for each in sent]
 
     def ask(self, query: Message) -> Any:
-        (answer,) = self.tell(query)
+        """The one answer; what the component sends unasked is left out."""
+        answers, report = self.tell(query), getattr(query, "REPORT", None)
+        if len(answers) > 1 and report is not None:
+            answers = [each for each in answers if report.CODE == each.CODE]
+        (answer,) = answers
         return answer
 
     def take_control(self, client: JausID = CLIENT) -> None:

@@ -27,7 +27,9 @@ from jauspy.platform.localization import EXACT, Localization, LocalizedDrive
 from jauspy.robot.config import ModuleConfig
 from jauspy.robot.hosts import module_host
 from jauspy.robot.kinds import MobilityContext
+from jauspy.services.iop.comms_lost import CommsLostPolicy
 from jauspy.services.mobility import GlobalPose, Vehicle
+from jauspy.services.mobility.retraced_joints import OwnMotion, joints_with_tracks
 
 ME, CLIENT, OTHER = JausID(101, 1, 102), JausID(42, 1, 1), JausID(42, 2, 1)
 STEP = 0.01
@@ -45,6 +47,8 @@ class World:
         *,
         robot: Robot | None = None,
         localization: Localization | None = None,
+        timeout: int = 0,
+        comms_lost: dict[str, object] | None = None,
     ) -> None:
         self.backend = backend
         _, model = described("inc1")
@@ -52,14 +56,24 @@ class World:
         self.now = 0.0
         drive = self.robot.drive if localization is None else LocalizedDrive(self.robot.drive, localization)
         self.vehicle = Vehicle(drive, name="inc1", chassis=chassis_of(model), origin=origin, localization=localization)
-        config = ModuleConfig(type="CM-MOB", component=102, access_control={"timeout": 0}, command_timeout="off")
+        self.own_motion = OwnMotion()
+        policy = ModuleConfig(type="CM-MOB", component=102, comms_lost=comms_lost).comms_lost or CommsLostPolicy()
+        context = MobilityContext(
+            self.robot,
+            self.vehicle,
+            flippers=joints_with_tracks(model, self.robot.groups),
+            own_motion=self.own_motion,
+            comms_lost=policy,
+        )
+        config = ModuleConfig(type="CM-MOB", component=102, access_control={"timeout": timeout}, command_timeout="off")
         self.host = module_host(
             ME,
             config,
-            MobilityContext(self.robot, self.vehicle),
+            context,
             identities={},
             utc_now=lambda: START + timedelta(seconds=self.now),
             now=self.now,
+            own_motion=self.own_motion,
         )
 
     def tell(self, *messages: Message, client: JausID = CLIENT) -> list[Message]:

@@ -193,8 +193,10 @@ class Pair:
         self.plain = Plain(definitions, name, self.plain_script)
         self.machine = MachineInstance(bound[name], start, ActionErrors(Counters(logging.getLogger("test"))))
         self.plain.active = str(start)
-        self.codes = {m.name: m.code for each in reversed(definitions) for m in each.outputs}
-        self.codes |= {m.name: m.code for each in reversed(definitions) for m in each.inputs}
+        inputs = {m.name: m.code for each in reversed(definitions) for m in each.inputs}
+        outputs = {m.name: m.code for each in reversed(definitions) for m in each.outputs}
+        # an output with the code of an input, as MilitaryIllumination has one, is that input to a receiver
+        self.codes = {name: code for name, code in outputs.items() if code not in inputs.values()} | inputs
 
     def all(self) -> Iterator[model.Transition]:
         waiting = [

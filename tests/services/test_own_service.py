@@ -132,6 +132,7 @@ def test_transition_named_after_an_input_is_on_its_receipt(tmp_path: Path, make,
     assert report.decode(outgoing.payload) == report(charge=80)
 
 
+@pytest.mark.slow
 def test_experimental_message_ids_can_be_subscribed(tmp_path: Path, make) -> None:
     """From D000h on, a code does not say what kind of message it is."""
     file = tmp_path / "Battery.xml"

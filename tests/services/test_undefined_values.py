@@ -37,6 +37,9 @@ MAX_SEEDS: Final = 40
 NUMBERS: Final = {"sensor_id": 1, "element_uid": 1, "previous_uid": 0, "next_uid": 0}
 """Fields that are to have a value with which a service does something."""
 
+UNANSWERED: Final = {"SetPlatformState.platform_state"}
+"""Fields whose value selects the transition, so that the definition answers only those that it names."""
+
 Put = Callable[[Any], None]
 
 
@@ -162,7 +165,7 @@ class Sender:
             before = self.host.counters[f"deviating_{kind.NAME}"]
             answers = self.send(message.encode(strict=False))
             assert self.host.counters[f"deviating_{kind.NAME}"] == before + 1, path
-            assert answers or not usual, f"{path} is answered: {message}"
+            assert answers or not usual or path in UNANSWERED, f"{path} is answered: {message}"
             if path == "CreateEvent.event_type":
                 assert RejectEventRequest.CODE in answers
             assert self.host.counters["action_failed"] == 0, f"{path}: {message}"
@@ -193,7 +196,11 @@ async def test_every_service_of_a_robot() -> None:
                 Sender(component.host, network.now).try_all()
                 assert component.host.counters["unencodable"] == 0
                 running |= {each.name for each in component.host.definitions.values()}
-    others = {name for kind in KINDS.values() for name in kind.services} - running
+    elsewhere = {
+        "DataLogging",
+        "SubsystemIDAllocator",
+    }  # need a folder or are to be listed; they have tests of their own
+    others = {name for kind in KINDS.values() for name in kind.services} - running - elsewhere
     inputs = {(each.name, *own.key) for own in load_builtin().services if own.name in others for each in own.inputs}
     kinds = [kind for kind in registry if (kind.NAME, kind.SERVICE, kind.VERSION) in inputs]
     assert kinds, "services that this robot does not have"

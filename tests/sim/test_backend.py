@@ -40,6 +40,7 @@ def test_egl_needs_opengl_too(monkeypatch) -> None:
         backend.MujocoBackend().open(MODEL, "empty")
 
 
+@pytest.mark.slow
 def test_invalid_mujoco_gl_is_one_sentence() -> None:
     """In a process of its own: MuJoCo reads it once, when it is imported."""
     code = (

@@ -51,6 +51,7 @@ def test_masses_are_plausible() -> None:
         assert a + b >= c
 
 
+@pytest.mark.slow
 def test_climbs_the_ramp_onto_the_deck(yard: SimulatedRobot) -> None:
     yard.drive.set_effort(0.3, 0.0)
     yard.advance(9.0)

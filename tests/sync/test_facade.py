@@ -87,6 +87,7 @@ def test_query_each_and_subscriptions_iterate(robot, ocu):
         assert poses.lost == 0
 
 
+@pytest.mark.slow
 def test_errors_equal_those_of_the_asynchronous_client(robot, node_manager, ocu):
     with pytest.raises(ResponseTimeout, match=r"9\.9\.9 was sent QueryStatus once"):
         ocu.query("9.9.9", QueryStatus(), timeout=0.05, retries=0)
@@ -232,6 +233,7 @@ print(driver.status().name)
 """
 
 
+@pytest.mark.slow
 def test_program_end_without_close_leaves_standby(robot, node_manager, ocu):
     ocu.close()  # the program is 42.1.1
     command = [sys.executable, "-c", LEFT, node_manager.local]
@@ -261,6 +263,7 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), ocu.is_open)
 """
 
 
+@pytest.mark.slow
 def test_use_in_a_forked_process_is_an_error():
     run = subprocess.run([sys.executable, "-c", FORKED], capture_output=True, text=True, timeout=30, check=False)
     assert run.stdout == "it is not open; use it inside `with`, and in the process that opened it\n3 True\n"
@@ -305,6 +308,7 @@ def test_ctrl_c_leaves_the_robot_in_standby(robot, node_manager, ocu, wait):
     assert mobility.host.state.endswith("NotControlled.Available.Standby")
 
 
+@pytest.mark.slow
 def test_verbs_are_the_same_without_await(node_manager, ocu, caplog):
     with Portal("robot") as portal:
         running = node_manager.robot()

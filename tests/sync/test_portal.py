@@ -3,6 +3,7 @@ from __future__ import annotations
 import asyncio
 import signal
 import threading
+from collections.abc import AsyncIterator
 
 import pytest
 
@@ -86,6 +87,27 @@ def test_ctrl_c_before_the_start_is_raised(monkeypatch):
             portal.run(here())
         monkeypatch.undo()
         assert portal.run(here()) == "jauspy"
+
+
+def test_ctrl_c_before_the_next_item_leaves_no_coroutine(monkeypatch):
+    """A coroutine that is never awaited is a warning, which is an error here."""
+
+    class Numbers:
+        def __aiter__(self) -> AsyncIterator[int]:
+            return self
+
+        async def __anext__(self) -> int:
+            return 1
+
+    def interrupted(_: object) -> None:
+        raise KeyboardInterrupt
+
+    with Portal() as portal:
+        numbers = portal.iterate(Numbers())
+        assert next(numbers) == 1
+        monkeypatch.setattr(portal, "run", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            next(numbers)
 
 
 def test_close_ends_calls_of_other_threads():

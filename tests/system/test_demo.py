@@ -34,6 +34,7 @@ from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames
 from jauspy.platform.contract import Command, DriveBase, PartId, Robot
+from jauspy.platform.guarded_robot import GuardedRobot
 from jauspy.platform.localization import LocalizationSetup
 from jauspy.robot.robot_files import load, robot_model
 from jauspy.robot.runner import RobotRunner
@@ -133,7 +134,7 @@ async def test_thing_is_lifted_in_the_simulation(
         await stack.enter_async_context(NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)))
         await stack.enter_async_context(runner)
         assert runner._realtime is not None
-        opened = runner._realtime._robot
+        opened = runner._realtime._robot.inner
         simulated = opened.fleet.plant.robot if backend == "can" else opened
         goal = goals.goal
         runner._realtime.submit(PutRobot(goal.x + 0.03, goal.y + 0.04, goals.ground, goal.heading - 0.04))
@@ -172,6 +173,8 @@ class PutRobot(Command):
         return PartId(DriveBase)
 
     def apply(self, robot: Robot) -> None:
+        if isinstance(robot, GuardedRobot):
+            robot = robot.inner
         if isinstance(robot, CanRobot):
             robot = robot.fleet.plant.robot
         address = robot.model.joint("inc1/base").qposadr[0]

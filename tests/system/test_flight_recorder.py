@@ -41,6 +41,7 @@ async def said(process: subprocess.Popen[str], text: str) -> str:
     return line
 
 
+@pytest.mark.slow
 async def test_an_emergency_is_recorded_with_before_and_after(
     root: Path, free_port: int, start: Callable[..., subprocess.Popen[str]]
 ) -> None:
@@ -100,6 +101,7 @@ async def test_a_client_that_dies_in_control_is_recorded(
     assert "ConfirmControl" in {name for name, _ in messages(path)}
 
 
+@pytest.mark.slow
 async def test_it_goes_on_after_its_node_manager(
     root: Path, free_port: int, start: Callable[..., subprocess.Popen[str]]
 ) -> None:
@@ -127,6 +129,7 @@ async def test_it_goes_on_after_its_node_manager(
     await said(recorder, "is complete")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [

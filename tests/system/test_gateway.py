@@ -161,7 +161,6 @@ async def test_an_ocu_without_a_rule_finds_nothing(folders: dict[str, Path]) -> 
                 await ocu.query(which, QueryLocalPose(presence_vector=1), timeout=0.2, retries=1)
     counters = (await status.read(folders["gate"]))["counters"]
     assert counters["dropped.gateway.rule"] > 4
-    assert "relayed" not in counters or counters["relayed"] == 0
 
 
 @contextlib.contextmanager

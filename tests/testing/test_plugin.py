@@ -169,6 +169,7 @@ def without_asyncio(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Outco
     return outcomes(folder, *PLUGIN)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["strict", "automatic"])
 @pytest.mark.parametrize("place", ["virtual_network", "node_manager"])
 def test_an_ocu_reaches_a_component(request: pytest.FixtureRequest, mode: str, place: str) -> None:
@@ -212,6 +213,7 @@ def test_exception_in_an_action_fails_the_test_with_its_traceback(automatic: dic
     assert automatic["action:test_it[True]"] == Outcome(True, "")
 
 
+@pytest.mark.slow
 def test_the_node_manager_serves_a_test_without_asyncio(without_asyncio: dict[str, Outcome]) -> None:
     assert without_asyncio["plain:test_it"] == Outcome(True, "")
 
@@ -228,6 +230,7 @@ def test_plugin_imports_no_unused_modules():
     assert set(run.stdout.split()) == {"jauspy", "jauspy.testing", "jauspy.testing.plugin"}
 
 
+@pytest.mark.slow
 def test_jauspy_testing_needs_no_pytest():
     code = "import sys; from jauspy.testing import VirtualNetwork, LocalNode, until; print('pytest' in sys.modules)"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

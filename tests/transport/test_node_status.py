@@ -62,6 +62,27 @@ async def test_what_is_no_status_is_none(root: Path, text: bytes) -> None:
         locator.close()
 
 
+async def test_a_location_has_what_was_sent_and_what_waits(root: Path) -> None:
+    networks = {"networks": [{"name": "radio", "send_queue": 4321}, {"name": "odd", "send_queue": "x"}, 7]}
+    row = {"id": "42.1.1", "address": "192.0.2.7:3794", "heard": 0.5, "network": "radio", "sent_bytes": 1000}
+    peers = {"peers": [row, row | {"id": "43.1.1", "network": "odd", "sent_bytes": True}]}
+    components = {"components": [{"id": "101.1.102", "waiting_bytes": 77}, {"id": "101.1.103", "waiting_bytes": -1}]}
+    async with serving(root, json.dumps({**GOOD, **networks, **peers, **components}).encode()):
+        locator = node_status.Locator(root)
+        found: dict[str, Location] = {}
+        for id in ("42.1.1", "43.1.1", "101.1.102", "101.1.103"):
+            locator.locate(JausID.parse(id), partial(found.__setitem__, id))
+        await until(lambda: len(found) == 4)
+        locator.close()
+    loads = {id: (location.sent, location.waiting) for id, location in found.items()}
+    assert loads == {
+        "42.1.1": (1000, 4321),
+        "43.1.1": (None, None),
+        "101.1.102": (None, 77),
+        "101.1.103": (None, None),
+    }
+
+
 async def test_a_location_has_the_ports_of_the_node_managers(root: Path) -> None:
     networks = {"networks": [{"address": "127.0.0.1:4794"}, {"address": 7}, 3]}
     peers = {"peers": [{"id": "42.1.1", "address": "192.0.2.7:4795", "heard": 0.5}]}

@@ -76,13 +76,7 @@ async def images(receiver, count, decoder=None):
     return found
 
 
-async def test_process_starts_at_first_use(camera):
-    assert camera.pid is None
-    camera.watch(("127.0.0.1", 2000), playing=False)
-    await until(lambda: camera.description, TIMEOUT)
-    assert camera.counters["started"] == 1
-
-
+@pytest.mark.slow
 async def test_fallback_to_ray_casting_is_logged_once(monkeypatch, caplog):
     sim = pytest.importorskip("jauspy_sim.robot", reason="MuJoCo is not installed")
     monkeypatch.setenv("MUJOCO_GL", "disable")
@@ -110,6 +104,7 @@ def nicenesses(pid):
     return found
 
 
+@pytest.mark.slow
 async def test_camera_process_has_lower_priority(monkeypatch, robot, receiver):
     monkeypatch.setattr(camera_process, "NICENESS", 5)
     async with CameraProcess(robot.cameras["front"], SMALL) as camera:
@@ -125,8 +120,9 @@ async def test_camera_process_has_lower_priority(monkeypatch, robot, receiver):
         assert os.getpgid(camera.pid) != os.getpgid(0), "Ctrl-C is the robot's"
 
 
-async def test_two_receivers_see_the_same_pictures(camera, receiver):
+async def test_the_process_starts_at_first_use_and_two_receivers_see_the_same_pictures(camera, receiver):
     decoder = H264Decoder()
+    assert camera.pid is None
     with RtpReceiver() as other:
         camera.watch(at(receiver))
         first = await images(receiver, 3, decoder)
@@ -168,27 +164,28 @@ async def test_streams_can_be_paused_played_and_left(camera, receiver):
         assert camera.receivers == {}
 
 
-@pytest.mark.parametrize("format", StillFormat)
-@pytest.mark.parametrize("size", sampled([(128, 96), (1280, 720)], 1), ids=str)
-async def test_still_images_of_any_size(camera, format, size):
+async def still_of(camera, settings):
+    """A still image and its pixels."""
     taken = asyncio.get_running_loop().create_future()
-    camera.take(StillSettings(*size, format), taken.set_result)
+    camera.take(settings, taken.set_result)
     still = await asyncio.wait_for(taken, TIMEOUT)
-    assert still.content.startswith({StillFormat.JPEG: b"\xff\xd8\xff", StillFormat.PNG: b"\x89PNG"}[format])
-    assert 0.0 < still.age < TIMEOUT
-    image = cv2.imdecode(np.frombuffer(still.content, np.uint8), cv2.IMREAD_COLOR)
-    assert image.shape == (size[1], size[0], 3)
-    assert image.std() > 10.0
+    return still, cv2.imdecode(np.frombuffer(still.content, np.uint8), cv2.IMREAD_COLOR)
 
 
-@pytest.mark.parametrize(("size", "smooth"), [((640, 480), True), ((1408, 1152), False)], ids=str)
-async def test_small_stills_are_anti_aliased(camera, size, smooth):
-    taken = asyncio.get_running_loop().create_future()
-    camera.take(StillSettings(*size, StillFormat.PNG), taken.set_result)
-    content = (await asyncio.wait_for(taken, TIMEOUT)).content
-    image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR)
-    colours = {tuple(pixel) for pixel in image.reshape(-1, 3)}
-    assert (len(colours) > SKY_INDEX + 1) is smooth
+@pytest.mark.slow
+@pytest.mark.parametrize("size", sampled([(128, 96), (1280, 720)], 1), ids=str)
+async def test_still_images_of_any_size_of_which_small_ones_are_anti_aliased(camera, size):
+    """All from one process, because its start takes longer than an image."""
+    for format in StillFormat:
+        still, image = await still_of(camera, StillSettings(*size, format))
+        assert still.content.startswith({StillFormat.JPEG: b"\xff\xd8\xff", StillFormat.PNG: b"\x89PNG"}[format])
+        assert 0.0 < still.age < TIMEOUT
+        assert image.shape == (size[1], size[0], 3)
+        assert image.std() > 10.0
+    for other, smooth in (((640, 480), True), ((1408, 1152), False)):
+        _, image = await still_of(camera, StillSettings(*other, StillFormat.PNG))
+        assert (len(np.unique(image.reshape(-1, 3), axis=0)) > SKY_INDEX + 1) is smooth
+    assert camera.counters["started"] == 1
 
 
 async def test_too_many_stills_and_receivers_are_refused(camera):
@@ -202,6 +199,7 @@ async def test_too_many_stills_and_receivers_are_refused(camera):
         camera.watch(("127.0.0.1", 4000))
 
 
+@pytest.mark.slow
 async def test_dead_process_is_restarted(camera, receiver, caplog):
     camera.settings = dataclasses.replace(SMALL, width=160, height=120)
     camera.watch(at(receiver))
@@ -220,6 +218,7 @@ async def test_dead_process_is_restarted(camera, receiver, caplog):
     assert "its process ended (-9); it starts again in 0.5 s" in caplog.text
 
 
+@pytest.mark.slow
 async def test_hanging_process_is_ended(camera, monkeypatch):
     monkeypatch.setattr(worker_process, "MAX_UNREAD", 1000)
     camera.watch(("127.0.0.1", 2000))
@@ -261,6 +260,7 @@ async def test_starting_process_is_not_ended(camera, monkeypatch):
     assert camera.counters["hung"] == 0
 
 
+@pytest.mark.slow
 async def test_process_ends_with_the_robot_process(tmp_path):
     program = tmp_path / "robot.py"
     program.write_text(

@@ -44,7 +44,13 @@ def show(sender: RtpSender, settings: VideoSettings, scene, ending: threading.Ev
 
 
 @pytest.mark.parametrize("player", PLAYERS, ids=lambda player: player.__name__)
-@pytest.mark.parametrize("settings", STREAMS.values(), ids=STREAMS)
+@pytest.mark.parametrize(
+    "settings",
+    [
+        pytest.param(settings, id=name, marks=[] if name in ("640x480", "gradual") else pytest.mark.slow)
+        for name, settings in STREAMS.items()
+    ],
+)
 def test_all_pictures_arrive_without_errors(player, settings, scene, tmp_path):
     with RtpReceiver() as free:
         port = free.port

@@ -134,7 +134,14 @@ def free_port() -> int:
         return free.port
 
 
-@pytest.mark.parametrize("player", [None, ffmpeg, gstreamer], ids=["jauspy", "ffmpeg", "gstreamer"])
+@pytest.mark.parametrize(
+    "player",
+    [
+        pytest.param(None, id="jauspy"),
+        pytest.param(ffmpeg, id="ffmpeg", marks=pytest.mark.slow),
+        pytest.param(gstreamer, id="gstreamer", marks=pytest.mark.slow),
+    ],
+)
 def test_decoding_recovers_with_the_next_idr(player, film, tmp_path):
     port = free_port()
     relay = Relay(port, seed=7)

@@ -49,6 +49,7 @@ def test_packetised_pictures_are_reassembled(nals, limit):
     assert [(list(picture.nals), picture.whole) for picture in found] == [(nals, True)]
 
 
+@pytest.mark.slow
 @given(units)
 def test_byte_stream_is_split_at_start_codes(nals):
     plain = [unit.replace(b"\x00", b"\x03") for unit in nals]  # an encoder never leaves start codes inside

@@ -131,7 +131,7 @@ def test_idr_requests_are_rate_limited(sender, receivers):
 
 
 def test_sender_report_maps_time_stamps(sender):
-    sender._sockets.clear()
+    sender.close()
     report = rtp.sender_report(7, "front", utc=1.5, timestamp=90, packets=3, octets=400)
     first = struct.unpack_from("!BBHIIIIII", report)
     assert first == (0x80, 200, 6, 7, 2_208_988_801, 1 << 31, 90, 3, 400)
@@ -168,6 +168,7 @@ def test_port_in_use_is_an_error(receivers):
         RtpReceiver(port=receivers[0].port)
 
 
+@pytest.mark.slow
 def test_picture_is_correct_after_the_next_idr(scene):
     """2 % of the packets are lost; pictures from a whole IDR up to the next loss are what was sent."""
     from jauspy.video.h264_payload import Depacketiser, packetise

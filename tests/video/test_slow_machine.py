@@ -102,6 +102,7 @@ def at(receiver):
     return ("127.0.0.1", receiver.port)
 
 
+@pytest.mark.slow
 def test_stream_and_recording_keep_their_size_while_pictures_get_smaller_and_larger_again(bench, receiver, tmp_path):
     bench.worker.execute(AddReceiver(at(receiver)))
     decoder, sizes, times, notes = H264Decoder(), set(), [], []

@@ -41,6 +41,8 @@ class Layout:
     """Further settings of the robot's node manager."""
     sealed: bool = False
     """The robot takes commands of registered operators only, and its operator has such a key."""
+    planner: bool = False
+    """Beside the robot runs a planner of its arm."""
 
 
 @dataclass(frozen=True, slots=True)

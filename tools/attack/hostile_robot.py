@@ -13,23 +13,30 @@ from types import MappingProxyType
 from typing import Final
 
 import jauspy
+from jauspy.backends import find
 from jauspy.geometry.poses import ORIGIN
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
     QueryVisualSensorCapabilities,
     ReportVisualSensorCapabilities,
 )
+from jauspy.platform.joints import joint_positions
+from jauspy.platform.link_clearances import clearances_of
 from jauspy.platform.modular.arm import ArmController, ArmMotion, ModularArm, ModularArmState
 from jauspy.platform.modular.cell import Observation, ObservedPart, PartSensor
 from jauspy.platform.modular.connector import ConnectorState, VacuumConnector
 from jauspy.platform.modular.holding import Holding
 from jauspy.platform.modular.parts import CellSetup, ConnectorLimits
+from jauspy.platform.named_poses import NamedPose
+from jauspy.robot.robot_files import load, robot_model
 from jauspy.services.cell.equipment import PartSensorService
 from jauspy.services.cell.modular_arm import ArmMotionControl, ModularArmService
 from jauspy.services.cell.vacuum_connector import VacuumConnectorService
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM, Discovery, Identity, OfferedService
 from jauspy.services.environment_sensing.digital_video import DigitalVideo
 from jauspy.services.environment_sensing.visual_sensor import VisualSensor
+from jauspy.services.iop import PresetPose
+from jauspy.services.manipulator import Arm, JointDescription, JointPositionDriver, JointPositionSensor
 from jauspy.services.service import Service
 
 SUBSYSTEM_ID: Final = 66
@@ -56,6 +63,8 @@ PAYLOADS: Final = (
 """Texts that become something else where they are put into properties, markup, templates, addresses or scripts."""
 IN_FILES: Final = (*PAYLOADS, f"\u2028{_CODE}\u2029", f"\u202e{_CODE}", "<\u0130mg src=x>")
 """Those of files, whose letters need not be Latin-1."""
+UNPRINTABLE: Final = ("\x1b[2Jcleared", "two\nlines")
+"""Texts that are commands to a terminal."""
 IMAGE: Final = f"<img src=x onerror={_CODE}>"
 
 
@@ -126,6 +135,22 @@ class _Lens(VisualSensor):
         return ReportVisualSensorCapabilities([record(1, PAYLOADS[0])])
 
 
+def _posed_arm() -> list[Service]:
+    """Services of an arm whose poses have these texts as names."""
+    model = robot_model(load("inc1"))
+    robot = find("kinematic").open(model, "empty")
+    arm = Arm(robot.groups["arm"])
+    names = [joint.name for joint in arm.joints.joints]
+    start = dict(zip(names, robot.groups["arm"].state().positions, strict=True))
+    poses = [NamedPose(number, text, start) for number, text in enumerate((*PAYLOADS, *UNPRINTABLE), 1)]
+    return [
+        JointPositionDriver(arm),
+        JointPositionSensor(arm),
+        JointDescription("arm", robot.groups["arm"], arm),
+        PresetPose(arm, poses, clearances_of(model, names), lambda: joint_positions(robot.groups.values())),
+    ]
+
+
 def _components(connect: str) -> list[jauspy.Component]:
     """Those with functions first, then one for each text."""
     cell = CellSetup(MappingProxyType({}), ())
@@ -137,8 +162,9 @@ def _components(connect: str) -> list[jauspy.Component]:
         ],
         [_Video(), _Lens()],
         *[[] for _ in PAYLOADS],
+        _posed_arm(),
     ]
-    names = (PAYLOADS[0], PAYLOADS[0], *PAYLOADS)
+    names = (PAYLOADS[0], PAYLOADS[0], *PAYLOADS, PAYLOADS[0])
     return [
         _component(JausID(SUBSYSTEM_ID, 1, number), name, services, connect)
         for number, (name, services) in enumerate(zip(names, functions, strict=True), 1)

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import hmac
 import math
 import socket
@@ -16,6 +17,7 @@ from jauspy.ids import JausID
 from jauspy.logs import LogRateLimit
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import TcpPeers
+from jauspy.planning.service import MotionPlannerService, Work
 from jauspy.protocol.duplicates import ReplayWindow
 from jauspy.protocol.routing import Router
 from jauspy.protocol.seal import PublicKey
@@ -112,6 +114,17 @@ def any_age() -> None:
     replaced(SendQueue, "drop_stale", lambda _: 0)()
 
 
+def every_plan() -> None:
+    """Each request is planned, after all that came before it."""
+
+    def begin(self: MotionPlannerService, work: Work) -> None:
+        kept.add(task := asyncio.get_running_loop().create_task(self._perform(work)))
+        task.add_done_callback(kept.discard)
+
+    kept: set[asyncio.Task[None]] = set()
+    replaced(MotionPlannerService, "_begin", begin)()
+
+
 def _route_anything(self: Ingress, queues: Any, left: int, _: float, /) -> int:
     return _ROUTE_FROM(self, queues, left, -math.inf)
 
@@ -130,6 +143,7 @@ MUTANTS: Final[dict[str, Mutant]] = {
     "no-control-timeout": Mutant(no_control_timeout, ("cut-off",)),
     "unbounded-events": Mutant(replaced(Subscriptions, "full_for", _false), ("events",)),
     "events-for-ever": Mutant(events_for_ever, ("amplification",)),
+    "every-plan": Mutant(every_plan, ("planner",)),
     "leaking-descriptors": Mutant(leaking, ("tcp",)),
     "unbounded-logs": Mutant(replaced(LogRateLimit, "filter", _true), ("local-udp",)),
 }

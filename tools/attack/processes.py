@@ -70,6 +70,14 @@ class Victim:
         """Wait for a line of output with this text."""
         wait_for(self._output, text, self.name)
 
+    def wait_until_logged(self, text: str) -> None:
+        """Wait for this text in its log; raises `NotStarted` when the process ends before, or takes too long."""
+        deadline = time.monotonic() + _START_TIMEOUT
+        while text.encode() not in self._log.read_bytes():
+            if self._process.poll() is not None or time.monotonic() > deadline:
+                raise NotStarted(f"the {self.name} did not start: {self.last_line()}")
+            time.sleep(0.1)
+
     def usage(self) -> Usage:
         """What it uses now; the peak of the memory begins anew. Raises `BoundBroken` when it has ended or hangs."""
         if (status := self._process.poll()) is not None:

@@ -10,6 +10,7 @@ import socket
 import tty
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, Final
 
@@ -17,7 +18,7 @@ from jauspy.ids import JausID
 from jauspy.node import status
 from jauspy.protocol.seal import OperatorKey
 
-from .attack import Layout, Victims
+from .attack import Layout, NotPossible, Victims
 from .hosts import Host, Lan
 from .processes import HONEST, PILOT, Honest, Victim
 from .truth import Leg, Motion, Sample, judge
@@ -25,6 +26,8 @@ from .truth import Leg, Motion, Sample, judge
 PORT: Final = 20794
 METRICS: Final = PORT + 1
 ROBOT_ID: Final = "101.1.102"
+ARM_ID: Final = "101.1.104"
+PLANNER_ID: Final = "101.1.130"
 OPERATOR_ID: Final = "42.1.1"
 """Who queries the robot."""
 PILOT_ID: Final = "42.1.2"
@@ -149,6 +152,23 @@ class Stage:
         options = ("--backend", "kinematic", "--no-node-manager", "--local-root", root, "--verbose")
         self._start("robot", "robot", "stop it", "up", self._robot_file(), *options)
         self._start_operators()
+        if self.layout.planner:
+            self._start_planner(root)
+
+    def _start_planner(self, root: str) -> None:
+        """A planner that no operator controls yet."""
+        if missing := [name for name in ("ompl", "coal", "ruckig") if find_spec(name) is None]:
+            raise NotPossible(f"{', '.join(missing)} is not installed")
+        planner = Victim(
+            self.lan.hosts["robot"],
+            self.folder,
+            "planner",
+            ("planner", ARM_ID, "--no-sensors", "--connect", f"local:{root}"),
+            self._mutant,
+        )
+        self._stack.callback(planner.stop)
+        self.victims.append(planner)
+        planner.wait_until_logged("plans motions of")
 
     def _robot_file(self) -> str:
         """The robot; with `sealed`, one that takes commands of registered operators only."""

@@ -16,6 +16,7 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.platform.backend import Backend
 from jauspy.platform.contract import DriveBase, Robot, Snapshot
+from jauspy.platform.guarded_robot import GuardedRobot
 from jauspy.platform.joints import JointGroup, JointState
 
 GROUP: Final = "jauspy.backends"
@@ -84,7 +85,7 @@ def state_problem(state: Snapshot, robot: Robot) -> str:
     """A text about invalid numbers in a state, with the method that returned them; empty if all are valid."""
     if _is_right(state, robot):
         return ""
-    return next(_problems(state, robot), "")
+    return next(_problems(state, robot.inner if isinstance(robot, GuardedRobot) else robot), "")
 
 
 def _is_right(state: Snapshot, robot: Robot) -> bool:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.backends.kinematic_camera import KinematicCameras
 from jauspy.errors import ConfigError
-from jauspy.geometry.frames import gravity_wrench
+from jauspy.geometry.frames import HoldingEfforts, gravity_wrench
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint, RobotDescription
+from jauspy.platform.backend import PlacedRobot
 from jauspy.platform.camera import CameraSource
+from jauspy.platform.chassis import measure
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.drives import SLIP_FACTOR, FixedBase, SkidSteerDrive
@@ -21,14 +23,18 @@ from jauspy.platform.joint_control import SetpointGenerator
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
 from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer
+from jauspy.platform.motors import MotorLoad
+from jauspy.platform.power_supply import PowerSupply
 from jauspy.platform.ranging import Scanner
 from jauspy.platform.wheels import WheelDrive, WheelSetup
 
-WORLDS: Final = ("empty", "house", "rough", "rubble", "street", "yard")
+WORLDS: Final = ("empty", "house", "lost_property", "rough", "rubble", "street", "workbench", "yard")
 """Names of worlds; their obstacles do not exist for a kinematic robot."""
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""
+SUPPLY_RATE: Final = 10.0
+"""Hertz at which the power that it takes is measured."""
 
 
 class KinematicBackend:
@@ -46,6 +52,13 @@ class KinematicBackend:
             )
         return KinematicRobot(robot)
 
+    def open_several(self, robots: Sequence[PlacedRobot], world: str) -> Sequence[KinematicRobot]:
+        """Open robots on one floor, where they neither see nor touch each other. Raises `ConfigError` as `open`."""
+        opened = [self.open(placed.robot, world) for placed in robots]
+        for robot, placed in zip(opened, robots, strict=True):
+            robot.place(placed.start)
+        return opened
+
 
 class KinematicRobot:
     """A `Robot`: its joints ignore gravity, and its lidars find no obstacles.
@@ -55,14 +68,13 @@ class KinematicRobot:
 
     def __init__(self, robot: RobotModel) -> None:
         tracks = robot.tracks
-        self._tracked = KinematicDrive(skid_steer_parameters(robot.description, tracks)) if tracks else None
+        self._tracked = _tracks(robot.description, tracks) if tracks else None
         self._wheels = KinematicWheels(robot.wheels) if robot.wheels else None
         self._rolling = self._tracked or self._wheels
         self.drive: KinematicDrive | KinematicWheels | FixedBase = self._rolling or FixedBase()
         """The chassis."""
-        self._localizer: Localizer | None = None
-        if self._rolling is not None and not robot.localization.is_exact(default=True):
-            self._localizer = Localizer(robot.localization, self._rolling)
+        self._localization = robot.localization
+        self._localizer = self._make_localizer()
         self.groups: Mapping[str, KinematicJoints] = {
             name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()
         }
@@ -76,8 +88,22 @@ class KinematicRobot:
             for setup in robot.force_torque
         }
         """Force-torque sensors by name: they measure the weight of the links beyond them, without noise."""
+        self._holding = HoldingEfforts(robot.description)
+        self._mass = measure(robot).mass if robot.battery else 0.0
+        self._supply = PowerSupply(robot, self._lamps, self._motor_loads, self._halt, SUPPLY_RATE)
         self._time = 0.0
         self._measure()
+
+    def place(self, start: Pose) -> None:
+        """Put the robot where it starts (x, y and yaw), before it is advanced."""
+        if self._rolling is not None:
+            self._rolling.place(start)
+            self._localizer = self._make_localizer()
+
+    def _make_localizer(self) -> Localizer | None:
+        if self._rolling is None or self._localization.is_exact(default=True):
+            return None
+        return Localizer(self._localization, self._rolling)
 
     @property
     def cameras(self) -> Mapping[str, CameraSource]:
@@ -86,9 +112,9 @@ class KinematicRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """Parts of the chassis, the localisation unless exact, and the lamps, whose light its cameras do not show."""
+        """Parts of the chassis, the localisation unless exact, lamps (cameras do not show their light), battery."""
         located = () if self._localizer is None else (self._localizer,)
-        return (*self.drive.optional_parts, *located, *self._lamps)
+        return (*self.drive.optional_parts, *located, *self._lamps, *self._supply.parts)
 
     @property
     def time(self) -> float:
@@ -119,15 +145,31 @@ class KinematicRobot:
             lidar.step(self._time)
         for sensor in self.force_torque.values():
             sensor.step(self._time)
+        self._supply.step(self._time)
+
+    def _motor_loads(self) -> Iterator[MotorLoad]:
+        """The loads of the motors: joints carry the weight of the links beyond them, on level ground."""
+        holding = self._holding.at(self._positions())
+        for group in self.groups.values():
+            rows = zip(group.joints, group.state().velocities, strict=True)
+            for joint, velocity in rows:
+                effort = min(joint.effort, max(-joint.effort, holding.get(joint.name, 0.0)))
+                yield MotorLoad(joint.name, effort, velocity)
+        if self._rolling is not None:
+            yield from self._rolling.motor_loads(self._mass)
+
+    def _halt(self) -> None:
+        """Stop all motors."""
+        self.drive.stop()
+        for group in self.groups.values():
+            group.hold()
 
     def _positions(self) -> Mapping[str, float]:
         return joint_positions(self.groups.values())
 
     def close(self) -> None:
         """Stop, and release the shared states of the cameras."""
-        self.drive.stop()
-        for group in self.groups.values():
-            group.hold()
+        self._halt()
         self._cameras.close()
 
 
@@ -150,12 +192,18 @@ class SkidSteerParameters:
 class KinematicDrive(SkidSteerDrive):
     """The chassis of a kinematic robot: a `DriveBase`."""
 
-    def __init__(self, parameters: SkidSteerParameters) -> None:
+    def __init__(self, parameters: SkidSteerParameters, motors: tuple[Joint, ...] = ()) -> None:
+        """`motors`: the joints of the belts that the left and the right motor drive."""
         super().__init__(parameters.slip_width)
+        self._motors = motors
         self._parameters = parameters
         self._efforts = (0.0, 0.0)
         self._left = self._right = 0.0
         self._x = self._y = self._yaw = 0.0
+
+    def place(self, start: Pose) -> None:
+        """Put the chassis there, at rest."""
+        self._x, self._y, self._yaw = start.x, start.y, start.yaw
 
     def set_track_efforts(self, left: float, right: float) -> None:
         """Drive the tracks with fractions of their full efforts, -1..1; zero for both brakes."""
@@ -176,6 +224,13 @@ class KinematicDrive(SkidSteerDrive):
         """Same as `SkidSteerDrive.track_speeds`."""
         return self._left, self._right
 
+    def motor_loads(self, mass: float) -> Iterator[MotorLoad]:
+        """Force and speed of each motor; `mass`: of the robot, kg."""
+        speeds, parameters = (self._left, self._right), self._parameters
+        for joint, effort, speed in zip(self._motors, self._efforts, speeds, strict=False):
+            pull = mass / 2.0 * (effort * parameters.free_speed - speed) / parameters.response if effort else 0.0
+            yield _limited_load(joint, pull, speed)
+
     def step(self, dt: float) -> None:
         """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
         before = self.twist()
@@ -189,6 +244,15 @@ class KinematicDrive(SkidSteerDrive):
         self._x += distance * math.cos(heading)
         self._y += distance * math.sin(heading)
         self._yaw += turn
+
+
+def _limited_load(joint: Joint, effort: float, velocity: float) -> MotorLoad:
+    return MotorLoad(joint.name, min(joint.effort, max(-joint.effort, effort)), velocity)
+
+
+def _tracks(description: RobotDescription, tracks: TrackSetup) -> KinematicDrive:
+    motors = (description.joint(tracks.left[0]), description.joint(tracks.right[0]))
+    return KinematicDrive(skid_steer_parameters(description, tracks), motors)
 
 
 def skid_steer_parameters(description: RobotDescription, tracks: TrackSetup) -> SkidSteerParameters:
@@ -281,6 +345,10 @@ class KinematicWheels(WheelDrive):
         self._angle = self._wanted_angle = 0.0
         self._x = self._y = self._yaw = 0.0
 
+    def place(self, start: Pose) -> None:
+        """Put the chassis there, at rest."""
+        self._x, self._y, self._yaw = start.x, start.y, start.yaw
+
     def set_wheel_efforts(self, efforts: tuple[float, ...], steering: float | None) -> None:
         """Drive the wheels and steer."""
         self._efforts = efforts
@@ -298,6 +366,13 @@ class KinematicWheels(WheelDrive):
     def rim_speeds(self) -> Sequence[float]:
         """m/s, positive forward."""
         return self._speeds
+
+    def motor_loads(self, mass: float) -> Iterator[MotorLoad]:
+        """Torque and rate of the motor of each wheel; `mass`: of the robot, kg."""
+        wheels = self.wheels.wheels
+        for wheel, effort, speed in zip(wheels, self._efforts, self._speeds, strict=True):
+            pull = mass / len(wheels) * (effort * wheel.speed - speed) / RESPONSE if effort else 0.0
+            yield _limited_load(wheel.joint, pull * wheel.radius, speed / wheel.radius)
 
     @property
     def steering(self) -> float:

@@ -35,8 +35,9 @@ class Dissector:
     def dissect(self, data: bytes, now: float) -> Dissection:
         """Dissect a UDP payload that was captured at `now` (s). Never raises; problems are in `errors`."""
         found = dissect(data, self._registry, self._wanted)
-        for part in found.parts:
-            if part.packet.data_flag is not DataFlag.SINGLE:
+        single = DataFlag.SINGLE
+        for packet, _ in found.parts:
+            if packet.data_flag is not single:
                 return found._replace(parts=tuple(self._completed(part, now) for part in found.parts))
         return found
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import fields, is_dataclass
 from difflib import get_close_matches
 from enum import Enum
-from functools import cache
+from functools import cache, lru_cache
 from importlib import import_module
 from typing import Any, Final, TypeAlias
 
@@ -17,6 +17,7 @@ from lark import Lark, Token, Transformer, UnexpectedInput, UnexpectedToken, v_a
 from lark.exceptions import VisitError
 
 from jauspy.capture.dissect import Part
+from jauspy.codec.field_paths import leaves, path_pattern, without_numbers
 from jauspy.codec.message import Message, Struct
 from jauspy.codec.registry import Registry
 from jauspy.codec.rounding import rounded
@@ -48,7 +49,7 @@ _IN.3: /in\b/i
 COMPARISON: "==" | "!=" | "<=" | ">=" | "<" | ">" | "contains"
 STRING: /"[^"]*"/ | /'[^']*'/
 NUMBER.2: /[-+]?(0x[0-9a-f]+|[0-9a-f]+h|(\d+\.?\d*|\.\d+)(e[-+]?\d+)?)(?![\w.*:?])/i
-NAME.1: /[a-z_]\w*(\.[a-z_]\w*)*(?![\w*:?.])/i
+NAME.1: /[a-z_]\w*(\[\d+\])*(\.[a-z_]\w*(\[\d+\])*)*(?![\w*:?.\[])/i
 WORD: /[\w*?:][\w.*?:\-]*/
 %ignore /\s+/
 """
@@ -90,8 +91,9 @@ class Filter:
     """A predicate over the parts of dissected datagrams, made from text.
 
     A comparison is true if any value of its name fits; `!=` is true if there is a value and none fits. Fields are found
-    at any depth, by their names or the last parts of their paths (`time_stamp.hour`). Text is compared without regard
-    to case, with `*` and `?` as wildcards; numbers are in SI units and radians, rounded as `decode` prints them.
+    at any depth, by their names or the last parts of their paths (`time_stamp.hour`, `node_list[0].node_rec.node_id`);
+    a list without a number stands for all its elements. Text is compared without regard to case, with `*` and `?` as
+    wildcards; numbers are in SI units and radians, rounded as `decode` prints them.
 
     Raises:
         ConfigError: the text is no filter, or names something that no message has; it points at the character.
@@ -182,9 +184,10 @@ class _Compiler(Transformer[Token, Predicate]):
         if known is not None:
             read = known[1]
             return lambda part: (value for value in (read(part),) if value is not None)
-        path = tuple(name.lower().split("."))
-        if not any(path[-1] == field for field in _field_names(self._registry)):
-            raise _UnknownName(name.start_pos or 0, self._unknown(path[-1]))
+        path = name.lower()
+        last = without_numbers(path.rpartition(".")[2])
+        if not any(last == field for field in _field_names(self._registry)):
+            raise _UnknownName(name.start_pos or 0, self._unknown(last))
         return lambda part: printed_values(part.content.message, path)
 
     def _unknown(self, name: str) -> str:
@@ -247,31 +250,19 @@ def _id_pattern(token: Token) -> Callable[[object], bool]:
     return fits
 
 
-def printed_values(message: Message | None, path: tuple[str, ...]) -> Iterator[object]:
+def printed_values(message: Message | None, path: str) -> Iterator[object]:
     """The values of a field, which is found by the last names of its path, as they are printed."""
-    if message is not None and next(_find(message, path, ()), None) is not None:  # rounding takes longer than a search
-        yield from _find(rounded(message), path, ())
+    if message is not None and next(_find(message, path), None) is not None:  # rounding takes longer than a search
+        yield from _find(rounded(message), path)
 
 
-def _find(value: object, path: tuple[str, ...], above: tuple[str, ...]) -> Iterator[object]:
+def _find(message: Message, end: str) -> Iterator[object]:
     """The values in a message whose paths end with a path."""
-    if isinstance(value, Struct):
-        kind: Any = type(value)
-        for name in _names_of(kind):
-            inner = getattr(value, name)
-            if inner is not None:
-                yield from _find(inner, path, (*above, name))
-    elif isinstance(value, list | tuple):
-        for inner in value:
-            yield from _find(inner, path, above)
-    elif above[-len(path) :] == path:
-        yield value
+    fits, last = _pattern(end).search, without_numbers(end.rpartition(".")[2])  # a search for text is ten times quicker
+    return (value for path, value in leaves(message) if last in path and fits(path))
 
 
-@cache
-def _names_of(kind: Any) -> tuple[str, ...]:
-    """The fields of a class of messages or of parts of them, which are dataclasses."""
-    return tuple(field.name for field in fields(kind))
+_pattern: Final = lru_cache(maxsize=64)(path_pattern)
 
 
 def _number(value: object) -> float | None:

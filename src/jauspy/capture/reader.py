@@ -82,6 +82,7 @@ class CaptureReader:
         self._port = port
         self._assembler = DatagramAssembler(JAUS_PORT if port is None else port)
         self._serial = FrameDecoder()
+        self._read = file.read
         self._file = _CheckedFile(file)
         self._frames = _open(file.peek(4)[:4], self._file, name)
         self._link_type: int = self._frames.datalink()
@@ -98,9 +99,20 @@ class CaptureReader:
 
     def __iter__(self) -> Iterator[Datagram]:
         datagrams = self._from_line if self._link_type == SERIAL else self._from_network
-        for number, (time, frame) in enumerate(self._each_frame(), 1):
-            for udp in datagrams(frame):
-                yield Datagram(number, time, *udp)
+        self._file.record_follows()
+        is_pcapng = isinstance(self._frames, dpkt.pcapng.Reader)
+        frames = self._pcapng_frames(self._frames.idb) if is_pcapng else iter(self._frames)
+        number = 0
+        while True:
+            try:
+                time, frame = next(frames)
+            except StopIteration:
+                break
+            except (dpkt.Error, struct.error, ValueError):
+                raise ConfigError(f"{self._name} is damaged or cut off after frame {number}") from None
+            number += 1
+            for source, destination, payload in datagrams(bytes(frame)):
+                yield Datagram(number, float(time), source, destination, payload)
         self._assembler.finish()
 
     def _from_network(self, frame: bytes) -> Sequence[Udp]:
@@ -120,23 +132,12 @@ class CaptureReader:
             self.skipped["damaged JSerial frame"] += len(errors)
         return [Udp(SERIAL_LINE, SERIAL_LINE, datagram) for datagram in datagrams]
 
-    def _each_frame(self) -> Iterator[tuple[float, bytes]]:
-        number = 0
-        self._file.record_follows()
-        is_pcapng = isinstance(self._frames, dpkt.pcapng.Reader)
-        frames = self._pcapng_frames(self._frames.idb) if is_pcapng else self._frames
-        try:
-            for number, (time, frame) in enumerate(frames, 1):  # noqa: B007 - for the error below
-                yield float(time), bytes(frame)
-        except (dpkt.Error, struct.error, ValueError):
-            raise ConfigError(f"{self._name} is damaged or cut off after frame {number}") from None
-
     def _pcapng_frames(self, interface: dpkt.pcapng.InterfaceDescriptionBlock) -> Iterator[tuple[float, bytes]]:
         """Time and bytes of the packet blocks that follow; dpkt takes three times as long, for it makes objects.
 
         Raises `ValueError` or `struct.error` for a damaged block.
         """
-        file, order = self._file, "<" if isinstance(interface, dpkt.pcapng.InterfaceDescriptionBlockLE) else ">"
+        read, order = self._read, "<" if isinstance(interface, dpkt.pcapng.InterfaceDescriptionBlockLE) else ">"
         ticks, offset = 1e6, 0
         for option in interface.opts:
             if option.code == _TIME_RESOLUTION:
@@ -145,13 +146,13 @@ class CaptureReader:
             elif option.code == _TIME_OFFSET:
                 (offset,) = struct.unpack(order + "q", option.data)
         head, packet = struct.Struct(order + "II"), struct.Struct(order + "4xIII")
-        while header := file.read(head.size):
+        while header := read(8):
             kind, length = head.unpack(header)
             if not 12 <= length <= MAX_BLOCK or length % 4:
                 raise ValueError(f"a block of {length} bytes")
-            body = file.read(length - head.size)
-            if body[-4:] != header[4:]:
-                raise ValueError("the length of a block differs at its end")
+            body = read(length - 8)
+            if len(body) != length - 8 or body[-4:] != header[4:]:
+                raise ValueError("a block is cut off, or its length differs at its end")
             if kind in _PACKET_BLOCKS:
                 high, low, size = packet.unpack_from(body)
                 if 20 + size + 4 > len(body):

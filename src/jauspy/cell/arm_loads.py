@@ -12,6 +12,7 @@ import pinocchio as pin
 from jauspy.cell.frames import Array
 from jauspy.cell.held_load import MOST, UP
 from jauspy.platform.modular.holding import Holding
+from jauspy.platform.modular.parts import ConnectorLimits
 
 if TYPE_CHECKING:
     from jauspy.cell.modular_arm import Chain
@@ -53,10 +54,26 @@ def sampled_states(times: Sequence[float], postures: Sequence[Array]) -> Iterabl
     return zip(rows, speeds, changes, strict=True)
 
 
+def strengths(chain: Chain, limits: ConnectorLimits) -> list[Holding]:
+    """Strength of each connection of a chain: that of its latch, or where a part has none, of its cup."""
+    return [limits.strength(latched=connection.latched) for connection in chain.connections]
+
+
+def utilisations(wrenches: Array, holding: Sequence[Holding]) -> list[float]:
+    """The largest fraction of each connection's strength; `wrenches` have the shape (states, connections, 6)."""
+    forces, moments = wrenches[..., :3], wrenches[..., 3:]
+    return [
+        float(np.max(strength.utilisations(forces[:, row], moments[:, row]))) for row, strength in enumerate(holding)
+    ]
+
+
 def largest_load(
-    chain: Chain, states: Iterable[tuple[Array, Array, Array]], strength: Holding, held: pin.Inertia | None = None
+    chain: Chain,
+    states: Iterable[tuple[Array, Array, Array]],
+    limits: ConnectorLimits,
+    held: pin.Inertia | None = None,
 ) -> Used:
-    """The most loaded connection between the parts of a chain, and that to its base, all of this strength.
+    """The most loaded connection between the parts of a chain, and that to its base.
 
     `states` are positions, velocities and accelerations of the joints; `held` hangs on the tip, in the tip's frame.
     """
@@ -64,14 +81,12 @@ def largest_load(
     if held is not None:
         tip = chain.model.frames[chain.tool]
         bodies.append((tip.parentJoint, tip.placement.act(held)))
-    names = [name for name, *_ in chain.connections]
     wrenches = [_wrenches(chain, bodies, *state) for state in states]
-    if not wrenches or not names:
+    if not wrenches or not chain.connections:
         return NOTHING
-    rows = np.array(wrenches)
-    used = np.max(strength.utilisations(rows[..., :3], rows[..., 3:]), axis=0)
+    used = utilisations(np.array(wrenches), strengths(chain, limits))
     worst = int(np.argmax(used))
-    return Used(float(used[worst]), names[worst])
+    return Used(used[worst], chain.connections[worst].name)
 
 
 def _wrenches(chain: Chain, bodies: Sequence[tuple[int, pin.Inertia]], q: Array, v: Array, a: Array) -> list[Array]:
@@ -86,5 +101,6 @@ def _wrenches(chain: Chain, bodies: Sequence[tuple[int, pin.Inertia]], q: Array,
         beyond.append(beyond[-1] + place.act(wrench))
     count = len(bodies)
     return [
-        (data.oMi[joint] * frame).actInv(beyond[count - first]).vector for _, joint, frame, first in chain.connections
+        (data.oMi[connection.joint] * connection.frame).actInv(beyond[count - connection.first]).vector
+        for connection in chain.connections
     ]

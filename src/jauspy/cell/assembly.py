@@ -16,6 +16,7 @@ import pinocchio as pin
 from jauspy.cell.carrying import HEAVY_TOUCH_SPEED, INSERT_SPEED, LIFT_SPEED, NEAR_SPEED, TOUCH_SPEED, Carrier
 from jauspy.cell.frames import se3, se3_of_pose, shifted, tilt_between, turned
 from jauspy.cell.handling import PickPlan
+from jauspy.cell.held_load import MOST
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.motion import NoPath, Path
 from jauspy.cell.scene import connector_frame
@@ -174,7 +175,7 @@ class Assembler(Carrier):
             await self.cell.leave(plan.part)
         stiff = heavy or bool(release)
         state = await self.touch(plan.contact, GRIPPER, backward, speed=HEAVY_TOUCH_SPEED if stiff else TOUCH_SPEED)
-        if state.attached_to != plan.part or (self.layout.locks(GRIPPER, plan.part) and not state.latched):
+        if state.attached_to != plan.part or self._needs_lock(state):
             if state.attached_to == plan.part:  # the gripper has found where it is better than the sensor
                 where = self.layout.kinematics.forward(self.at) * se3(state.offset)
                 self.placed[plan.part] = self.cell.now(), where
@@ -190,7 +191,7 @@ class Assembler(Carrier):
         if release:
             await self.cell.enable(release, False)
             await self.cell.sleep(RELEASE_TIME)
-        self._hold(plan.part, se3(state.offset).inverse())
+        self._hold_as_reported(plan.part, state)
         if heavy and self.planner.load is not None:
             load = self.planner.load.inertia
             await self.take_up(load.mass, self.layout.kinematics.forward(self.at).act(load.lever))
@@ -200,7 +201,7 @@ class Assembler(Carrier):
         if state.attached_to != plan.part:
             self._drop(plan.part)
             return f"it was dropped while it was lifted{_because(state)}"
-        self._hold(plan.part, se3(state.offset).inverse())
+        self._hold_as_reported(plan.part, state)
         row.grasp_force = state.force
         if math.isfinite(state.mass_deviation):
             row.mass, row.mass_deviation = state.mass, state.mass_deviation
@@ -209,6 +210,13 @@ class Assembler(Carrier):
             await self._put_back(plan, release)
             return why
         return ""
+
+    def _needs_lock(self, state: ConnectorState) -> bool:
+        """True if the gripper's latch could have locked what it holds, has not, and its cup alone is too weak."""
+        if state.latched or not self._locks(GRIPPER, state):
+            return False
+        load = self.handling.load(state.attached_to, se3(state.offset).inverse(), latched=False)
+        return load.worst > MOST
 
     async def _withdraw(self) -> None:
         """Let go of what was not grasped well, and move back from it."""
@@ -285,7 +293,8 @@ class Assembler(Carrier):
 
     def _correct_grasp(self, part: str, frame: pin.SE3) -> None:
         """Take over how the part really is in the gripper, after a connector has found it at `frame`."""
-        self._hold(part, frame.actInv(self.layout.kinematics.forward(self.at)))
+        latched = self.held is not None and self.held.latched
+        self._hold(part, frame.actInv(self.layout.kinematics.forward(self.at)), latched=latched)
 
     def _joined_wrongly(self, connector: str, part: str, state: ConnectorState) -> str:
         if state.attached_to != part:

@@ -23,6 +23,7 @@ from jauspy.cell.scene import Layout, Piece, connector_frame, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.slots import PartResult, Slot, Tip
 from jauspy.cell.standing import base_frame, standing_on
+from jauspy.platform.modular.connector import ConnectorState
 from jauspy.platform.modular.parts import PartKind
 
 CORNERS: Final = ("front_left", "rear_left", "front_right", "rear_right")
@@ -34,6 +35,8 @@ ARM_SPEED: Final = 0.08
 """The same with the arm, whose joints have no power then and are held by friction only."""
 LOCKING_TIME: Final = 0.3
 """Seconds in which the gripper's latch has locked, if it does."""
+RELEASE_TIME: Final = 0.2
+"""Seconds in which a connector has let go."""
 BESIDE: Final = (0.015, 0.12)
 """Metres from the middle of the belt towards the UR10, and from the line of the arm against the belt's direction, at
 which the car is put down."""
@@ -64,7 +67,7 @@ class CarResult:
 
     parts: list[PartResult] = field(default_factory=list)
     failed_grasps: list[str] = field(default_factory=list)
-    """Reasons of the attempts in which the gripper did not hold the car or the arm."""
+    """Reasons of the attempts in which the gripper did not hold the car or the arm, or the car not the arm."""
     build_time: float = 0.0
     load_time: float = 0.0
     """Seconds in which car and arm were put on the conveyor."""
@@ -382,7 +385,7 @@ class CarTask:
         for part in arm.parts:
             await self.cell.leave(part)
         await self.cell.enable(base, False)
-        await self.cell.sleep(0.2)
+        await self.cell.sleep(RELEASE_TIME)
         tool = self.layout.kinematics.forward(ur10.at)
         foot = tool * se3(state.offset) * self._root_from(grasped, root)
         first = self.layout.kinematics.forward(plan.up.points[0])
@@ -395,22 +398,36 @@ class CarTask:
         # the foot now hangs over the car: put it down where the connector is
         tool = self.layout.kinematics.forward(ur10.at)
         foot = tool * se3(state.offset) * self._root_from(grasped, root)
-        move = top.translation - foot.translation
-        above = shifted(float(move[0]), float(move[1]), float(move[2]) + SLOW) * tool
-        await ur10.go(ur10.planner.line(ur10.at, above), speed=ARM_SPEED, contact=True, gentle=True)
-        down = shifted(float(move[0]), float(move[1]), float(move[2]) - DEEPER) * tool
-        connector = f"{self.car}/top"
-        await ur10.press(ur10.planner.line(ur10.at, down))
-        await self.cell.enable(connector, True)
-        state = await ur10.touch(Path((ur10.at,)), connector, top)
-        if state.attached_to != root or not state.latched:
-            raise TaskFailed(f"{connector} does not hold the arm: {state.last_error or 'nothing attaches'}")
+        state = await self._put_on_top(top.translation - foot.translation, root, top)
         frames = self._arm_frames(self.arm.last_goal)
         stands = top * se3(state.offset) * frames[root].inverse()
         ur10.know({name: stands * frame for name, frame in frames.items()})
         await self.cell.enable(GRIPPER, False)
-        await self.cell.sleep(0.2)
+        await self.cell.sleep(RELEASE_TIME)
         await ur10.go(ur10.handling.retreat(ur10.at, AWAY), speed=0.2, contact=True)
+
+    async def _put_on_top(self, move: Array, root: str, top: pin.SE3) -> ConnectorState:
+        """Lower the arm by `move` until the car's connector locks its foot; where it does not, by what it reports."""
+        ur10, connector = self.ur10, f"{self.car}/top"
+        for _ in range(GRASPS):
+            tool = self.layout.kinematics.forward(ur10.at)
+            above = shifted(float(move[0]), float(move[1]), float(move[2]) + SLOW) * tool
+            down = shifted(float(move[0]), float(move[1]), float(move[2]) - DEEPER) * tool
+            await ur10.go(ur10.planner.line(ur10.at, above), speed=ARM_SPEED, contact=True, gentle=True)
+            await ur10.press(ur10.planner.line(ur10.at, down))
+            await self.cell.enable(connector, True)
+            state = await ur10.touch(Path((ur10.at,)), connector, top)
+            if state.attached_to == root and state.latched:
+                return state
+            self.result.failed_grasps.append(state.last_error or f"nothing attaches to {connector}")
+            off = top.rotation @ np.asarray(state.offset.position) if state.attached_to == root else np.zeros(3)
+            await self.cell.enable(connector, False)
+            await self.cell.sleep(RELEASE_TIME)
+            landed = self.layout.kinematics.forward(ur10.at)
+            raised = ur10.planner.line(ur10.at, shifted(z=SLOW) * landed)
+            await ur10.go(raised, speed=NEAR_SPEED, contact=True, gentle=True)
+            move = np.array((-off[0], -off[1], -SLOW))
+        raise TaskFailed(f"{connector} does not hold the arm: {'; '.join(self.result.failed_grasps[-GRASPS:])}")
 
     def _root_from(self, grasped: str, root: str) -> pin.SE3:
         """The frame of the arm's first part in that of the one that is held, where the joints went last."""

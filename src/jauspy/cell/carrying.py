@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.frames import Array, shifted, turned
+from jauspy.cell.frames import Array, se3, shifted, turned
 from jauspy.cell.handling import Handling
 from jauspy.cell.held_load import MOST
 from jauspy.cell.interface import GRIPPER, Cell, SeenPart
@@ -71,6 +71,8 @@ class Held:
     name: str
     grasp: pin.SE3
     """The gripper in the part's frame, as the gripper reports it."""
+    latched: bool = False
+    """True if the gripper's latch has locked on it."""
 
 
 class Carrier:
@@ -209,10 +211,14 @@ class Carrier:
 
     # --- what the gripper holds ---
 
-    def _hold(self, part: str, grasp: pin.SE3) -> None:
-        self.held = Held(part, grasp)
-        self.planner.load = self.handling.load(part, grasp)
+    def _hold(self, part: str, grasp: pin.SE3, *, latched: bool) -> None:
+        self.held = Held(part, grasp, latched)
+        self.planner.load = self.handling.load(part, grasp, latched=latched)
         self.scene.hold(part, self.handling.pieces(part), grasp.inverse())
+
+    def _hold_as_reported(self, part: str, state: ConnectorState) -> None:
+        """Plan with a part as the gripper reports it."""
+        self._hold(part, se3(state.offset).inverse(), latched=state.latched)
 
     def forget_held(self) -> None:
         """Plan without what the gripper has held."""
@@ -286,6 +292,10 @@ class Carrier:
             await self.go(Path((self.at, self.at + bend / LEANS)), speed=LEAN_SPEED, contact=True, gentle=True)
             await self.cell.sleep(LEAN_TIME)
 
+    def _locks(self, connector: str, state: ConnectorState) -> bool:
+        """True if a connector's latch locks on what it holds, where it holds it."""
+        return self.layout.locks(connector, state.attached_to, se3(state.offset).inverse())
+
     async def _wait_held(self, connector: str) -> ConnectorState:
         """Wait until a connector has attached something, and locked it if it can, or reports why it does not."""
         begun = self.cell.now()
@@ -293,7 +303,7 @@ class Carrier:
             state = await self.cell.connector(connector)
             waited = self.cell.now() - begun
             gives_up = not state.enabled or state.error in OUT_OF_CONTACT or (state.attached_to and state.last_error)
-            held = state.attached_to and (state.latched or not self.layout.locks(connector, state.attached_to))
+            held = state.attached_to and (state.latched or not self._locks(connector, state))
             if held or waited > (SEAL_TIME if gives_up else ATTACH_TIME):
                 return state
             await self.cell.sleep(POLL)

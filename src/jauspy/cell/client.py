@@ -257,7 +257,8 @@ class CellClient:
                     return
                 if off > least - BLOCKED:
                     joint = names[int(np.argmax(np.abs(at - goal)))]
-                    raise RequestError(f"{joint} of the UR10 is {off:.3f} rad off after {LATE:g} s; is it blocked?")
+                    late = f"{joint} of the UR10 is {off:.3f} rad off after {LATE:g} s; is it blocked?"
+                    raise RequestError(await arm.blocked() or late)
                 least, until = off, self.now() + LATE  # it comes nearer: the robot's time is slower than this clock
             before = at
 

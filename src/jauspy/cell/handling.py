@@ -11,7 +11,6 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array, shifted, turned
 from jauspy.cell.held_load import HeldLoad, inertia_of
-from jauspy.cell.interface import GRIPPER
 from jauspy.cell.motion import MotionPlanner, NoPath, Path
 from jauspy.cell.scene import Layout, Piece, PlanningScene, pieces_of_part
 
@@ -83,13 +82,15 @@ class Handling:
         """The shapes of a part, and of what is attached to it."""
         return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
-    def load(self, part: str, grasp: pin.SE3) -> HeldLoad:
-        """A part in the gripper, with what is attached to it; `grasp` is the gripper in the part's frame."""
+    def load(self, part: str, grasp: pin.SE3, *, latched: bool) -> HeldLoad:
+        """A part in the gripper, with what is attached to it; `grasp` is the gripper in the part's frame.
+
+        `latched`: the gripper's latch has locked; otherwise its cup holds the part.
+        """
         parts = [(part, pin.SE3.Identity()), *self.members.get(part, ())]
         frames = [(self.layout.type_of(name), grasp.actInv(frame)) for name, frame in parts]
         limits = self.layout.setup.limits
-        locked = self.layout.locks(GRIPPER, part)
-        return HeldLoad(inertia_of(frames), limits.latch if locked else limits.gripper.holding)
+        return HeldLoad(inertia_of(frames), limits.latch if latched else limits.gripper.holding)
 
     def grasps(self, part: str, face: pin.SE3 | None = None) -> list[pin.SE3]:
         """The poses of the gripper in the frame of a part, for all angles about its axis.

@@ -10,6 +10,7 @@ from typing import Protocol, runtime_checkable
 import pinocchio as pin
 
 from jauspy.cell.frames import offset_between, se3, se3_of_pose, tilt_between
+from jauspy.cell.measurements import BATTERY_CHARGE, BATTERY_ENERGY, BATTERY_VOLTAGE
 from jauspy.cell.physics import Probe
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
@@ -166,6 +167,20 @@ class Judge:
     def watch(self, parts: Iterable[str]) -> Watched:
         """Measure these parts at each step from now on; the result is kept up to date."""
         return self._truth.watch(parts)
+
+    def drawn_since(self, before: PowerState) -> dict[str, float]:
+        """Figures of what modules and batteries gave since then, by name: joules, fractions, volts.
+
+        Batteries that gave nothing are left out.
+        """
+        now = self.power()
+        found = {"energy": now.energy - before.energy}
+        for name, battery in now.batteries.items():
+            given = before.batteries[name].energy - battery.energy
+            if given > 0.0:
+                found |= {BATTERY_ENERGY + name: given, BATTERY_CHARGE + name: battery.charge}
+                found[BATTERY_VOLTAGE + name] = battery.voltage
+        return found
 
     def power(self) -> PowerState:
         """What modules have drawn, and what batteries have left."""

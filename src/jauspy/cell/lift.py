@@ -212,7 +212,8 @@ class Lifter:
         size = kind.solids[0].size
         middle = shifted(z=self.height(box) / 2.0)
         shapes = [Piece(piece.shape, middle.inverse() * piece.frame) for piece in pieces_of_part(kind)]
-        planner = ThrowPlanner(arm.chain, arm.scene, Load(result.payload, size, in_tip * middle), shapes)
+        limits = self.layout.setup.limits
+        planner = ThrowPlanner(arm.chain, arm.scene, Load(result.payload, size, in_tip * middle), shapes, limits)
         goal = self.aim.at(np.array([self.target.pose.x, self.target.pose.y]))
         plan = await self.cell.compute(lambda: self._plan(planner, np.append(goal, 0.0)))
         self.planned = result.plan = plan

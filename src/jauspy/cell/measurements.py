@@ -8,6 +8,11 @@ from typing import Any, Final
 
 from jauspy.cell.physics import Physics
 
+BATTERY_ENERGY: Final = "battery energy of "
+BATTERY_CHARGE: Final = "battery charge of "
+BATTERY_VOLTAGE: Final = "battery voltage of "
+"""Beginnings of the names of a battery's figures: joules that it gave, the fraction and the volts that it has left."""
+
 UNITS: Final[dict[str, tuple[str, ...]]] = {
     "rad": (
         "ap angle",
@@ -54,13 +59,14 @@ UNITS: Final[dict[str, tuple[str, ...]]] = {
         "drift time",
     ),
     "": ("settled_sooner", "overshoot_ratio"),
-    "%": ("load of",),
+    "%": ("load of", "battery charge"),
     "m/s": ("release_speed", "path speed", "attach speed", "landing speed", "collision speed"),
     "rad/s": ("overshoot", "joint speed"),
     "kg": ("payload",),
     "N": ("car_force", "arm_force", "attach force", "landing force", "collision force"),
     "N m": ("arm_moment",),
-    "J": ("energy",),
+    "J": ("energy", "build_energy", "battery energy"),
+    "V": ("battery voltage",),
 }
 """The unit of figures whose names begin like this; the longest beginning counts. Others are numbers."""
 SMALL: Final = 0.1

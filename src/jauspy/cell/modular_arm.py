@@ -62,7 +62,14 @@ class ArmOperator:
     """Moves an arm that stands on a connector. `members` are its parts, base to tip."""
 
     def __init__(
-        self, cell: CellClient, layout: Layout, base: pin.SE3, members: Sequence[Member], ur10: Array = PARKED
+        self,
+        cell: CellClient,
+        layout: Layout,
+        base: pin.SE3,
+        members: Sequence[Member],
+        ur10: Array = PARKED,
+        *,
+        base_name: str = "",
     ) -> None:
         self._ur10 = ur10
         self.cell = cell
@@ -70,12 +77,13 @@ class ArmOperator:
         self.members = tuple(members)
         self.base = base
         """The frame in the world of the connector that carries the arm at first."""
-        self.base_name = ""
-        """Name of that connector."""
+        self.base_name = base_name
+        """Name of that connector; empty if it is not known."""
         self.last_goal: Array = np.zeros(sum(member.type.servo is not None for member in self.members))
         """Goal of the last motion."""
         self.clearance = Clearance(1.0)
-        self.stand(Chain(base, self.members))
+        owner = base_name.partition("/")[0]
+        self.stand(Chain(base, self.members, base_latch=not owner or layout.type_of(owner).latch))
         self.tip = f"{self.members[-1].name}/{self.members[-1].connector}"
         """The connector at the end."""
 
@@ -101,9 +109,7 @@ class ArmOperator:
             type = layout.type_of(item.part)
             output = after.connector.partition("/")[2] if after is not None else next(iter(type.connectors), "")
             members.append(Member(item.part, type, item.offset, output))
-        arm = cls(cell, layout, await base_frame(cell, layout, base), members)
-        arm.base_name = base
-        return arm
+        return cls(cell, layout, await base_frame(cell, layout, base), members, base_name=base)
 
     def _make_scene(self) -> PlanningScene:
         """The obstacles around the arm: the cell without the arm's own parts, and the UR10 at rest."""
@@ -225,7 +231,7 @@ class ArmOperator:
 
     def used(self, states: Iterable[tuple[Array, Array, Array]]) -> Used:
         """The most loaded connection of the arm along states of its joints (rad, rad/s, rad/s^2)."""
-        return largest_load(self.chain, states, self.layout.setup.limits.latch)
+        return largest_load(self.chain, states, self.layout.setup.limits)
 
     async def vector(self, goal: Array) -> list[float]:
         """Positions in the order in which the arm's controller counts its joints."""
@@ -290,13 +296,30 @@ class Member:
     """Connector of the part that holds the next part, or is the tip."""
 
 
+@dataclass(frozen=True, slots=True)
+class Connection:
+    """A connector of a chain that holds what is beyond it."""
+
+    name: str
+    joint: int
+    """Number of the joint that moves it; 0 before the first."""
+    frame: pin.SE3
+    """Its frame in that of the joint, z towards the tip."""
+    first: int
+    """Index of the first of the chain's bodies beyond it."""
+    latched: bool
+    """True if both sides have a latch; otherwise its cup alone holds."""
+
+
 class Chain:
     """An arm that stands on a connector; joints are in the order base to tip."""
 
-    def __init__(self, base: pin.SE3, members: Iterable[Member]) -> None:
+    def __init__(self, base: pin.SE3, members: Iterable[Member], *, base_latch: bool = True) -> None:
         self.members = tuple(members)
         self.base = base
         """The frame in the world of the connector that it stands on."""
+        self._base_latch = base_latch
+        """True if what it stands on has a latch."""
         self.model = pin.Model()
         self.joints: list[str] = []
         self.links: list[LinkPiece] = []
@@ -305,9 +328,8 @@ class Chain:
         """Connectors of the parts: name, number of the joint that moves it, and its frame in that of the joint."""
         self.bodies: list[tuple[int, pin.Inertia]] = []
         """Masses from the base to the tip: number of the joint that moves them, and inertia in its frame."""
-        self.connections: list[tuple[str, int, pin.SE3, int]] = []
-        """Connectors that hold what is beyond them: name, number of the joint that moves it, its frame in that of the
-        joint with z towards the tip, and the index of the first of the bodies beyond."""
+        self.connections: list[Connection] = []
+        """From the base to the tip."""
         joint, frame = self._build(base)
         self.tool = self.model.addFrame(pin.Frame("tip", joint, 0, frame, pin.FrameType.OP_FRAME))
         self.data = self.model.createData()
@@ -317,10 +339,11 @@ class Chain:
 
     def _build(self, base: pin.SE3) -> tuple[int, pin.SE3]:
         """Make the model; returns the last joint, and the frame of the tip after it."""
-        joint, frame, held_by = 0, base, BASE
+        joint, frame, held_by, latch = 0, base, BASE, self._base_latch
         for member in self.members:
-            self.connections.append((held_by, joint, frame, len(self.bodies)))
-            held_by = f"{member.name}/{member.connector}"
+            latched = latch and member.type.latch
+            self.connections.append(Connection(held_by, joint, frame, len(self.bodies), latched))
+            held_by, latch = f"{member.name}/{member.connector}", member.type.latch
             frame = frame * member.offset
             self._add_links(member.name, pieces_of(member.type.solids, frame), joint)
             self._add_mass(member.type.solids, joint, frame)
@@ -432,10 +455,11 @@ class HangingChain(Chain):
     """
 
     def _build(self, base: pin.SE3) -> tuple[int, pin.SE3]:
-        joint, frame = 0, base
+        joint, frame, latch = 0, base, self._base_latch
         for member in reversed(self.members):
-            held_by = f"{member.name}/{member.connector}"
-            self.connections.append((held_by, joint, frame * AROUND, len(self.bodies)))
+            held_by, latched = f"{member.name}/{member.connector}", latch and member.type.latch
+            self.connections.append(Connection(held_by, joint, frame * AROUND, len(self.bodies), latched))
+            latch = member.type.latch
             frame = frame * se3(member.type.connectors[member.connector]).inverse()
             if member.type.servo is not None:
                 servo = member.type.servo

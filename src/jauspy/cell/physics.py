@@ -52,6 +52,11 @@ class Probe(Protocol):
     joints: Mapping[str, JointLike]
 
     @property
+    def stops(self) -> int:
+        """Motions of the UR10 that its own detection of contact has ended."""
+        ...
+
+    @property
     def peaks(self) -> Mapping[tuple[str, str], PeakLike]:
         """The largest loads, by connector and kind of connection."""
         ...
@@ -121,6 +126,8 @@ class Physics:
     """The UR10's, by name."""
     loads: list[Load] = field(default_factory=list)
     """The largest one of each connector and kind of connection."""
+    stops: int = 0
+    """Motions of the UR10 that its own detection of contact has ended: without a collision, a false alarm."""
 
     @classmethod
     def of(cls, probe: Probe) -> Physics:
@@ -145,11 +152,13 @@ class Physics:
                 )
                 for (connector, kind), peak in probe.peaks.items()
             ],
+            probe.stops,
         )
 
     def figures(self) -> dict[str, float]:
         """The largest values, by name; only of what happened."""
         found = {"attachments": float(len(self.attaches)), "collisions": float(len(self.collisions))}
+        found["stops at contact"] = float(self.stops)
         for name, meetings in (("attach", self.attaches), ("landing", self.landings), ("collision", self.collisions)):
             if meetings:
                 found[f"{name} speed"] = max(meeting.speed for meeting in meetings)

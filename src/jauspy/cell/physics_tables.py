@@ -6,10 +6,12 @@ import math
 from collections.abc import Sequence
 from statistics import median
 
-from jauspy.cell.measurements import Measured, figure_text
+from jauspy.cell.measurements import BATTERY_CHARGE, BATTERY_ENERGY, BATTERY_VOLTAGE, Measured, figure_text
 from jauspy.cell.physics import GENTLE_FORCE, GENTLE_SPEED, Meeting, Physics
 from jauspy.cell.report import Promise, Table
 
+JOULES = 3600.0
+"""Joules in a watt hour."""
 MOST_ROWS = 200
 """Rows of a table; those beyond are counted in its note."""
 
@@ -46,7 +48,39 @@ def gentle(found: Measured) -> list[Promise]:
             len(soft) == len(physics.attaches),
         ),
         Promise(f"{found.task}: contacts of the UR10 that no grasp explains", "none", touched, not physics.collisions),
+        Promise(
+            f"{found.task}: motions that the UR10 ended for a contact that it did not have",
+            "none",
+            f"{physics.stops} ended, {len(physics.collisions)} contacts",
+            physics.stops <= len(physics.collisions),
+        ),
     ]
+
+
+def energy_table(runs: Sequence[Measured]) -> Table | None:
+    """What modules drew in each task, and from which batteries; None without a run of which that is known."""
+    rows: list[Sequence[str]] = [
+        ("task", "time, s", "modules, Wh", "mean, W", "battery", "from it, Wh", "left, %", "voltage, V")
+    ]
+    for run in runs:
+        if "energy" not in run.values:
+            continue
+        energy = run.values["energy"]
+        mean = f"{energy / run.duration:.1f}" if run.duration else "-"
+        own = (run.task, f"{run.duration:.1f}", f"{energy / JOULES:.3f}", mean)
+        names = [name.removeprefix(BATTERY_ENERGY) for name in run.values if name.startswith(BATTERY_ENERGY)]
+        figures = [
+            (
+                name,
+                f"{run.values[BATTERY_ENERGY + name] / JOULES:.3f}",
+                f"{100.0 * run.values[BATTERY_CHARGE + name]:.1f}",
+                f"{run.values[BATTERY_VOLTAGE + name]:.2f}",
+            )
+            for name in names
+        ]
+        rows += [(*own, *battery) for battery in figures or [("none", "", "", "")]]
+    note = "Measured by the simulation at each step: windings, mechanical work, electronics, pumps. Without the UR10."
+    return Table("Energy of the modules in each task", rows, note) if len(rows) > 1 else None
 
 
 def physics_tables(physics: Physics) -> list[Table]:

@@ -17,7 +17,7 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.frames import Array, se3, se3_of_pose, shifted
+from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
 from jauspy.cell.kinematics import ArmKinematics
 from jauspy.errors import ConfigError
 from jauspy.platform.description import GroupSetup, RobotModel
@@ -356,6 +356,17 @@ def arm_group(model: RobotModel) -> GroupSetup:
     raise ConfigError(f"no group of joints ends at the gripper {cell.gripper!r}")
 
 
+def _latched_faces(kind: PartType) -> list[pin.SE3]:
+    """Faces of a part on which a latch locks, as the frames in the part of a plate that is attached there."""
+    if kind.kind is PartKind.BOX:
+        return []
+    faces = [se3(grasp) for grasp in kind.grasps] if kind.grasp_latch else []
+    if kind.latch:
+        faces += [] if kind.kind is PartKind.BASE else [pin.SE3.Identity()]
+        faces += [connector_frame(kind, name) * turned("x", math.pi) for name in kind.connectors]
+    return faces
+
+
 class Layout:
     """The cell's types of parts, its bases, and the arm that handles parts."""
 
@@ -375,17 +386,26 @@ class Layout:
         """The type of a part. Raises `ConfigError` for an unknown name."""
         return self.setup.type_of(part)
 
-    def locks(self, connector: str, part: str) -> bool:
+    def locks(self, connector: str, part: str, grasp: pin.SE3 | None = None) -> bool:
         """True if a connector, named as in `servo_1/output`, or the gripper, locks a part mechanically.
 
-        The gripper holds bases by a flange, and other parts beside theirs.
+        The gripper locks on the faces that have a latch: flanges, and with `grasp_latch` those by which it holds the
+        part. `grasp` is the gripper in the part's frame, by default the usual one; other connectors hold flanges.
         """
-        if not part or not (kind := self.type_of(part)).latch:
+        if not part:
             return False
+        kind = self.type_of(part)
         owner, _, own = connector.partition("/")
-        if not own:
-            return self.setup.gripper_latch and kind.kind is PartKind.BASE
-        return self.type_of(owner).latch
+        if own:
+            return kind.latch and self.type_of(owner).latch
+        at = self.grasp(part) if grasp is None else grasp
+        return self.setup.gripper_latch and any(self._is_at(face, at) for face in _latched_faces(kind))
+
+    def _is_at(self, face: pin.SE3, plate: pin.SE3) -> bool:
+        """True for a plate that is close enough to a face to be attached there."""
+        apart, limits = face.actInv(plate), self.setup.limits
+        aligned = apart.rotation[2, 2] >= math.cos(limits.max_angle)
+        return bool(aligned and np.linalg.norm(apart.translation) <= limits.max_distance)
 
     def of_types(self, types: tuple[str, ...]) -> list[str]:
         """The names of the parts of these types: those of the first type first."""

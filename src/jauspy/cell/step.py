@@ -90,7 +90,8 @@ class Stepper:
         held = await self.cell.connector(tip)
         # the connector reports the platform's frame in its own
         platform = self._platform(owner)
-        arm.stand(HangingChain(platform * se3(held.offset).inverse(), arm.members))
+        latch = self.layout.type_of(owner).latch
+        arm.stand(HangingChain(platform * se3(held.offset).inverse(), arm.members, base_latch=latch))
         await self._stand_up()
 
     async def _back(self, other: str) -> None:
@@ -105,7 +106,8 @@ class Stepper:
         await self._release(arm.tip, holds=self.base, part=first)
         held = await self.cell.connector(self.base)
         arm.members = (replace(arm.members[0], offset=se3(held.offset)), *arm.members[1:])
-        arm.stand(Chain(there, arm.members))
+        latch = self.layout.type_of(self.base.partition("/")[0]).latch
+        arm.stand(Chain(there, arm.members, base_latch=latch))
         with arm.scene.without(other.partition("/")[0]):
             await self._stand_up()
 

@@ -415,15 +415,15 @@ async def run_one(
     camera = FILMED_BY.get(task, "overview")
     async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:
         start = session.cell.now()
-        drawn = session.judge.power().energy if session.judge is not None else 0.0
+        power = session.judge.power() if session.judge is not None else None
         probe = session.judge.probe() if session.judge is not None else None
         try:
             found = await (run or TASKS[task])(session, seed)
         except JausError as error:
             found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
-        if session.judge is not None and probe is not None:
+        if session.judge is not None and probe is not None and power is not None:
             found.physics, found.written = Physics.of(probe), session.judge.written
-            found.values["energy"] = session.judge.power().energy - drawn
+            found.values |= session.judge.drawn_since(power)
     found.wall = time.perf_counter() - begun
     if session.film is not None:
         found.film_problem = session.film.problem

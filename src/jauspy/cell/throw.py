@@ -20,6 +20,7 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
+from jauspy.cell.arm_loads import strengths, utilisations
 from jauspy.cell.frames import Array
 from jauspy.cell.modular_arm import BASE, Chain
 from jauspy.cell.motion import NoPath
@@ -28,8 +29,8 @@ from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.arm_setpoints import SHAPING_TIME
 from jauspy.platform.modular.assembly import TORQUE_RESERVE, motion_limits
 from jauspy.platform.modular.dynamics import solid_inertia
-from jauspy.platform.modular.holding import CUP, LATCH, SAFETY
-from jauspy.platform.modular.parts import ServoData
+from jauspy.platform.modular.holding import SAFETY
+from jauspy.platform.modular.parts import ConnectorLimits, ServoData
 from jauspy.platform.modular.trajectory import Limits, MotionError, PlannedMotion, Setpoint
 
 PERIOD: Final = 0.008
@@ -244,6 +245,7 @@ class ThrowPlanner:
         scene: PlanningScene,
         load: Load,
         pieces: Sequence[Piece],
+        limits: ConnectorLimits,
         *,
         margin: float = MARGIN,
         seed: int = 0,
@@ -251,6 +253,8 @@ class ThrowPlanner:
         self.chain, self.scene, self.load, self.margin = chain, scene, load, margin
         self._pieces = pieces
         """Shapes of the box, in the frame of its middle."""
+        self._strengths, self._suction = strengths(chain, limits), limits.strength(latched=False)
+        """What the connections of the arm bear, and the cup that holds the box."""
         self.servos = _servos(chain)
         self.limits = arm_limits(chain)
         self._seed = seed
@@ -428,8 +432,8 @@ class ThrowPlanner:
                 wrenches[number, row] = frame.actInv(data.f[joint])
             if held:
                 wrench = self._cup(q, v, a)
-                cup.append(CUP.utilisation(wrench.linear.tolist(), wrench.angular.tolist()))
-        used = np.max(LATCH.utilisations(wrenches[..., :3], wrenches[..., 3:]), axis=0).tolist()
+                cup.append(self._suction.utilisation(wrench.linear.tolist(), wrench.angular.tolist()))
+        used = utilisations(wrenches, self._strengths)
         names = (BASE, *(name for name, _, _ in self.chain.mounts))
         return torque, dict(zip(names, (*used, max(cup)), strict=True))
 

@@ -48,7 +48,9 @@ ProfileName = Annotated[
 Target = Annotated[
     str | None,
     typer.Option(
-        "--target", metavar="ID", help="What to test: 101.1.102 is a component, 101.1.255 all components of a node."
+        "--target",
+        metavar="ID",
+        help="What to test: 101.1.102 is a component, 101.1.255 all components of a node, 101 those of a robot.",
     ),
 ]
 Listing = Annotated[bool, typer.Option("--list", help="List the profiles, or the steps of PROFILE, without testing.")]
@@ -119,6 +121,7 @@ def conformance(
 
     Examples:
       jauspy conformance igvc-2015 --target 101.1.255 --html report.html
+      jauspy conformance iop-v3 --target 101
       jauspy conformance core-1.1 --target 101.1.102 --connect udp://192.168.1.101
       jauspy conformance core-1.1 --target 126.1.11 --connect local:/tmp --services Management@1.0
       jauspy conformance urn:acme:Winch --target 101.1.120 --schemas Winch.xml
@@ -338,7 +341,7 @@ def report_of(
 
 
 def _id(target: str) -> JausID:
-    id = JausID.parse(target)
+    id = JausID.parse(f"{target}.255.255" if target.isascii() and target.isdigit() else target)
     if 0 in (id.subsystem, id.node, id.component):
         raise ConfigError(
             f"{id} is not the id of a component: no part may be 0; 255 is the wildcard of node and component"

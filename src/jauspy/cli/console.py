@@ -210,6 +210,11 @@ def _discard(stream: TextIO) -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
+def shows_yaml(*, as_json: bool) -> bool:
+    """How verbs print records, such as an answer: YAML on a terminal, JSON lines in a pipe or with `--json`."""
+    return not as_json and is_terminal()
+
+
 def is_terminal() -> bool:
     """True if stdout is a terminal."""
     return sys.stdout.isatty()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Final, Protocol, TextIO
 
@@ -14,7 +14,9 @@ from jauspy.capture.dissect import Content, Part
 from jauspy.cli.can_log import CanFrame
 from jauspy.cli.decode_sources import Item
 from jauspy.cli.definitions import Definitions
+from jauspy.codec.field_paths import leaves
 from jauspy.codec.message import Message
+from jauspy.codec.registry import MessageEntry
 from jauspy.codec.rounding import rounded_dict
 from jauspy.printable import printable, spreadsheet_text
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Priority
@@ -127,18 +129,23 @@ _PRIORITIES, _BROADCASTS, _ACKS, _DATA_FLAGS = (
 
 
 def _content_json(content: Content) -> dict[str, Any]:
-    message, code, others = content.message, content.code, content.others
+    _, message, deviations, problem, _, others, reencodes = content
+    code = content.code
     return {
         "code": None if code is None else _code_text(code),
         "message": message.NAME if message else None,
         "service": message.SERVICE if message else None,
         "version": message.VERSION if message else None,
-        "also": [{"message": entry.name, "service": entry.service, "version": entry.version} for entry in others],
+        "also": [_entry_json(entry) for entry in others] if others else [],
         "fields": rounded_dict(message) if message else None,
-        "deviations": list(content.deviations),
-        "problem": content.problem or None,
-        "reencodes": content.reencodes,
+        "deviations": list(deviations),
+        "problem": problem or None,
+        "reencodes": reencodes,
     }
+
+
+def _entry_json(entry: MessageEntry) -> dict[str, str]:
+    return {"message": entry.name, "service": entry.service, "version": entry.version}
 
 
 @lru_cache(maxsize=1024)
@@ -193,19 +200,8 @@ class CsvRows:
                 message.get("sequence"),
                 message["message"] or message["code"],
             )
-            for path, value in list(_leaves(message["fields"], "")) or [("", "")]:
+            for path, value in list(leaves(message["fields"])) or [("", "")]:
                 self._writer.writerow((*head, path, _cell(value)))
-
-
-def _leaves(value: Any, path: str) -> Iterator[tuple[str, Any]]:
-    if isinstance(value, dict):
-        for name, inner in value.items():
-            yield from _leaves(inner, f"{path}.{name}" if path else name)
-    elif isinstance(value, list):
-        for number, inner in enumerate(value):
-            yield from _leaves(inner, f"{path}[{number}]")
-    elif path:
-        yield path, value
 
 
 def _cell(value: Any) -> Any:

@@ -134,19 +134,19 @@ def _from_capture(reader: CaptureReader | McapCapture, options: DecodeOptions) -
     count = 0
     dissector = Dissector(options.registry, options.wanted)
     for count, datagram in enumerate(reader, 1):  # noqa: B007 - for the note below
-        control = local_control(datagram.payload) if _is_local(datagram) else None
-        dissection = control or dissector.dissect(datagram.payload, datagram.time)
-        yield Item(datagram.number, captured=datagram, dissection=dissection)
+        number, time, source, destination, payload = datagram
+        control = local_control(payload) if source == destination and _is_local(source) else None
+        yield Item(number, datagram, control or dissector.dissect(payload, time))
     if not count and not reader.skipped:
         console.note("the capture has no packets")
     if reader.skipped:
         console.note("skipped: " + ", ".join(f"{count} {reason}" for reason, count in reader.skipped.items()))
 
 
-def _is_local(datagram: Datagram) -> bool:
-    """True for an answer of the node manager to a component of its machine, as its mirror writes it."""
-    host, port = datagram.source
-    return datagram.source == datagram.destination and host.startswith("127.") and port == judp.PORT
+def _is_local(address: tuple[str, int]) -> bool:
+    """True for source and destination of the node manager's answers to components of its machine in its mirror."""
+    host, port = address
+    return host.startswith("127.") and port == judp.PORT
 
 
 def _from_hex(number: int, data: bytes, options: DecodeOptions) -> Item:

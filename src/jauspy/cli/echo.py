@@ -107,8 +107,8 @@ def echo(
                     break
 
 
-def _paths(fields: list[str] | None) -> tuple[tuple[str, ...], ...]:
-    return tuple(tuple(name.lower().split(".")) for name in fields or ())
+def _paths(fields: list[str] | None) -> tuple[str, ...]:
+    return tuple(name.lower() for name in fields or ())
 
 
 async def _print_reports(
@@ -127,7 +127,7 @@ async def _print_reports(
 
 
 class _Printer:
-    def __init__(self, fields: tuple[tuple[str, ...], ...], as_json: bool) -> None:
+    def __init__(self, fields: tuple[str, ...], as_json: bool) -> None:
         self._fields = fields
         self._as_json = as_json
         self._print = console.styled_printer()
@@ -135,7 +135,7 @@ class _Printer:
     def show(self, seen: SeenMessage) -> bool:
         """Print a message; false if it has none of the fields."""
         part = seen.part
-        values = [(".".join(path), list(printed_values(part.content.message, path))) for path in self._fields]
+        values = [(path, list(printed_values(part.content.message, path))) for path in self._fields]
         if self._fields and not any(found for _, found in values):
             return False
         if self._as_json:

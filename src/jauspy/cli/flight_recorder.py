@@ -162,11 +162,11 @@ class FlightRecorderOptions:
 
 
 def chosen_options(
-    on: str | None, before: float | None, after: float | None, folder: Path | None
+    on: str | None, before: float | None, after: float | None, folder: Path
 ) -> FlightRecorderOptions | None:
     """What the options of a robot say; None without `--record-on`. Raises `ConfigError`."""
     if on is None:
-        given = {"--before": before, "--after": after, "--record-to": folder}
+        given = {"--before": before, "--after": after}  # without a flight recorder, DataLogging has the folder
         for name, value in given.items():
             if value is not None:
                 raise ConfigError(f"{name} needs --record-on, as in --record-on {ALL_KINDS}")
@@ -175,7 +175,7 @@ def chosen_options(
         parse_kinds(on, "--record-on"),
         DEFAULT_BEFORE if before is None else before,
         DEFAULT_AFTER if after is None else after,
-        RECORDINGS if folder is None else folder,
+        folder,
     )
 
 

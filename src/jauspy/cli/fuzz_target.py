@@ -76,7 +76,8 @@ def target(
     ADDR must be a loopback address, or be in a network namespace without a default route, unless --i-own-this-network.
     A node manager may pass messages on to its network: run it in a namespace, or on a machine without one.
 
-    Exit status: 0 no findings, 1 findings, 2 wrong use, or a target that does not answer at the start.
+    Exit status: 0 no findings, 1 findings, 2 wrong use, or a target that does not answer at the start or could not be
+    brought to any state.
 
     Examples:
       jauspy fuzz target 127.0.0.1:3794 --cases 100000
@@ -118,6 +119,9 @@ def target(
         console.note("the other cases were not sent: the target failed; with --restart the campaign goes on")
     if outcome.findings:
         raise typer.Exit(1)
+    if outcome.unreached and not outcome.states:
+        console.error("nothing was tested in a state of its own: reset the target, whose emergency or control is held")
+        raise typer.Exit(2)
 
 
 def _check(cluster: str | None, restart: str, pid: int | None) -> None:

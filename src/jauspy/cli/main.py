@@ -30,25 +30,72 @@ VERBS: Final = {
         "Route JAUS between the components of this machine and the network.",
     ),
     "ls": ("jauspy.cli.ls:ls", "List subsystems, nodes, components and services that answer discovery."),
+    "health": (
+        "jauspy.cli.health:health",
+        "Show a robot's battery, and the health of its drives, cameras and computers.",
+    ),
     "doctor": ("jauspy.cli.doctor:doctor", "Find why two parties do not talk, and how to mend it."),
     "query": ("jauspy.cli.query:query", "Query a component and print its answer."),
     "send": ("jauspy.cli.send:send", "Send a command or any other message that has no answer."),
     "teleop": ("jauspy.cli.teleop:teleop", "Drive a robot with the keys of the terminal, or with a gamepad."),
+    "follow": (
+        "jauspy.cli.follow:follow",
+        "Have one robot follow another along its path, until Ctrl-C or until following ends.",
+    ),
+    "navigate": (
+        "jauspy.cli.navigate:navigate",
+        "Drive a robot to a point, around what its sensors see.",
+    ),
+    "retrotraverse": (
+        "jauspy.cli.retrotraverse:retrotraverse",
+        "Drive a robot back along the path by which it came.",
+    ),
     "console": (
         "jauspy.cli.operator_console:console_page",
         "Operate robots in the browser: cameras, driving, arm, emergency stop.",
     ),
+    "guard": (
+        "jauspy.cli.guard:guard",
+        "Show the guards of a robot against self collision and obstacles, or switch them.",
+    ),
+    "handoff": (
+        "jauspy.cli.handoff:handoff",
+        "Ask the client in control of a component to hand it over, or answer those who ask.",
+    ),
+    "log": (
+        "jauspy.cli.log:log",
+        "Show the log of a robot's traffic, which the robot keeps itself, or switch it.",
+    ),
     "estop": ("jauspy.cli.estop:estop", "Stop all robots, one robot or one component, and list which have stopped."),
+    "pose": ("jauspy.cli.pose:pose", "Move a robot's arm and flippers to a named pose, or list its poses."),
     "tf": ("jauspy.cli.tf:tf", "Show the poses of a running robot's frames: each in its parent, or TO in FROM."),
+    "planner": (
+        "jauspy.cli.planner:planner",
+        "Plan motions of a robot's arm around obstacles for operators (service MotionPlanner), until Ctrl-C.",
+    ),
+    "reach": (
+        "jauspy.cli.reach:reach",
+        "Move the tool of an arm to a pose, or its joints to positions, around what the robot's sensors see.",
+    ),
+    "grasp": (
+        "jauspy.cli.grasp:grasp",
+        "Grasp a thing that the robot's depth cameras see: look, plan, approach, close, lift, and check that it holds.",
+    ),
     "map": (
         "jauspy.cli.map:map_robot",
         "Map with a robot's lidar while the robot is driven, and write the map in the format of ROS's map_server.",
+    ),
+    "scene": (
+        "jauspy.cli.scene:scene",
+        "Show what a robot sees around it: voxels of its lidars and depth cameras, in the frame of its base.",
     ),
     "video": (
         "jauspy.cli.video:video",
         "Request the video of a camera, and print commands that show it; or record it.",
     ),
     "still": ("jauspy.cli.still:still", "Take a picture with a camera and save it."),
+    "listen": ("jauspy.cli.sound:listen", "Record what a robot's microphone hears."),
+    "announce": ("jauspy.cli.sound:announce", "Play a WAV file on a robot's loudspeaker."),
     "decode": ("jauspy.cli.decode:decode", "Print the JAUS messages in a capture file or in hex text."),
     "dissector": (
         "jauspy.cli.dissector:dissector",
@@ -208,7 +255,11 @@ is fast."""
 
 PANELS: Final = {
     "Run robots": ("demo", "up", "node-manager", "cell", "can"),
-    "Look and operate": ("ls", "query", "send", "teleop", "console", "estop", "tf", "map", "video", "still"),
+    "Look and operate": (
+        *("ls", "health", "query", "send", "teleop", "navigate", "follow", "retrotraverse", "console"),
+        *("guard", "estop", "handoff", "pose", "reach", "grasp", "planner", "log", "tf", "map", "scene"),
+        *("video", "still", "listen", "announce"),
+    ),
     "Traffic": (
         *("decode", "echo", "hz", "bw", "graph", "monitor", "live"),
         *("record", "flight-recorder", "info", "replay", "export", "dissector"),

@@ -87,6 +87,10 @@ def console_page(
         Path | None,
         typer.Option("--poses", metavar="FILE", help="Named poses of arms: TOML with a table [ROBOT.POSE] for each."),
     ] = None,
+    map: Annotated[
+        Path | None,
+        typer.Option("--map", metavar="FILE", help="Offline map: .mbtiles, or GeoTIFF (extra geo)."),
+    ] = None,
     robot: Annotated[
         int | None,
         typer.Option("--robot", metavar="NUMBER", min=1, max=65534, help="The robot that the page shows first."),
@@ -114,6 +118,7 @@ def console_page(
     try:
         from jauspy.console.console import RECORDINGS
         from jauspy.console.killed_console import Watchdog
+        from jauspy.console.map_tiles import open_map
         from jauspy.console.saved_files import read_poses
         from jauspy.console.server import Access, serving
     except ImportError as error:
@@ -129,6 +134,7 @@ def console_page(
     if audit is None and users is not None:
         audit = users.with_name(f"{users.name}.audit")
     named_poses = None if poses is None else read_poses(poses)
+    tiles = None if map is None else open_map(map)
     access = Access(users, certificate, key, "" if token_file is None else _read_token(token_file))
 
     async def serve() -> None:
@@ -151,6 +157,7 @@ def console_page(
                 watchdog=watchdog,
                 poses=named_poses,
                 robot=robot,
+                map=tiles,
             )
             async with stopper, watchdog, page as url:
                 shown = url if token_file is None else url.partition("?")[0]

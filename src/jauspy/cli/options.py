@@ -114,6 +114,7 @@ def file_mode(text: str) -> int:
     )
 
 
+Authority = Annotated[int, typer.Option("--authority", min=0, max=255, help="Authority with which control is taken.")]
 World = Annotated[
     str | None,
     typer.Option(

@@ -89,7 +89,7 @@ def query(
     if count is not None and every is None:
         raise typer.BadParameter("it requires --every", param_hint="--count")
     ocu = client.make_ocu(own_id, connect, timeout, known.registry)
-    show = _show_json if as_json or not console.is_terminal() else _show_yaml
+    show = _show_yaml if console.shows_yaml(as_json=as_json) else _show_json
 
     async def ask(first: bool) -> None:
         if recipient.is_wildcard:

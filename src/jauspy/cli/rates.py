@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import typer
 
 from jauspy.cli import console
-from jauspy.cli.definitions import SchemasOption, definitions
+from jauspy.cli.definitions import Definitions, SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, FilterOption, Json, LocalRoot
 from jauspy.cli.traffic import (
     CaptureFile,
@@ -30,6 +30,25 @@ from jauspy.inspection.rates import Rate, Rates, Route
 Seconds = Annotated[
     float, typer.Option("--for", min=0.1, metavar="SECONDS", help="How long to listen. A file is read to its end.")
 ]
+
+
+class Listening(NamedTuple):
+    """Where messages are looked for, and for how many seconds."""
+
+    file: Path | None
+    root: Path
+    network: Network | None
+    seconds: float
+
+    def rates(self, known: Definitions, only: str | None) -> Rates:
+        """The rates of the messages that fit a filter. Raises `ConfigError` or `TransportError`."""
+        found = Rates()
+        with traffic(self.file, self.root, known, only, self.seconds, network=self.network) as messages:
+            if self.file is None:
+                console.note(f"listening for {self.seconds:g} s")
+            for seen in messages:
+                found.add(seen)
+        return found
 
 
 def hz(
@@ -53,14 +72,8 @@ def hz(
       jauspy hz 101.1.102 'Report*' --for 10
       jauspy hz --capture run.pcap --json
     """
-    rates = _listen(
-        file,
-        root,
-        seconds,
-        combined(source, message, only),
-        schemas,
-        network=chosen_network(interface, multicast, port, file),
-    )
+    listening = Listening(file, root, chosen_network(interface, multicast, port, file), seconds)
+    rates = listening.rates(definitions(schemas), combined(source, message, only))
     rows = sorted(rates.routes.items(), key=lambda row: (-(row[1].frequency or 0.0), row[0]))
     if json:
         _print_json(rows, rates.seconds)
@@ -99,14 +112,8 @@ def bw(
       jauspy bw 101.* --for 10
       jauspy bw --capture run.pcap
     """
-    rates = _listen(
-        file,
-        root,
-        seconds,
-        combined(source, message, only),
-        schemas,
-        network=chosen_network(interface, multicast, port, file),
-    )
+    listening = Listening(file, root, chosen_network(interface, multicast, port, file), seconds)
+    rates = listening.rates(definitions(schemas), combined(source, message, only))
     rows = sorted(rates.routes.items(), key=lambda row: (-row[1].bytes, row[0]))
     if json:
         _print_json(rows, rates.seconds)
@@ -148,14 +155,8 @@ def graph(
     """
     if output is not None and output.suffix not in (".svg", ".dot"):
         raise ConfigError(f"{output} is neither a .svg nor a .dot file")
-    rates = _listen(
-        file,
-        root,
-        seconds,
-        combined(source, message, only),
-        schemas,
-        network=chosen_network(interface, multicast, port, file),
-    )
+    listening = Listening(file, root, chosen_network(interface, multicast, port, file), seconds)
+    rates = listening.rates(definitions(schemas), combined(source, message, only))
     found = Graph(rates)
     if output is not None:
         try:
@@ -168,24 +169,6 @@ def graph(
         console.print_lines(*found.lines())
     if not found.arrows:
         console.note("no messages")
-
-
-def _listen(
-    file: Path | None,
-    root: Path,
-    seconds: float,
-    only: str | None,
-    schemas: list[str] | None,
-    *,
-    network: Network | None,
-) -> Rates:
-    rates = Rates()
-    with traffic(file, root, definitions(schemas), only, seconds, network=network) as found:
-        if file is None:
-            console.note(f"listening for {seconds:g} s")
-        for seen in found:
-            rates.add(seen)
-    return rates
 
 
 def _print_table(

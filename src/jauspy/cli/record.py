@@ -2,25 +2,34 @@
 
 from __future__ import annotations
 
+import math
 import re
 import time
 from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from jauspy.capture.filters import Filter
-from jauspy.capture.reader import CaptureReader
+from jauspy.capture.reader import CaptureReader, Datagram
 from jauspy.cli import client, console
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, Json, LocalRoot, OwnId, Timeout
 from jauspy.cli.recorded import Cameras, Robots, cameras, described, pictures_taken
 from jauspy.cli.traffic import CaptureFile, Interface, Multicast, NetworkPort, chosen_network, open_capture
+from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.inspection.traffic import seen_messages
 from jauspy.messages import registry as public
-from jauspy.recording.recorder import Limits, Recorder
+from jauspy.recording.mcap_summary import read_summary
+from jauspy.recording.recorder import Limits, Picture, Recorder
+from jauspy.video.h264_payload import join_nals
+
+if TYPE_CHECKING:
+    from jauspy.export.rtp_streams import RecordedPicture, RtpStreams
 
 UNITS = {"": 1.0, "k": 1e3, "m": 1e6, "g": 1e9}
 
@@ -59,13 +68,14 @@ def record(
     A .pcapng file has the datagrams, for Wireshark. A .mcap file has them, too, and each message as JSON on the topic
     /SENDER/MESSAGE, with a schema made from its definition. The definitions are attached. It opens in Foxglove, with
     frames, poses, scans, joints and a log in Foxglove's schemas; with --robot also meshes, with --video pictures.
+    With --capture or --interface, and without --filter, a .mcap file also gets the H.264 in RTP that is seen there.
 
     Examples:
       jauspy record run.mcap
       jauspy record run.mcap --robot inc1 --video 101.1.106
       jauspy record run.mcap --split-time 600 --keep 6
       jauspy record run.pcapng --filter 'src == 101.*' --for 60
-      jauspy record run.pcapng --interface eth0
+      jauspy record run.mcap --interface eth0
       jauspy record run.mcap --capture run.pcapng
     """
     known = definitions(schemas)
@@ -77,6 +87,13 @@ def record(
     limits = Limits(None if split_size is None else _bytes(split_size), split_time, keep)
     fits = None if only is None else Filter(only, known.registry)
     network = chosen_network(interface, multicast, port, file)
+    with_video = output.suffix == ".mcap" and only is None
+    streams = None
+    if network is not None and with_video:
+        from jauspy.export.rtp_streams import RtpStreams  # before the capture begins, because it takes a while
+
+        network = replace(network, with_rtp=True)
+        streams = RtpStreams(known.registry)
     ocu = client.make_ocu(own_id, connect, timeout) if wanted else None
     with open_capture(file, root, seconds, network=network) as capture:
         recorder = Recorder(output, known.registry, limits, fits, described(robot))
@@ -84,13 +101,56 @@ def record(
             console.note("recording" + ("; Ctrl-C ends it" if seconds is None else f" for {seconds:g} s"))
         try:
             with pictures_taken(ocu, wanted, recorder.add_picture):
-                recorder.run(capture)
+                datagrams: Iterable[Datagram] = capture
+                if with_video and file is not None:
+                    datagrams = _with_pictures_of_file(capture, file, recorder, known.registry)
+                elif streams is not None and network is not None:
+                    datagrams = _with_pictures(capture, network.port, recorder, streams)
+                recorder.run(datagrams)
         finally:
             found = recorder.recorded
             files = ", ".join(map(str, found.files)) or "no file"
-            pictures = f"{found.pictures} pictures, " if wanted else ""
+            pictures = f"{found.pictures} pictures, " if wanted or found.pictures else ""
             counts = f"{found.datagrams} datagrams, {found.messages} messages, {pictures}{found.bytes} bytes"
             console.note(f"{counts}: {files}")
+
+
+def _with_pictures_of_file(
+    datagrams: Iterable[Datagram], file: Path, recorder: Recorder, registry: Registry
+) -> Iterator[Datagram]:
+    """The datagrams; the pictures of H.264 in RTP that the file has, too, are recorded between them, by time."""
+    from jauspy.export.films import pictures
+
+    found = pictures(file, registry)
+    picture = next(found, None)
+
+    def record_until(time: float) -> None:
+        nonlocal picture
+        while picture is not None and picture.time <= time:
+            _record(picture, recorder)
+            picture = next(found, None)
+
+    for datagram in datagrams:
+        record_until(datagram.time)
+        yield datagram
+    record_until(math.inf)
+
+
+def _with_pictures(
+    datagrams: Iterable[Datagram], port: int, recorder: Recorder, streams: RtpStreams
+) -> Iterator[Datagram]:
+    """The datagrams of JAUS, by their port; the pictures of H.264 in the others are recorded."""
+    for datagram in datagrams:
+        for picture in streams.feed(datagram):
+            _record(picture, recorder)
+        if port in (datagram.source[1], datagram.destination[1]):
+            yield datagram
+
+
+def _record(found: RecordedPicture, recorder: Recorder) -> None:
+    unit = join_nals(found.picture.nals)
+    recorder.add_picture(Picture(found.camera, found.time, unit, found.picture.is_idr))
+    recorder.write_pictures()
 
 
 def info(
@@ -122,18 +182,11 @@ def info(
 
 
 def _mcap_info(path: Path) -> dict[str, Any]:
-    from mcap.exceptions import McapError
-    from mcap.reader import make_reader
-
     try:
         with path.open("rb") as opened:
-            summary = make_reader(opened).get_summary()
+            summary = read_summary(opened, str(path))
     except OSError as error:
         raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
-    except (McapError, ValueError, EOFError) as error:
-        raise ConfigError(f"{path} is no complete MCAP file ({error}); `mcap recover` completes one") from None
-    if summary is None or summary.statistics is None:
-        raise ConfigError(f"{path} has no summary, as after a crash; `mcap recover` makes one")
     counts = summary.statistics.channel_message_counts
     rows = []
     for number, channel in summary.channels.items():

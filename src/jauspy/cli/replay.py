@@ -12,10 +12,11 @@ from jauspy.capture.filters import Filter
 from jauspy.cli import console
 from jauspy.cli.client import own_id
 from jauspy.cli.definitions import SchemasOption, definitions
-from jauspy.cli.options import FilterOption, Json
+from jauspy.cli.options import FilterOption, Json, OperatorKey
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError
 from jauspy.ids import ANY_SUBSYSTEM, JausID, component_id
+from jauspy.ocu.sealing import load_key
 from jauspy.replay.comparison import Comparison
 from jauspy.replay.player import Playback, Result, replay as play
 from jauspy.replay.recorded import PATIENCE, Recording, load
@@ -68,7 +69,9 @@ def replay(
     timeout: Annotated[
         float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to wait for an answer.")
     ] = PATIENCE,
-    strict: Annotated[bool, typer.Option("--strict", help="Compare numbers, too.")] = False,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Compare numbers, too; sealed commands are differences.")
+    ] = False,
     tolerance: Annotated[
         float, typer.Option("--tolerance", min=0.0, metavar="X", help="How much numbers may differ with --strict.")
     ] = 0.0,
@@ -76,6 +79,7 @@ def replay(
         list[str] | None,
         typer.Option("--ignore", metavar="FIELD", help="Do not compare this field; * is a wildcard; may be repeated."),
     ] = None,
+    operator_key: OperatorKey = None,
     schemas: SchemasOption = None,
     json: Json = False,
 ) -> None:
@@ -88,6 +92,7 @@ def replay(
       jauspy replay run.pcap --to 192.0.2.7:3794
       jauspy replay run.mcap --asap --strict --ignore time_stamp
       jauspy replay run.mcap --from 42.1.1 --target 101=102 --speed 10
+      jauspy replay run.mcap --operator-key alice.key
     """
     known = definitions(schemas)
     subsystem, now = _target(target)
@@ -101,6 +106,7 @@ def replay(
         client=component_id(own_id(own, connect)),
         subsystem=now,
         comparison=Comparison(strict, tolerance, tuple(ignore or ())),
+        operator=None if operator_key is None else load_key(operator_key),
     )
 
     async def transport(id: JausID) -> Transport:
@@ -136,8 +142,13 @@ def _show(result: Result, recording: Recording, *, json: bool) -> None:
         console.note(f"the recording has no answers to {', '.join(silent)}: nothing to compare for these")
     if result.unsendable:
         console.note(f"{result.unsendable} messages could not be sent: too large, or too many at once")
+    if result.sealed:
+        console.note(
+            f"{result.sealed} commands that an operator sealed were not sent: a seal is valid once. With "
+            "--operator-key they are sealed anew, if the component has seals"
+        )
     console.note(
-        f"{result.sent} messages sent, {result.answers} answers compared, "
+        f"{result.sent} messages sent, {result.answers} answers and the reports of {result.events} events compared, "
         f"{len(result.differences) + result.more} differences"
     )
 

@@ -71,6 +71,12 @@ def teleop(
         str | None,
         typer.Option("--gamepad", metavar="DEVICE", help="As in /dev/input/event5. Default: the first one, if any."),
     ] = None,
+    retrotraverse: Annotated[
+        float | None,
+        typer.Option(
+            "--retrotraverse", min=0.01, max=1e6, metavar="METRES", help="Drive so far back when the link is lost."
+        ),
+    ] = None,
     authority: Annotated[
         int, typer.Option("--authority", min=0, max=255, help="Authority with which control is taken.")
     ] = 127,
@@ -84,7 +90,8 @@ def teleop(
     Keys: w, a, s, d or the arrows drive while they are held, q and e drive curves, space stops, + and - change the
     speed, x ends. The robot stops 0.7 s after the last key (dead-man), and when this program, its machine or the
     network fails. With a gamepad (extra 'teleop') the robot drives while a shoulder button is held; the sticks give the
-    direction. A line shows pose and state: x forward, y left, yaw to the left.
+    direction. With --retrotraverse, a robot whose link is lost stops, and then drives back by the way it came until the
+    link works again. A line shows pose and state: x forward, y left, yaw to the left.
 
     Examples:
       jauspy teleop 101
@@ -94,7 +101,7 @@ def teleop(
         raise ConfigError("teleop reads keys from a terminal, but standard input is not a terminal")
     device = find_gamepad(pad)
     ocu = client.make_ocu(own_id, connect, timeout, operator=operator_key)
-    run(_drive(ocu, robot, Speeds(speed, turn_rate), device, authority))
+    run(_drive(ocu, robot, Speeds(speed, turn_rate), device, authority=authority, retrotraverse=retrotraverse))
 
 
 @dataclass(slots=True)
@@ -177,12 +184,16 @@ def raw_keys(take: Callable[[str], None]) -> Iterator[None]:
             termios.tcsetattr(descriptor, termios.TCSADRAIN, before)
 
 
-async def _drive(ocu: OCU, number: int, speeds: Speeds, device: object, authority: int) -> None:
+async def _drive(
+    ocu: OCU, number: int, speeds: Speeds, device: object, *, authority: int, retrotraverse: float | None
+) -> None:
     async with ocu:
         robot = await ocu.robot(number)
         most = await robot.speed_limits()
         speeds.scale(1.0, most)
         async with robot.control("drive", authority=authority) as control:
+            if retrotraverse is not None:
+                await robot.comms_lost.set("retrotraverse", distance=retrotraverse)
             await _Session(robot, control, speeds, most).run(device)
     console.print_lines("", "the robot is in Standby, and control is released")
 

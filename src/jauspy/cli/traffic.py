@@ -37,7 +37,8 @@ Interface = Annotated[
     typer.Option(
         "--interface",
         metavar="NAME",
-        help="What passes this interface (UDP; needs CAP_NET_RAW), or with --multicast, where to join the group.",
+        help="What passes this interface, UDP and TCP (needs CAP_NET_RAW), or with --multicast, where to join "
+        "the group.",
     ),
 ]
 Multicast = Annotated[
@@ -59,6 +60,8 @@ class Network:
     interface: str | None
     group: str | None
     port: int
+    with_rtp: bool = False
+    """Whether an interface shows what may be RTP of other ports, too."""
 
     def open(self, seconds: float | None) -> InterfaceCapture | GroupCapture:
         """Listen for some time. Raises `ConfigError` or `TransportError`."""
@@ -66,7 +69,7 @@ class Network:
             interfaces = (multicast.ANY,) if self.interface is None else (self.interface,)
             return GroupCapture(self.group, self.port, interfaces, seconds)
         assert self.interface is not None
-        return InterfaceCapture(self.interface, self.port, seconds)
+        return InterfaceCapture(self.interface, self.port, seconds, with_rtp=self.with_rtp)
 
 
 def chosen_network(interface: str | None, group: str | None, port: int | None, file: Path | None) -> Network | None:

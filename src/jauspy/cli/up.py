@@ -11,13 +11,13 @@ from collections.abc import AsyncIterator, Collection, Mapping, Sequence
 from contextlib import AbstractAsyncContextManager, AsyncExitStack, asynccontextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated, Final
+from typing import Annotated, Any, Final
 
 import typer
 
 from jauspy import backends
 from jauspy.cli import console
-from jauspy.cli.flight_recorder import MAX_AFTER, MAX_BEFORE, chosen_options, flight_recorder_beside
+from jauspy.cli.flight_recorder import MAX_AFTER, MAX_BEFORE, RECORDINGS, chosen_options, flight_recorder_beside
 from jauspy.cli.operator_console import DEFAULT_PORT as CONSOLE_PORT, console_beside
 from jauspy.cli.options import (
     DEFAULT_ADDRESS,
@@ -44,17 +44,21 @@ from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, rem
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.node.config import load_config
+from jauspy.platform import backend as platform_backend
 from jauspy.platform.camera import Quality
 from jauspy.platform.contacts import Contacts
 from jauspy.platform.contract import PartId, Snapshot
 from jauspy.platform.lights import TimeOfDay
 from jauspy.platform.localization import Localization
+from jauspy.platform.sound import LoudspeakerSetup
 from jauspy.printable import printable
 from jauspy.protocol import junior
 from jauspy.robot import robot_files
 from jauspy.robot.cloud import Clouds
 from jauspy.robot.config import RobotConfig
 from jauspy.robot.runner import RobotRunner
+from jauspy.robot.several import FurtherRobot, further_robots, shared_backends
+from jauspy.robot.traffic_log import LogPlace, TrafficLog
 from jauspy.transport import LocalTransport, local as local_socket
 
 Backend = Annotated[
@@ -85,6 +89,15 @@ def up(
             max=LAST_SUBSYSTEM,
             metavar="SUBSYSTEM",
             help="The robot's subsystem id, as for a second robot of one kind. Default: the robot's own.",
+        ),
+    ] = None,
+    also: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--also",
+            metavar="ROBOT[:SUBSYSTEM][@X,Y[,DEGREES]]",
+            help="Another robot in the same world, as in inc1:102 or inc1:102@-3,0; may be repeated. Default: the next "
+            "free subsystem, behind the robot before it.",
         ),
     ] = None,
     backend: Backend = None,
@@ -146,6 +159,14 @@ def up(
             help="Record commands in this file, which may be anywhere. Default: the robot's own, below its folder.",
         ),
     ] = None,
+    announcements: Annotated[
+        Path | None,
+        typer.Option(
+            "--announcements",
+            metavar="FOLDER",
+            help="Keep what its loudspeakers play as WAV files in this folder. Default: that of its file.",
+        ),
+    ] = None,
     audit_heads_to: Annotated[
         str | None,
         typer.Option(
@@ -175,7 +196,13 @@ def up(
         typer.Option("--after", min=0.0, max=MAX_AFTER, metavar="SECONDS", help="What it records after. Default: 10."),
     ] = None,
     record_to: Annotated[
-        Path | None, typer.Option("--record-to", metavar="DIR", help="Folder of its files. Default: recordings.")
+        Path | None,
+        typer.Option(
+            "--record-to",
+            metavar="DIR",
+            help="Folder of its files, and of the logs that a client in control switches on by DataLogging. Default: "
+            "the robot's own, else recordings.",
+        ),
     ] = None,
     plain: Annotated[
         bool, typer.Option("--plain", help="Print lines of text and no live table, as in a pipe and with --verbose.")
@@ -190,15 +217,16 @@ def up(
     of the node manager that is started. With --gateway they are in its configuration file, no other node manager may
     run, and it routes and filters between its networks (see `jauspy node-manager --print-config`). On a terminal a live
     table shows modules, cameras and the node manager. SIGUSR1 prints all counters,
-    and the true pose of a simulated robot; Ctrl-C stops all processes in order.
+    and the true pose of a simulated robot; Ctrl-C stops all processes in order. Robots of --also are in the same world,
+    where they see and touch each other (backend sim); --console, --cloud and --record-on are for the first one.
 
     Examples:
       jauspy up inc1 --backend kinematic
       jauspy up inc1 --id 102
+      jauspy up inc1 --also inc1 --world street
       jauspy up inc1 --record-on emergency,control-lost,failure --before 30 --after 10
     """
     file_mode(socket_mode)
-    flight = chosen_options(record_on, before, after, record_to)
     if verbose:
         console.log_to_stderr("DEBUG")
     if with_parent:
@@ -207,18 +235,31 @@ def up(
     changes: dict[str, object] = {"subsystem": subsystem, "time_of_day": time_of_day, "quality": quality}
     if model_path:
         changes["model_path"] = (*map(str, model_path), *config.model_path)
+    if announcements is not None:
+        changes["loudspeakers"] = with_folder(config.loudspeakers, announcements)
     config = config.model_copy(update={key: value for key, value in changes.items() if value is not None})
+    folder = record_to or (Path(config.record_to) if config.record_to is not None else RECORDINGS)
+    flight = chosen_options(record_on, before, after, folder)
     check_ids_are_free(config, robot, local_root)
+    if also and gateway is not None:
+        raise ConfigError("--gateway is for one robot; leave out --also, or start a gateway of its own")
+    others = _further(config, also or (), changes, local_root)
     clouds = Clouds(config, cloud or ())
-    runner = RobotRunner(
-        config,
-        lambda component: LocalTransport(component, local_root),
-        backend=backend,
-        world=world,
-        view=view,
-        audit_log=audit_log,
-        audit_heads_to=audit_heads_to,
-    )
+    backends_of_all = shared_backends(config, others, backend) if others else (backend,)
+
+    def runner_of(config: RobotConfig, backend: platform_backend.Backend | str | None, **options: Any) -> RobotRunner:
+        return RobotRunner(
+            config,
+            lambda component: LocalTransport(component, local_root),
+            backend=backend,
+            world=world or first_world,
+            traffic_log=TrafficLog(LogPlace(config.subsystem, local_root, folder)),
+            **options,
+        )
+
+    first_world = config.world if others else None
+    runner = runner_of(config, backends_of_all[0], view=view, audit_log=audit_log, audit_heads_to=audit_heads_to)
+    further = [runner_of(other.config, own) for other, own in zip(others, backends_of_all[1:], strict=True)]
     if bus is not None and runner.config.backend != CAN:
         raise ConfigError(f"--bus is for the backend can; this one is {runner.config.backend}")
     if world is not None and runner.config.backend == KINEMATIC:
@@ -229,18 +270,31 @@ def up(
         options = ["--config", str(gateway)]
     else:
         options = ["--address", address, "--multicast-group", multicast_group, "--socket-mode", socket_mode]
-        for node_id in config.nodes:
-            options += ["--own-ids", f"{config.subsystem}.{node_id}.*"]
+        for placed in (config, *(other.config for other in others)):
+            for node_id in placed.nodes:
+                options += ["--own-ids", f"{placed.subsystem}.{node_id}.*"]
         for name in interface or ():
             options += ["--interface", name]
     options += ["--verbose"] * verbose
     node = None if no_node_manager else node_manager(local_root, port, options)
-    live = not (plain or verbose) and console.is_interactive()
+    live = not (plain or verbose or others) and console.is_interactive()
     page = console_beside(local_root, console_port, config.subsystem) if with_console else None
     recorder = flight_recorder_beside(flight, config.subsystem, local_root) if flight else None
-    run(run_robot(runner, node, local_root, clouds, live=live, page=page, recorder=recorder))
+    run(run_robot(runner, node, local_root, clouds, further=further, live=live, page=page, recorder=recorder))
     if own_root:
         remove_if_empty(local_root)
+
+
+def _further(
+    first: RobotConfig, also: Sequence[str], changes: Mapping[str, object], root: Path
+) -> tuple[FurtherRobot, ...]:
+    """The robots of `--also`, in the light and quality of the first one."""
+    shared = {key: value for key, value in changes.items() if value is not None and key != "subsystem"}
+    found = [replace(other, config=other.config.model_copy(update=shared)) for other in further_robots(first, also)]
+    for other in found:
+        if taken := _taken(other.config, other.config.subsystem, root):
+            raise ConfigError(f"--also: {', '.join(map(str, taken))} of {other.config.name} are in use in {root}")
+    return tuple(found)
 
 
 def check_ids_are_free(config: RobotConfig, robot: str, root: Path) -> None:
@@ -297,11 +351,30 @@ def print_summary(runner: RobotRunner, where: str, root: Path, page: str = "", r
     console.print_lines(*lines)
 
 
+def print_further(runner: RobotRunner) -> None:
+    """Print what runs of a robot beside the first one."""
+    config = runner.config
+    console.print_lines(
+        f"{config.name} {_is_up(runner.faults)}: subsystem {config.subsystem}, in the same world",
+        *(f"  {pair.id}  {module.type}{f' {module.part}' if module.part else ''}" for pair, module in runner.running),
+        *_warnings(config),
+    )
+
+
 def _is_up(faults: Collection[str]) -> str:
     """States that the robot runs, and which of its modules are in Failure."""
     if not faults:
         return "is up"
     return f"is up, but {', '.join(faults)} {'are' if len(faults) > 1 else 'is'} in Failure"
+
+
+def with_folder(loudspeakers: Sequence[LoudspeakerSetup], folder: Path) -> tuple[LoudspeakerSetup, ...]:
+    """Loudspeakers that keep what they play in a folder; raises `ConfigError` for one that cannot be used."""
+    if not loudspeakers:
+        raise ConfigError("--announcements: the robot has no loudspeakers")
+    if not (folder if folder.exists() else folder.absolute().parent).is_dir():
+        raise ConfigError(f"--announcements {folder}: is no folder, and none can be made there")
+    return tuple(replace(loudspeaker, folder=str(folder.resolve())) for loudspeaker in loudspeakers)
 
 
 def note_audit_log(runner: RobotRunner) -> None:
@@ -450,6 +523,7 @@ async def run_robot(
     root: Path,
     clouds: Clouds,
     *,
+    further: Sequence[RobotRunner] = (),
     live: bool,
     page: AbstractAsyncContextManager[str] | None = None,
     recorder: AbstractAsyncContextManager[str] | None = None,
@@ -457,7 +531,7 @@ async def run_robot(
     """Run the robot until cancelled.
 
     `node` starts and stops the node manager, `page` the console, `recorder` the flight recorder; `live` shows a table
-    on the terminal.
+    on the terminal. `further` are other robots in the same world, which end with the first one, and it with them.
     """
     if live:  # before the motors are enabled, which the import would hold up
         from jauspy.cli.up_table import live_table
@@ -473,20 +547,40 @@ async def run_robot(
             note_at_end("stopping the node manager")
 
         def print_all_counters() -> None:
-            print_truth(runner.config.name, runner.snapshot)
-            console.print_counters({**runner.counters, **clouds.counters}, f"counters of {runner.config.name}:")
+            for number, one in enumerate(runners):
+                name = one.config.name if not further else f"{one.config.name} {one.config.subsystem}"
+                print_truth(name, one.snapshot)
+                counters = one.counters if number else {**one.counters, **clouds.counters}
+                console.print_counters(counters, f"counters of {name}:")
             if supervisor is not None:
                 supervisor.print_counters()
 
-        stack.callback(note_audit_log, runner)
-        await stack.enter_async_context(runner)
+        runners = (runner, *further)
+        for one in runners:
+            stack.callback(note_audit_log, one)
+            await stack.enter_async_context(one)
         note_at_end("stopping the modules, the cameras and the robot")
         asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, print_all_counters)
         url = await stack.enter_async_context(page) if page else ""
         records = await stack.enter_async_context(recorder) if recorder else ""
         where = supervisor.where if supervisor else f"none started, local sockets in {root}"
+        for one in further:
+            print_further(one)
         print_summary(runner, where, root, url, records)
         await stack.enter_async_context(clouds.published(runner))
         if live:
             await stack.enter_async_context(live_table(runner, root))
-        await runner.wait()
+        await _wait_for_any(runners)
+
+
+async def _wait_for_any(runners: Sequence[RobotRunner]) -> None:
+    """Wait until cancelled, or until one of the robots has ended, whose exception is raised."""
+    tasks = [asyncio.ensure_future(runner.wait()) for runner in runners]
+    try:
+        done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        for task in done:
+            task.result()
+    finally:
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)

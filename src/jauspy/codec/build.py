@@ -40,6 +40,7 @@ from jauspy.schema import model as m
 from jauspy.schema.digest import digest
 from jauspy.schema.loader import load_own
 from jauspy.schema.model import Schema
+from jauspy.schema.state_tree import walk_states
 
 JAUS_MESSAGE: Final = "jaus message"
 """The format of bytes that are a message."""
@@ -146,8 +147,26 @@ def _planned(schema: m.Schema) -> list[_Planned]:
     for one in found:
         if one.is_query:
             same_module = (other for other in found if other.module == one.module)
-            one.answer = next((other for other in same_module if answers(one.message, other.message)), None)
+            named = {other.message.name: other for other in same_module}
+            by_rule = (other for other in named.values() if answers(one.message, other.message))
+            one.answer = next(by_rule, None) or named.get(_sent_for(one.message, one.service))
     return found
+
+
+def _sent_for(query: m.MessageDefinition, service: m.ServiceDefinition) -> str:
+    """The one output that the behaviour sends for a query; empty if there is none, or if there are several."""
+    outputs = [message.name for message in service.outputs]
+    sent = {
+        name
+        for machine in (service.behavior.machines if service.behavior else ())
+        for _, state in walk_states(machine.states)
+        for transition in (*state.transitions, *state.default_transitions)
+        if transition.parameters and transition.parameters[0].type == query.name
+        for action in transition.actions
+        for name in outputs
+        if action.name.endswith(f"send{name}") or (action.name.endswith("Send") and f"'{name}'" in action.arguments)
+    }
+    return sent.pop() if len(sent) == 1 else ""
 
 
 def _module_name(service: m.ServiceDefinition) -> str:

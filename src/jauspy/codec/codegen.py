@@ -359,6 +359,8 @@ def inner_grid(grid: Grid) -> Item:
 
 def scaled(scaling: Scaling, raw: str, namespace: Namespace) -> str:
     """The real of a raw value that is not the highest one, or of any where the top of the range comes out exactly."""
+    if scaling.is_finer_than_floats:
+        return f"{namespace.scaling(scaling)}.real({raw})"
     step = f"{raw} * {namespace.number(scaling.step)}"
     return f"{namespace.number(scaling.lower)} + {step}" if scaling.lower else step
 

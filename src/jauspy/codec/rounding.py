@@ -10,7 +10,7 @@ from functools import lru_cache
 from typing import Any, Final, TypeAlias, TypeVar
 from weakref import WeakKeyDictionary
 
-from jauspy.codec.items import Blob, Choice, Formatted, Item, Number, Real
+from jauspy.codec.items import Blob, Choice, Formatted, Item, Number, Real, Values
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Message
 from jauspy.codec.scalars import FLOATS, Scaling, exact_raw
@@ -74,7 +74,7 @@ def _real(scaling: Scaling) -> Rounder:
     first = math.floor(math.log10(factor))
     margin = SAFE_PART * step
     floor = math.floor
-    if scaling.function != "round" or first < 0:
+    if scaling.function != "round" or first < 0 or scaling.is_finer_than_floats:
         return lambda value: _with_decimals(value, scaling, first)
     scales = [10.0**decimals for decimals in range(first, first + EXTRA_DIGITS)]
 
@@ -105,16 +105,21 @@ def _with_decimals(value: float, scaling: Scaling, first: int) -> float:
     return value
 
 
-def _single(value: Any) -> Any:
-    """The shortest number that is the same float of 32 bits; integers are returned as they are."""
-    if not isinstance(value, float) or not math.isfinite(value):
+def _single(values: Values) -> Rounder:
+    """Round floats of 32 bits to the shortest number that is the same one; other values are returned as they are."""
+
+    def rounder(value: Any) -> Any:
+        if not isinstance(value, float) or not math.isfinite(value):
+            return value
+        packed = struct.pack("<f", value)
+        for digits in range(1, SINGLE_DIGITS):
+            number = float(f"{value:.{digits}g}")
+            if abs(number) <= GREATEST_SINGLE and struct.pack("<f", number) == packed:
+                # at a limit such as 2 pi, the shortest number can be beyond it by less than the float tells
+                return number if values.allows(number) or not values.allows(value) else value
         return value
-    packed = struct.pack("<f", value)
-    for digits in range(1, SINGLE_DIGITS):
-        number = float(f"{value:.{digits}g}")
-        if abs(number) <= GREATEST_SINGLE and struct.pack("<f", number) == packed:
-            return number
-    return value
+
+    return rounder
 
 
 def _rounder(item: Item) -> Rounder | None:
@@ -122,7 +127,7 @@ def _rounder(item: Item) -> Rounder | None:
     if isinstance(item, Real):
         return _real(item.scaling)
     if isinstance(item, Number):
-        return _single if item.code == "f" else None
+        return _single(item.values) if item.code == "f" else None
     make = _CONTAINERS.get(type(item))
     return None if make is None else make(item)
 

@@ -59,6 +59,9 @@ Rounding = Literal["round", "floor", "ceiling"]
 NEAR_TIE: Final = 2.0**-16
 """Steps around a half step within which float arithmetic may round wrongly; its errors are a few 2**-20 steps."""
 
+MOST_OF_FLOAT: Final = 2**53
+"""The integer up to which a float of 64 bits holds all integers."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Scaling:
@@ -98,12 +101,20 @@ class Scaling:
         return step
 
     @property
+    def is_finer_than_floats(self) -> bool:
+        """True where neighbouring raw values are the same float of 64 bits, so that decoding loses the last bits."""
+        return self.top > MOST_OF_FLOAT
+
+    @property
     def top_is_exact(self) -> bool:
         """True when `lower + top * step` is `upper` to the last bit."""
         return self.lower + self.top * self.step == self.upper
 
     def real(self, raw: int) -> float:
         """The real value of a raw one; both ends of the range are exact."""
+        if self.is_finer_than_floats:
+            lower, upper = Fraction(repr(self.lower)), Fraction(repr(self.upper))
+            return float(lower + raw * (upper - lower) / self.top)
         return self.upper if raw == self.top else self.lower + raw * self.step
 
     def contains(self, value: float) -> bool:

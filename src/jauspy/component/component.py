@@ -12,6 +12,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Final, Literal, Self, TypeAlias, TypeVar
@@ -20,6 +21,7 @@ from jauspy.arguments import check_text, described
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.component.acknowledgements import Acknowledgements
+from jauspy.component.assigned_id import IDRequest
 from jauspy.component.inbox import ClientInbox, may_wait
 from jauspy.errors import ConfigError, ProtocolError, TransportError
 from jauspy.ids import JausID, component_id, message_id
@@ -114,7 +116,8 @@ def loop_time() -> float:
         return time.monotonic()
 
 
-def _utc_now() -> datetime:
+def wall_clock() -> datetime:
+    """The time of the machine, UTC."""
     return datetime.now(UTC)
 
 
@@ -133,7 +136,7 @@ class ComponentOptions:
     schema: Schema | None = None
     registry: Registry | None = None
     clock: Callable[[], float] = loop_time
-    utc_now: Callable[[], datetime] = _utc_now
+    utc_now: Callable[[], datetime] = wall_clock
     first_sequence: int | None = None
     """Sequence number of the first message; None: random."""
 
@@ -373,6 +376,16 @@ class Component:
             raise problem
         self._flush()
 
+    def request_id(self, key: bytes) -> None:
+        """Ask for the subsystem and node that the id lacks, until SubsystemIDAllocator and NodeIDAllocator grant them.
+
+        `key`: six bytes that no other component of the system has, as the machine's MAC address. Anybody on the network
+        can answer; there is no proof of who grants.
+        """
+        self._require_open()
+        self._intercept = IDRequest(self.host, key).intercept
+        self._flush()
+
     def wake(self) -> None:
         """Send what services have queued, and set their timers.
 
@@ -432,7 +445,12 @@ class Component:
             self._errors[reason] += 1
         else:
             if on_acknowledged is not None and ticket is not None:
-                self._acknowledgements.add_callback(ticket, on_acknowledged)
+                self._acknowledgements.add_callback(ticket, partial(self._on_acknowledged, on_acknowledged))
+
+    def _on_acknowledged(self, on_acknowledged: Callable[[bool], None], delivered: bool) -> None:
+        """Tell a service, with the present time."""
+        self.host.now = self._clock()
+        on_acknowledged(delivered)
 
     def _transmit(self, transport: Transport) -> None:
         for datagram in self._endpoint.poll_output():

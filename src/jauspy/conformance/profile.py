@@ -28,6 +28,7 @@ BUILT_IN: Final = {
     "sensing-2.0": "jauspy.conformance.state_tests.plan:SENSING",
     "ugv-1.0": "jauspy.conformance.state_tests.plan:UGV",
     "transport": "jauspy.conformance.profiles.transport:PROFILE",
+    "iop-v3": "jauspy.conformance.profiles.iop_v3:PROFILE",
     "igvc-2011": "jauspy.conformance.profiles.igvc_2011:PROFILE",
     "igvc-2015": "jauspy.conformance.profiles.igvc_2015:PROFILE",
 }

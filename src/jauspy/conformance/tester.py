@@ -32,7 +32,7 @@ from jauspy.messages.core import (
 from jauspy.messages.environment_sensing.v2_0.range_sensor import ConfirmSensorConfiguration
 from jauspy.protocol import judp
 from jauspy.protocol.endpoint import Endpoint
-from jauspy.protocol.header import Ack, Packet
+from jauspy.protocol.header import Ack, Broadcast, Packet
 
 M = TypeVar("M", bound=Message)
 
@@ -70,8 +70,11 @@ class Expectation(Generic[M]):
         checks: Sequence[Check],
         where: Callable[[M], bool],
         source: JausID | None = None,
+        *,
+        broadcast: bool = True,
     ) -> None:
         self._client = client
+        self._takes_broadcast = broadcast
         self._tester = client.tester
         self._kind = kind
         self._checks = checks
@@ -120,7 +123,11 @@ class Expectation(Generic[M]):
     def _process_pending(self) -> bool:
         """Judge the pending messages of this kind; true once the result is known."""
         for received in list(self._client.pending):
-            if received.code == self._kind.CODE and self._source.matches(received.source):
+            if (
+                received.code == self._kind.CODE
+                and self._source.matches(received.source)
+                and (self._takes_broadcast or not received.broadcast)
+            ):
                 self._judge(received)
                 if self._found is not None:
                     return True
@@ -236,7 +243,7 @@ class Client:
         self.forget(answer)
         self.send(message, to=to)
         asked = None if to is None or to.is_wildcard else to
-        return self.expect(answer, *checks, within=within, source=asked)
+        return self.expect(answer, *checks, within=within, source=asked, broadcast=False)
 
     def ask_until_right(
         self, message: Message, answer: type[M], *checks: Check | Iterable[Check], to: JausID | None = None
@@ -262,13 +269,15 @@ class Client:
         where: Callable[[M], bool] = lambda _: True,
         within: float = 1.0,
         source: JausID | None = None,
+        broadcast: bool = True,
     ) -> M:
         """Expect a message of this kind that passes all checks within this many timeouts; else raises `StepOutcome`.
 
-        Messages for which `where` is false stay pending. `source` is the target, or one component of it.
+        Messages for which `where` is false stay pending. `source` is the target, or one component of it. Messages to
+        everyone count unless `broadcast` is false: they answer nothing.
         """
         flat = [one for check in checks for one in ((check,) if isinstance(check, Check) else check)]
-        return Expectation(self, answer, flat, where, source).wait(within * self.tester.timeout)
+        return Expectation(self, answer, flat, where, source, broadcast=broadcast).wait(within * self.tester.timeout)
 
     def collect(
         self, kind: type[M], seconds: float, where: Callable[[M], bool] = lambda _: True
@@ -304,8 +313,10 @@ class Client:
         self.tester.check("there is no answer", f"{came} came, where nothing should" if came else "")
 
     def unasked(self, besides: Collection[int] = ()) -> list[str]:
-        """The names of pending messages, except events, queries of the target and these ids."""
-        waiting = [packet for packet in self.pending if self.tester.target.matches(packet.source)]
+        """The names of pending messages, except broadcasts, events, queries of the target and these ids."""
+        waiting = [
+            packet for packet in self.pending if self.tester.target.matches(packet.source) and not packet.broadcast
+        ]
         return [self.name_of(packet) for packet in waiting if is_answer(packet.code) and packet.code not in besides]
 
     def name_of(self, received: ReceivedMessage) -> str:
@@ -321,7 +332,7 @@ class Client:
         """Handle a datagram for this client, and acknowledge packets that require it."""
         self._endpoint.receive(datagram, self.tester.now)
         while (packet := self._endpoint.next_event()) is not None:
-            self._keep(ReceivedMessage(self.tester.now, self.id, packet.source, packet.payload))
+            self._keep(_received(self, packet))
         self._flush()
 
     def _keep(self, received: ReceivedMessage) -> None:
@@ -333,6 +344,11 @@ class Client:
     def _flush(self) -> None:
         for datagram in self._endpoint.poll_output():
             self.raw(datagram)
+
+
+def _received(client: Client, packet: Packet) -> ReceivedMessage:
+    is_broadcast = packet.broadcast != Broadcast.NONE
+    return ReceivedMessage(client.tester.now, client.id, packet.source, packet.payload, is_broadcast)
 
 
 def is_answer(code: int) -> bool:

@@ -78,6 +78,8 @@ class ReceivedMessage:
     client: JausID
     source: JausID
     payload: bytes
+    broadcast: bool = False
+    """True for a message to everyone, which answers nobody."""
 
     @property
     def code(self) -> int:

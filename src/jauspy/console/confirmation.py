@@ -13,7 +13,7 @@ ANSWER_TIME: Final = 60.0
 
 async def confirmed(question: str, action: str) -> bool:
     """Ask in the page of the present event; true if the user chooses `action`."""
-    with ui.dialog() as dialog, ui.card():
+    with ui.dialog().props('aria-label="question"') as dialog, ui.card():
         ui.label(question)
         with ui.element("div").classes("row"):
             ui.button(action, on_click=lambda: dialog.submit(result=True)).props("unelevated no-caps color=negative")

@@ -12,10 +12,14 @@ from typing import Any, Final
 
 from jauspy.console.emergency import Emergencies, destination
 from jauspy.console.fleet import NOTHING, Fleet
+from jauspy.console.handoffs import Handoffs
 from jauspy.console.killed_console import Watchdog
+from jauspy.console.listening import Levels
+from jauspy.console.map_tiles import TileSource
 from jauspy.console.motion import Jogging
 from jauspy.console.open_pages import OpenPages
 from jauspy.console.operation import Operation
+from jauspy.console.part_names import PartNames
 from jauspy.console.saved_files import RobotPoses, SavedFiles
 from jauspy.console.traffic import Traffic
 from jauspy.console.users import LOCAL, User, current, current_user
@@ -74,6 +78,8 @@ class Console:
         """The folder of recorded video."""
         self.poses: RobotPoses = {}
         """Named poses from the file given at start."""
+        self.map: TileSource | None = None
+        """The offline map, if one was given at start."""
         self.first_robot: int | None = None
         """The robot that each page shows first, if one was given at start."""
         self.fleet = Fleet(ocu)
@@ -91,6 +97,9 @@ class Console:
         self.emergencies = Emergencies(emergency_ocu)
         self._operations: dict[int, Operation] = {}
         self._jogging: dict[JausID, Jogging] = {}
+        self.handoffs = Handoffs(ocu, lambda: self.fleet.robots, self.note, self.operation)
+        self.levels = Levels()
+        self.names = PartNames()
         self._cameras: dict[JausID, SharedCamera] = {}
         self.worlds = Worlds(ocu, lambda: self.fleet.robots)
         self._attitudes: dict[int, AttitudeFeed] = {}
@@ -150,6 +159,7 @@ class Console:
             if operation.operator == token:
                 self.note(f"robot {operation.robot.id}: the browser of {operation.user.name} has left")
                 await operation.release(token)
+        await self.handoffs.forget(token)
         await self.worlds.forget(token)
 
     def _trace(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool) -> None:
@@ -175,7 +185,8 @@ class Console:
         )
 
     def _follow(self, robots: Mapping[int, Robot]) -> None:
-        """Apply a new discovery to the operations."""
+        """Apply a new discovery to the operations; ask new components what they are."""
+        self.names.look(robots.values())
         for id, operation in self._operations.items():
             if id in robots:
                 operation.follow(robots[id])
@@ -217,11 +228,16 @@ class Console:
         self._cameras[id] = SharedCamera(camera, str(id), self.note, state, self._attitudes[robot.id])
         return self._cameras[id]
 
-    def stop(self, target: str) -> Coroutine[Any, Any, str]:
-        """Set the emergency of a robot or of all, from now on; await a text with the components that obeyed."""
+    def stop(self, target: str, page: str = "") -> Coroutine[Any, Any, str]:
+        """Set the emergency of a robot or of all, from now on; await a text with the components that obeyed.
+
+        `page` is the token of the page that asks for it.
+        """
+        what = "STOP ALL" if target == "all" else "an emergency stop"
         for operation in self._operations.values():
             if destination(target).subsystem in (65535, operation.robot.id) and operation.operator:
                 operation.drive(operation.operator, 0.0, 0.0)
+                operation.stopped(page, what)
         return self._stopped(target, self.emergencies.stop(target))
 
     async def _stopped(self, target: str, reports: Awaitable[Reports]) -> str:
@@ -248,6 +264,8 @@ class Console:
             await asyncio.wait(self._leaving)
         for operation in self._operations.values():
             await operation.release()
+        await self.handoffs.close()
+        await self.names.close()
         await self.worlds.close()
         for camera in self._cameras.values():
             await camera.close()

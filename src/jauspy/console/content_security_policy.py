@@ -24,6 +24,7 @@ _POLICY: Final = "; ".join(
         "style-src 'self' 'unsafe-inline'",
         "img-src 'self' data: blob:",
         "font-src 'self'",
+        "media-src 'self'",
         "connect-src 'self' data: blob:",
         "base-uri 'none'",
         "form-action 'self'",

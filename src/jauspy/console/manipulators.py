@@ -19,7 +19,15 @@ from jauspy.messages.cell import (
     ReportModularArmSpecification,
     ReportModularArmState,
 )
-from jauspy.ocu.arm import POSE_DRIVER, POSE_SENSOR, POSITION_DRIVER, PROFILE, SPECIFICATION, VELOCITY_DRIVER
+from jauspy.ocu.arm import (
+    PAN_TILT_DRIVER,
+    POSE_DRIVER,
+    POSE_SENSOR,
+    POSITION_DRIVER,
+    PROFILE,
+    SPECIFICATION,
+    VELOCITY_DRIVER,
+)
 from jauspy.ocu.motion_limits import MotionLimits
 from jauspy.ocu.robot import MOVING, Robot
 from jauspy.ocu.subsystems import ComponentInfo
@@ -109,6 +117,14 @@ class Manipulator(ABC):
     async def follow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
         """Move through rows; all are checked before anything moves."""
 
+    async def poses(self) -> tuple[str, ...]:
+        """The names of the poses that the robot itself knows for these joints, as it reports them."""
+        return ()
+
+    async def move_to(self, name: str) -> None:
+        """Move to one of these poses, and wait until the joints are there."""
+        raise ConfigError(f"{self.info.id} knows no pose {name!r}")
+
     @abstractmethod
     async def stop(self) -> None:
         """Hold."""
@@ -164,6 +180,14 @@ class StandardArm(Manipulator):
     async def follow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
         """Move through rows, as a list if the component supports lists."""
         await self.arm.follow(rows, progress=progress)
+
+    async def poses(self) -> tuple[str, ...]:
+        """The poses of the robot's file."""
+        return await self.arm.poses()
+
+    async def move_to(self, name: str) -> None:
+        """Move on a route of the robot's choice."""
+        await self.arm.move_to(name)
 
     async def stop(self) -> None:
         """Hold."""
@@ -277,12 +301,12 @@ def manipulators(robot: Robot) -> dict[str, Manipulator]:
 
 
 def operated(robot: Robot) -> list[str]:
-    """The components that an operator of the console controls: what moves the robot or parts, and its gripper."""
+    """The components that an operator of the console controls: what moves robot, cameras or parts, and its gripper."""
     arms = {component.id.node for component in robot.components if component.find(POSITION_DRIVER)}
     return [
         str(component.id)
         for component in robot.components
-        if any(component.find(name) for name in (*MOVING, MODULAR_ARM, CONVEYOR))
+        if any(component.find(name) for name in (*MOVING, PAN_TILT_DRIVER, MODULAR_ARM, CONVEYOR))
         or (component.find(CONNECTOR) and component.id.node in arms)
     ]
 

@@ -11,7 +11,8 @@ from collections.abc import Callable, Coroutine
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from jauspy.console.browser_messages import ToolVelocity
-from jauspy.console.operation import DEAD_MAN_TIME, Operation
+from jauspy.console.dead_man import DeadMan
+from jauspy.console.operation import Operation
 from jauspy.console.users import Session, current
 from jauspy.errors import JausError
 from jauspy.geometry.vectors import Vector
@@ -50,20 +51,20 @@ class Jogging:
         self._on_event = on_event
         self._mover = ""
         """The token of the page that moves the tool; empty while the tool stands."""
-        self._watchdog: asyncio.TimerHandle | None = None
+        self._dead_man = DeadMan(self._stop_silent)
         self._wanted: Velocity | None = None
         self._by: Session | None = None
         """User on whose behalf the newest velocity is sent."""
         self._sending: asyncio.Task[None] | None = None
 
     def move(self, token: str, asked: ToolVelocity | None) -> str:
-        """Move the tool; repeated within `DEAD_MAN_TIME`. Returns why not, or an empty string."""
+        """Move the tool; repeated within `dead_man.DEAD_MAN_TIME`. Returns why not, or an empty string."""
         if why_not := self.operation.refusal(token):
             return why_not
         wanted = velocity(asked)
-        self._cancel_watchdog()
+        self._dead_man.end()
         if any((*wanted[0], *wanted[1])):
-            self._watchdog = asyncio.get_running_loop().call_later(DEAD_MAN_TIME, self._dead_man)
+            self._dead_man.repeat()
             self._mover = token
             self._want(wanted)
         elif self._mover:
@@ -73,11 +74,10 @@ class Jogging:
     def leave(self, token: str) -> None:
         """Stop the motion of a browser whose socket has closed."""
         if token == self._mover:
-            self._cancel_watchdog()
+            self._dead_man.end()
             self._stop()
 
-    def _dead_man(self) -> None:
-        self._watchdog = None
+    def _stop_silent(self) -> None:
         self._on_event(f"the arm {self._id} was stopped: its operator's browser is silent")
         self._stop()
 
@@ -102,11 +102,6 @@ class Jogging:
                 self.problem = ""
             except JausError as error:
                 self.problem = str(error)
-
-    def _cancel_watchdog(self) -> None:
-        if self._watchdog is not None:
-            self._watchdog.cancel()
-            self._watchdog = None
 
 
 def _limited(vector: Vector, most: float) -> Vector:

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.console.dead_man import DeadMan
 from jauspy.console.killed_console import Watchdog
 from jauspy.console.manipulators import operated
 from jauspy.console.users import LOCAL, Session, User, current
@@ -20,8 +21,6 @@ from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.ocu.driving import VELOCITY, WRENCH
 from jauspy.ocu.robot import Robot, RobotControl
 
-DEAD_MAN_TIME: Final = 0.2
-"""Seconds without a message of the operator's browser after which the robot is stopped."""
 MAX_SPEED: Final = 1.5
 """m/s; greatest speed limit that can be chosen. The robot also has its own limits."""
 MAX_TURN_RATE: Final = 1.2
@@ -68,7 +67,9 @@ class Operation:
         self._by: Session | None = None
         """User on whose behalf the newest command is sent."""
         self._control: RobotControl | None = None
-        self._timer: asyncio.TimerHandle | None = None
+        self._dead_man = DeadMan(self._stop_silent)
+        self._stop: tuple[str, str] | None = None
+        """Token and text of the emergency stop that this console has sent since control was taken."""
         self._busy = asyncio.Lock()
         self._wanted: tuple[float, float] | None = None
         self._sending: asyncio.Task[None] | None = None
@@ -151,7 +152,7 @@ class Operation:
                 return self.problem
             finally:
                 current.reset(reset)
-            self._control = control
+            self._control, self._stop = control, None
             if self._watchdog is not None:
                 self._watchdog.hold(self.robot.id, control.ids)
         self.operator, self.user, self.authority, self.problem, self._request = token, user, authority, "", None
@@ -161,7 +162,7 @@ class Operation:
 
     async def _leave(self) -> None:
         control, self._control, self.operator = self._control, None, ""
-        self._cancel_timer()
+        self._dead_man.end()
         self._wanted, self.commanded = None, (0.0, 0.0)
         self._missing, self._refused = set(), set()
         if control is not None:
@@ -232,11 +233,24 @@ class Operation:
         if token != self.operator or self._control is None:
             return "another browser operates this robot" if self.operator else "take control first"
         if self._control.lost:
-            self.problem = self._control.lost
-        return self._control.lost
+            self.problem = self._loss(self._control.lost)
+            return self.problem
+        return ""
+
+    def stopped(self, token: str, what: str) -> None:
+        """Take note of an emergency stop from a page of this console, named by its token; `what` as STOP ALL."""
+        if self.is_controlled:
+            self._stop = token, f"{what} by {{page}} has ended it; clear the emergency, then take control again"
+
+    def _loss(self, reason: str) -> str:
+        """Why control was lost: by a stop of this console, or as the component has told."""
+        if self._stop is None:
+            return reason
+        token, text = self._stop
+        return text.format(page="this page" if token == self.operator else "another page of this console")
 
     def drive(self, token: str, forward: float, left: float) -> str:
-        """Drive with deflections of -1..1, repeated within `DEAD_MAN_TIME`; other numbers stop the robot.
+        """Drive with deflections of -1..1, repeated within `dead_man.DEAD_MAN_TIME`; other numbers stop the robot.
 
         Returns why not, or an empty string.
         """
@@ -245,10 +259,10 @@ class Operation:
         ahead, turn = self._full_deflection()
         is_valid = -1.0 <= forward <= 1.0 and -1.0 <= left <= 1.0
         linear, angular = (ahead * forward, turn * left) if is_valid else (0.0, 0.0)
-        self._cancel_timer()
-        moving = bool(linear or angular)
-        if moving:
-            self._timer = asyncio.get_running_loop().call_later(DEAD_MAN_TIME, self._dead_man)
+        if linear or angular:
+            self._dead_man.repeat()
+        else:
+            self._dead_man.end()
         self._want(linear, angular)
         return "" if is_valid else "stopped: a deflection is a number from -1 to 1"
 
@@ -274,8 +288,7 @@ class Operation:
             return share, share
         return self.speed_limit, MAX_TURN_RATE * min(1.0, self.speed_limit / 0.5)
 
-    def _dead_man(self) -> None:
-        self._timer = None
+    def _stop_silent(self) -> None:
         self._on_event(f"robot {self.robot.id} was stopped: its operator's browser is silent")
         self._want(0.0, 0.0)
 
@@ -318,14 +331,9 @@ class Operation:
             await self.robot.service(WRENCH).send(SetWrenchEffort(), ack=True)
 
     def _stop_driving(self) -> None:
-        self._cancel_timer()
+        self._dead_man.end()
         if any(self.commanded):
             self._want(0.0, 0.0)
-
-    def _cancel_timer(self) -> None:
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
 
 
 def modes_of(robot: Robot) -> list[str]:

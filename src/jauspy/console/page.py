@@ -11,15 +11,23 @@ from nicegui import core, ui
 from jauspy.console.camera_settings import VIDEO
 from jauspy.console.choice import Choice
 from jauspy.console.console import Console
+from jauspy.console.conventions import Conventions
 from jauspy.console.manipulators import MODULAR_ARM
 from jauspy.console.markup import attributes, call, page_files, plain_text
 from jauspy.console.page_events import FrameCheck, PageEvents
 from jauspy.console.panels.arm import ArmPanel
 from jauspy.console.panels.control import ControlPanel
 from jauspy.console.panels.conveyor import ConveyorPanel
+from jauspy.console.panels.desk import EVENTS, Desk
 from jauspy.console.panels.drive import DRIVERS, DrivePanel
 from jauspy.console.panels.fleet import FleetPanel
+from jauspy.console.panels.guards import GuardsPanel
+from jauspy.console.panels.link import LinkPanel
 from jauspy.console.panels.log import LogPanel
+from jauspy.console.panels.recordings import RecordingsPanel
+from jauspy.console.panels.settings import SettingsButton
+from jauspy.console.panels.status import StatusBar
+from jauspy.console.panels.tasks import OFFERED as TASKS, TasksPanel
 from jauspy.console.panels.trajectory import TrajectoryPanel
 from jauspy.console.panels.video import VideoPanel
 from jauspy.console.panels.world import WorldPanel
@@ -33,15 +41,23 @@ from jauspy.printable import printable
 
 REFRESH_INTERVAL: Final = 0.4
 """Seconds between two updates of the page."""
-TABS: Final = ("Video", "World", "Trajectory", "Plots", "Log")
+TABS: Final = ("Video", "World", "Trajectory", "Tasks", "Plots", "Log", "Recordings")
 OFFERED: Final = {
     "Video": (VIDEO,),
     "World": ("LocalPoseSensor", "RangeSensor", POSITION_SENSOR, PAN_TILT_SENSOR, MODULAR_ARM),
     "Trajectory": (POSITION_DRIVER, MODULAR_ARM),
+    "Tasks": TASKS,
 }
 """Views that are useful only for a robot with one of these services."""
-SCRIPTS: Final = ("console", "video", "plots", "world", "map", "arm")
-STYLES: Final = ("theme", "console", "video", "world", "arm")
+ALONE: Final = ("World", "Log", "Recordings")
+"""Views below which there is no room for the events."""
+WITHOUT_ROBOTS: Final = ("Log", "Recordings", EVENTS)
+"""Views that are useful while no robot is shown."""
+SCRIPTS: Final = (
+    *("console", "desk", "status", "video", "sight", "plots", "world", "map", "way", "mission", "arm", "gamepad"),
+    *("recordings", "settings"),
+)
+STYLES: Final = ("theme", "console", "desk", "video", "world", "arm", "recordings")
 SCHEMES: Final = {"system": None, "light": False, "dark": True}
 """Colour schemes, in the order of the switch."""
 NO_ROBOTS: Final = """
@@ -56,6 +72,7 @@ NO_ROBOTS: Final = """
 
 def add_page(app: FastAPI, console: Console) -> None:
     """Add the page at `/`."""
+    ui.slider.LOOPBACK = False  # the browser moves a slider itself: fast presses outrun answers of the console
     app.add_middleware(FrameCheck, refused=console.refused)
     events = PageEvents(core.sio, console.refused, time.monotonic)
 
@@ -90,33 +107,44 @@ class _Page:
         """True for a choice of the operator, which the browser keeps."""
         self._robot: Robot | None = None
         """The chosen robot while it answers."""
+        self._shown_tab = TABS[0]
         self._wanted_tab = ""
         """The tab that was clicked last; until then, the first tab that is useful for the robot is shown."""
         self._logged = 0
+        self._conventions = Conventions()
         ui.colors(primary="#1a63d6")
         page_files(STYLES, SCRIPTS, token)
         with ui.element("header").classes("bar"):
             self._build_bar(user)
-        with ui.element("main").classes("grid"):
+        with ui.element("div").classes("status"):
+            self._status = StatusBar(console, token)
+        with ui.element("main").classes("grid") as main:
+            self._desk = Desk(main, self._show_arranged)
             with ui.element("section").classes("panel fleet").props('aria-label="Fleet"'):
                 self._fleet = FleetPanel(console, self._select)
             with ui.element("section").classes("centre"):
                 self._build_centre(token, user)
             with ui.element("aside").classes("side"):
                 self._control = ControlPanel(console, token, user)
-                self._drive = DrivePanel(console, token, lambda: self._want_tab("World"))
+                self._link = self._status.link = LinkPanel()
+                self._drive = DrivePanel(console, token, lambda: self._want_tab("World"), self._conventions)
+                self._guards = GuardsPanel(console, token)
                 self._arm = ArmPanel(console, token)
                 self._conveyor = ConveyorPanel(console, token)
         self._of_robot = (
             self._fleet,
             self._control,
+            self._link,
             self._drive,
+            self._guards,
             self._arm,
             self._conveyor,
             self._videos,
             self._world,
             self._trajectory,
+            self._tasks,
             self._plots,
+            self._status,
         )
         self._show_tab(TABS[0])
         ui.timer(REFRESH_INTERVAL, self._refresh)
@@ -136,62 +164,78 @@ class _Page:
             with ui.element("form").props('method="post" action="/logout"').classes("user"):
                 plain_text(f"{user.name}, {user.role}")
                 plain_text("sign out", tag="button").classes("quiet")
+        SettingsButton(self._conventions)
         dark = ui.dark_mode(None)
         ui.on("scheme", lambda event: dark.set_value(SCHEMES.get(str(event.args))))
         ui.on("remembered", lambda event: self._remember(event.args))
         # These buttons need console.js only, so that they work when the rest of the page hangs.
         ui.html('<button id="scheme" class="quiet" data-do="scheme">\u25d0 system</button>', sanitize=False)
         ui.html('<button class="quiet" data-do="clear" data-to="all">clear emergency</button>', sanitize=False)
-        ui.html('<button id="stop" data-do="stop" data-to="all">STOP ALL <kbd>Esc</kbd></button>', sanitize=False)
+        ui.html(
+            '<button id="stop" data-do="stop" data-to="all">STOP ALL <kbd>Esc</kbd> <kbd>F8</kbd></button>',
+            sanitize=False,
+        )
 
     def _build_centre(self, token: str, user: User) -> None:
         with ui.element("nav").classes("tabs").props('role="tablist" aria-label="Views"'):
             self._tabs = {name: self._tab(name) for name in TABS}
+            self._desk.build_menu(TABS)
         with ui.element("div").classes("panel empty") as self._empty:
             self._looking = ui.html(NO_ROBOTS, sanitize=False)
             with ui.element("div") as self._unchosen:
                 ui.html("<h2>Choose a robot</h2>", sanitize=False)
                 self._hint = ui.label("").classes("choose").props('role="status"')
-        with ui.element("div").classes("videos") as videos:
-            self._videos = VideoPanel(self._console, token, user)
-        with ui.element("div").classes("panel plots") as world:
-            self._world = WorldPanel(self._console, token)
-        with ui.element("div").classes("panel trajectory") as trajectory:
-            self._trajectory = TrajectoryPanel(self._console, token)
-        with ui.element("div").classes("panel plots") as plots:
-            self._plots = PlotsPanel(self._console.ocu)
-        with ui.element("div").classes("panel messages") as messages:
-            self._messages = LogPanel(self._console.traffic)
-        with ui.element("div").classes("panel log") as events:
-            ui.label("Events").classes("heading")
-            self._log = ui.log(max_lines=200).classes("lines")
-        self._parts = {
-            "Video": (videos, events),
-            "World": (world,),
-            "Trajectory": (trajectory, events),
-            "Plots": (plots, events),
-            "Log": (messages,),
-        }
-        self._without_robots = (events, messages)
+        with self._desk.frame():
+            with self._desk.pane("Video"), ui.element("div").classes("videos"):
+                self._videos = VideoPanel(self._console, token, user)
+            with self._desk.pane("World"), ui.element("div").classes("panel plots"):
+                self._world = WorldPanel(self._console, token)
+            with self._desk.pane("Trajectory"), ui.element("div").classes("panel trajectory"):
+                self._trajectory = TrajectoryPanel(self._console, token)
+            with self._desk.pane("Tasks"), ui.element("div").classes("panel tasks"):
+                self._tasks = TasksPanel(self._console, token, user)
+            with self._desk.pane("Plots"), ui.element("div").classes("panel plots"):
+                self._plots = PlotsPanel(self._console.ocu, self._conventions)
+            with self._desk.pane("Log"), ui.element("div").classes("panel messages"):
+                self._messages = LogPanel(self._console.traffic)
+            with self._desk.pane("Recordings"), ui.element("div").classes("panel messages"):
+                RecordingsPanel()
+            with self._desk.pane(EVENTS), ui.element("div").classes("panel log"):
+                ui.label("Events").classes("heading")
+                self._log = ui.log(max_lines=200).classes("lines")
 
     def _tab(self, name: str) -> ui.button:
         return ui.button(name, on_click=lambda: self._want_tab(name), color=None).props('flat no-caps dense role="tab"')
 
     def _want_tab(self, name: str) -> None:
         self._wanted_tab = name
+        self._desk.show_view(name)
         self._show_tab(name)
 
+    def _show_arranged(self) -> None:
+        """Follow a change of the arrangement."""
+        self._world.show_part(self._desk.arrangement.world)
+        self._show_tab(self._shown_tab)
+
     def _show_tab(self, name: str) -> None:
-        has_robots = self._robot is not None
-        for part in {part for parts in self._parts.values() for part in parts}:
-            part.set_visibility(part in self._parts[name] and (has_robots or part in self._without_robots))
-        self._empty.set_visibility(not has_robots and name != "Log")
+        """Show a view, or all of the arrangement."""
+        self._shown_tab = name
+        robot = self._robot
+        offered = {*TABS, EVENTS} if robot is None else {*self._offered_tabs(robot), EVENTS}
+        if robot is not None and self._desk.is_arranged:
+            shown = self._desk.show(offered)
+        else:
+            with_events = [name, EVENTS] if name not in ALONE else [name]
+            shown = with_events if robot is not None else [view for view in with_events if view in WITHOUT_ROBOTS]
+            self._desk.show_one(shown)
+        self._empty.set_visibility(robot is None and name not in ("Log", "Recordings"))
         self._show_hint()
         for tab, button in self._tabs.items():
-            button.classes(add="chosen" if tab == name else "", remove="" if tab == name else "chosen")
-            attributes(button, aria_selected=tab == name)
-        self._messages.visible = name == "Log"
-        self._world.visible = name == "World"
+            is_shown = tab in (shown or [name])
+            button.classes(add="chosen" if is_shown else "", remove="" if is_shown else "chosen")
+            attributes(button, aria_selected=is_shown)
+        self._messages.visible = "Log" in shown
+        self._world.visible = "World" in shown
 
     def _refresh(self) -> None:
         robot = self._choice.robot(self._console.fleet.robots)
@@ -203,8 +247,10 @@ class _Page:
             self._show_hint()
         new = self._console.total_events - self._logged
         self._logged = self._console.total_events
-        for event in list(self._console.events)[-new:] if new else ():
+        events = list(self._console.events)[-new:] if new else []
+        for event in events:
             self._log.push(event.line)
+        self._status.tell(events)
 
     def _follow_changes(self, robot: Robot) -> None:
         """Update panels when cameras or drivers have appeared or disappeared; the panel Arm follows its arms itself."""
@@ -244,8 +290,12 @@ class _Page:
         )
         for panel in self._of_robot:
             panel.show(robot)
-        offered = [name for name in TABS if robot is None or name not in OFFERED or _offering(robot, OFFERED[name])]
+        offered = TABS if robot is None else self._offered_tabs(robot)
         self._show_tab(self._wanted_tab if self._wanted_tab in offered else offered[0])
+
+    @staticmethod
+    def _offered_tabs(robot: Robot) -> list[str]:
+        return [name for name in TABS if name not in OFFERED or _offering(robot, OFFERED[name])]
 
 
 def _offering(robot: Robot, services: tuple[str, ...]) -> set[JausID]:

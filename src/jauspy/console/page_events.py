@@ -208,6 +208,8 @@ def _fits(event: _Event) -> bool | None:
     element = None if client is None else client.elements.get(event.id)
     if element is None or (listener := _listener(element, event.listener_id)) is None:
         return False
+    if isinstance(element, ui.table) and listener == "update:pagination":
+        return False  # a table says how many rows it has room for, which is set here
     if listener.startswith("update:"):
         return True if len(args) == 1 and can_have(element, args[0]) else None
     return True
@@ -249,7 +251,7 @@ def can_have(element: Element, value: Any) -> bool:
             return _is_choice(value, len(element.options), several=element.multiple)
         case ui.toggle():
             return _is_index(value, len(element.options))
-        case ui.checkbox() | ui.switch() | ui.dialog():
+        case ui.checkbox() | ui.switch() | ui.dialog() | ui.menu():
             return isinstance(value, bool)
         case ui.input():
             return value is None or (isinstance(value, str) and len(value) <= MAX_FIELD)

@@ -17,6 +17,7 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.codec.message import Message
+from jauspy.console.conventions import JAUS, RADIANS, Conventions
 from jauspy.console.markup import attributes, call
 from jauspy.console.reports import Field, fields_of, numbers_of, queries_of, reports_of
 from jauspy.errors import ConfigError, JausError
@@ -56,6 +57,10 @@ class Trace:
     def name(self) -> str:
         """Label of the trace, as in `101.1.102 LocalPose.x`."""
         return f"{self.component} {self.query.NAME.removeprefix('Query')}.{self.path}"
+
+    def shown(self, conventions: Conventions) -> tuple[float, str]:
+        """Factor and unit with which the values are shown."""
+        return conventions.plotted(self.query.NAME.removeprefix("Query"), self.path, self.unit)
 
     def add(self, at: float, value: float) -> None:
         """Record a value."""
@@ -112,13 +117,18 @@ class Recorder:
         for source in list(self._tasks):
             self._end(source)
 
-    def csv(self) -> str:
-        """All values as CSV: one line for each time at which a report came, one column for each trace."""
+    def csv(self, axes: str = JAUS) -> str:
+        """All values as CSV: one line for each time at which a report came, one column for each trace; SI units.
+
+        Axes and sense of angles are those of JAUS, as in the reports, or of REP-103.
+        """
+        conventions = Conventions()
+        conventions.set({"axes": axes, "angle": RADIANS})
         traces = list(self.traces.values())
         rows: dict[float, dict[int, float]] = {}
         for trace in traces:
             for moment, value in trace.samples:
-                rows.setdefault(moment, {})[trace.number] = value
+                rows.setdefault(moment, {})[trace.number] = value * trace.shown(conventions)[0]
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["time"] + [f"{trace.name} [{trace.unit}]" if trace.unit else trace.name for trace in traces])
@@ -165,8 +175,9 @@ SPANS: Final = {30: "30 s", 120: "2 min", 0: "all"}
 class PlotsPanel:
     """The choice of fields, the chart and its buttons, for one page."""
 
-    def __init__(self, ocu: OCU) -> None:
+    def __init__(self, ocu: OCU, conventions: Conventions) -> None:
         self.recorder = Recorder(ocu)
+        self._conventions = conventions
         self._ocu = ocu
         self._components: dict[str, ComponentInfo] = {}
         self._queries: dict[str, Message] = {}
@@ -186,11 +197,13 @@ class PlotsPanel:
         self._chart = ui.echart({"series": []}).classes("chart")
         with ui.element("div").classes("row"):
             self._span = ui.toggle(SPANS, value=30).props("no-caps dense unelevated")
-            ui.label("wheel: zoom, drag: move; axes of JAUS: y right, z down").classes("hint grow")
+            self._axes = ui.label("").classes("hint grow")
             self._pause = ui.button("pause", on_click=self._toggle).props("outline no-caps")
             ui.button("clear", on_click=self._clear).props("outline no-caps")
             ui.button("CSV", on_click=self._download).props("outline no-caps")
         self._paused = False
+        conventions.on_change.append(self._show_conventions)
+        self._show_axes()
         ui.timer(UPDATE_INTERVAL, self._update)
 
     def show(self, robot: Robot | None) -> None:
@@ -231,10 +244,25 @@ class PlotsPanel:
             return  # another one was chosen meanwhile
         self._fields = {field.path: field for field in fields_of(report) if field.number is not None}
         self._field.set_options(
-            {path: f"{path}  = {field.text} {field.unit}".rstrip() for path, field in self._fields.items()}, value=[]
+            {path: self._option(query.NAME, path, field) for path, field in self._fields.items()}, value=[]
         )
         if not self._fields:
             self._problem.set_text(f"{report.NAME} has no numbers now")
+
+    def _option(self, query: str, path: str, field: Field) -> str:
+        """A field with its present value, as the plot would show it."""
+        factor, unit = self._conventions.plotted(query.removeprefix("Query"), path, field.unit)
+        text = field.text if factor == 1.0 or field.number is None else f"{field.number * factor + 0.0:.6g}"
+        return f"{path}  = {text} {unit}".rstrip()
+
+    def _show_axes(self) -> None:
+        self._axes.set_text(f"wheel: zoom, drag: move; {self._conventions.axes_text}")
+
+    def _show_conventions(self) -> None:
+        """Draw all anew, in other axes or units."""
+        self._show_axes()
+        self._sent = {}
+        call("jauspy.clearPlot", self._chart.id)
 
     def _add_traces(self) -> None:
         component, query = self._components.get(str(self._component.value)), self._queries.get(str(self._message.value))
@@ -264,11 +292,12 @@ class PlotsPanel:
     def _part(self, trace: Trace) -> dict[str, object]:
         new = min(len(trace.samples), trace.total - self._sent.get(trace.number, 0))
         points = list(trace.samples)[-new:] if new else []
+        factor, unit = trace.shown(self._conventions)
         return {
             "number": trace.number,
             "name": printable(trace.name),
-            "unit": trace.unit,
-            "points": [[round(1e3 * moment), value] for moment, value in points],
+            "unit": unit,
+            "points": [[round(1e3 * moment), value * factor] for moment, value in points],
         }
 
     def _show_chips(self, traces: list[Trace]) -> None:
@@ -293,7 +322,11 @@ class PlotsPanel:
         call("jauspy.clearPlot", self._chart.id)
 
     def _download(self) -> None:
-        ui.download.content(self.recorder.csv(), f"jauspy-{datetime.now().astimezone():%Y%m%d-%H%M%S}.csv", "text/csv")
+        ui.download.content(
+            self.recorder.csv(self._conventions.axes),
+            f"jauspy-{datetime.now().astimezone():%Y%m%d-%H%M%S}.csv",
+            "text/csv",
+        )
 
 
 class _Chip:

@@ -24,6 +24,8 @@ LOOK_INTERVAL: Final = 0.5
 """Seconds between two queries of the active element and the elements' numbers."""
 READ_INTERVAL: Final = 5.0
 """Seconds after which all elements are read again: another client may have changed one in place."""
+NEAR: Final = TOLERANCE + 0.1
+"""Metres from a waypoint up to which a robot that has stopped is there: it rolls on, and its pose is a moment old."""
 MAX_WAYPOINTS: Final = 100
 """Waypoints of a list that can be shown and edited."""
 
@@ -76,14 +78,16 @@ class Route:
         self.began_at: tuple[float, float] | None = None
         """The robot's position when the active waypoint became active."""
         self.ended_at = -1
-        """The index of the waypoint that was active when the execution ended; -1 before that, and after a change."""
+        """The index of the waypoint at which or before which execution ended; -1 before that, and after a change."""
+        self.has_arrived = False
+        """True if the robot was there when execution ended, or if its pose was not known."""
         self.speed: float | None = None
         """m/s at which it drives; 0 while it waits, None when it does not report the speed."""
         self.problem = ""
         """Why the list is unknown."""
         self._ocu = ocu
         self._robot = robot
-        self._pose = pose
+        self._where = pose
         self._uids: list[int] | None = None
         self._read_at = -math.inf
         self._looked_at = -math.inf
@@ -99,6 +103,11 @@ class Route:
     def is_paused(self) -> bool:
         """True while the list is executed at speed zero."""
         return self.active is not None and self.speed == 0.0
+
+    @property
+    def pose(self) -> RobotPose | None:
+        """The robot's last pose."""
+        return self._where()
 
     async def look(self) -> None:
         """Read changes; several browsers share one query in `LOOK_INTERVAL`. Never raises a `JausError`."""
@@ -134,11 +143,23 @@ class Route:
         if self.active is not None:
             self.ended_at = -1
             if self.active != before:
-                pose = self._pose()
+                pose = self._where()
                 self.began_at = None if pose is None else (pose.x, pose.y)
         elif before is not None:
-            self.ended_at = before
+            self.ended_at, self.has_arrived = self._end_of(before)
         self.speed = speed
+
+    def _end_of(self, active: int) -> tuple[int, bool]:
+        """The waypoint at which execution ended, or on the way to which: a short last leg falls between two looks."""
+        pose = self._where()
+        if pose is None:
+            return active, True
+        near = [
+            index
+            for index, point in enumerate(self.waypoints)
+            if index >= active and point.is_point and math.dist((pose.x, pose.y), (point.x, point.y)) <= NEAR
+        ]
+        return (near[-1], True) if near else (active, not self.waypoints[active].is_point)
 
     def _service(self) -> ServiceClient:
         robot = self._robot()

@@ -1,4 +1,4 @@
-"""Files in which the console saves named poses and trajectories of each robot, as JSON, with their authors.
+"""Files in which the console saves named poses, trajectories and missions of each robot, as JSON, with their authors.
 
 Only users who may operate robots save and delete. What somebody else has saved is replaced or deleted only if the user
 has seen who that was.
@@ -17,6 +17,8 @@ from typing import Annotated, Final, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
+from jauspy.console.geographic_frame import GeographicFrame
+from jauspy.console.mission import Mission
 from jauspy.console.trajectory import MAX_FILE, UNKNOWN, Author, Trajectory, place
 from jauspy.console.users import User
 from jauspy.errors import ConfigError
@@ -25,9 +27,12 @@ from jauspy.user_files import parse_toml, read_file
 
 MAX_NAME: Final = 40
 MAX_SAVED: Final = 100
-"""Poses of an arm, and trajectories of a robot."""
+"""Poses of an arm, and trajectories and missions of a robot."""
 MAX_LISTED: Final = 10_000
 """Files of a folder that are looked at."""
+TRAJECTORIES, MISSIONS = "trajectories", "missions"
+"""Folders of files."""
+_ONE: Final = {TRAJECTORIES: "trajectory", MISSIONS: "mission"}
 _NAME: Final = re.compile(r"[\w][\w .+-]*")
 _Position = Annotated[float, Field(allow_inf_nan=False)]
 
@@ -154,58 +159,84 @@ class SavedFiles:
 
     def trajectories(self) -> list[str]:
         """The names of the trajectories."""
+        return self._names(TRAJECTORIES)
+
+    def save_trajectory(self, name: str, trajectory: Trajectory, robot: str, *, seen: Author | None = None) -> None:
+        """Save a trajectory; replaces the one of this name. Raises as `save_pose`."""
+        self._save(TRAJECTORIES, name, lambda author: trajectory.to_json(robot, author), seen)
+
+    def trajectory(self, name: str) -> Trajectory:
+        """Load a trajectory; raises `ConfigError`."""
+        path = self._path(TRAJECTORIES, name)
+        return Trajectory.from_json(read_file(path, MAX_FILE), str(path))
+
+    def delete_trajectory(self, name: str, *, seen: Author | None = None) -> None:
+        """Delete a trajectory; unknown names are ignored. Raises as `save_pose`."""
+        self._delete(TRAJECTORIES, name, seen)
+
+    def missions(self) -> list[str]:
+        """The names of the missions."""
+        return self._names(MISSIONS)
+
+    def save_mission(self, name: str, mission: Mission, robot: str, *, seen: Author | None = None) -> None:
+        """Save a mission; replaces the one of this name. Raises as `save_pose`."""
+        self._save(MISSIONS, name, lambda author: mission.to_json(robot, author), seen)
+
+    def mission(self, name: str, frame: GeographicFrame | None = None) -> Mission:
+        """Load a mission; raises `ConfigError`. Those in degrees need the robot's frame on the globe."""
+        path = self._path(MISSIONS, name)
+        return Mission.from_json(read_file(path, MAX_FILE), str(path), frame)
+
+    def delete_mission(self, name: str, *, seen: Author | None = None) -> None:
+        """Delete a mission; unknown names are ignored. Raises as `save_pose`."""
+        self._delete(MISSIONS, name, seen)
+
+    def _names(self, kind: str) -> list[str]:
         try:
-            with os.scandir(self._folder / "trajectories") as entries:
+            with os.scandir(self._folder / kind) as entries:
                 names = [entry.name for entry in islice(entries, MAX_LISTED)]
         except OSError:
             return []
         stems = (name.removesuffix(".json") for name in names if name.endswith(".json"))
         return sorted(stem for stem in stems if _NAME.fullmatch(stem) and len(stem) <= MAX_NAME)[:MAX_SAVED]
 
-    def save_trajectory(self, name: str, trajectory: Trajectory, robot: str, *, seen: Author | None = None) -> None:
-        """Save a trajectory; replaces the one of this name. Raises as `save_pose`."""
-        name, author, known = checked_name(name), self._author(), self.trajectories()
-        before = self._author_of(name)
+    def _save(self, kind: str, name: str, content: Callable[[Author], str], seen: Author | None) -> None:
+        name, author, known = checked_name(name), self._author(), self._names(kind)
+        before = self._author_of(kind, name)
         self._check(name, before, seen)
         if name not in known and len(known) >= MAX_SAVED:
-            raise ConfigError(f"a robot has at most {MAX_SAVED} trajectories; delete one first")
-        self._write(f"trajectories/{name}.json", trajectory.to_json(robot, author))
-        self._changed("saved", f"the trajectory {name}", before)
+            raise ConfigError(f"a robot has at most {MAX_SAVED} {kind}; delete one first")
+        self._write(f"{kind}/{name}.json", content(author))
+        self._changed("saved", f"the {_ONE[kind]} {name}", before)
 
-    def trajectory(self, name: str) -> Trajectory:
-        """Load a trajectory; raises `ConfigError`."""
-        path = self._path(name)
-        return Trajectory.from_json(read_file(path, MAX_FILE), str(path))
-
-    def delete_trajectory(self, name: str, *, seen: Author | None = None) -> None:
-        """Delete a trajectory; unknown names are ignored. Raises as `save_pose`."""
+    def _delete(self, kind: str, name: str, seen: Author | None) -> None:
         self._author()
-        before = self._author_of(name)
+        before = self._author_of(kind, name)
         if before is None:
             return
         self._check(name, before, seen)
         try:
-            self._path(name).unlink(missing_ok=True)
+            self._path(kind, name).unlink(missing_ok=True)
         except OSError as error:
-            raise ConfigError(f"{self._path(name)}: cannot be deleted: {error.strerror}") from error
-        self._changed("deleted", f"the trajectory {name}", before)
+            raise ConfigError(f"{self._path(kind, name)}: cannot be deleted: {error.strerror}") from error
+        self._changed("deleted", f"the {_ONE[kind]} {name}", before)
 
-    def _path(self, name: str) -> Path:
-        return self._folder / "trajectories" / f"{checked_name(name)}.json"
+    def _path(self, kind: str, name: str) -> Path:
+        return self._folder / kind / f"{checked_name(name)}.json"
 
     def _author(self) -> Author:
         """The user with the present time; raises `ConfigError` unless the user may operate."""
         if self._user is None or not self._user.may_operate:
             who = "nobody" if self._user is None else f"{self._user.name} ({self._user.role})"
-            raise ConfigError(f"{who} may not save or delete poses and trajectories: this takes an operator")
+            raise ConfigError(f"{who} may not save or delete poses, trajectories and missions: this takes an operator")
         return Author(by=self._user.name, at=f"{datetime.now(UTC):%Y-%m-%d %H:%M:%S} UTC")
 
-    def _author_of(self, name: str) -> Author | None:
-        """The author of a trajectory; None if there is none of this name."""
-        if not self._path(name).exists():
+    def _author_of(self, kind: str, name: str) -> Author | None:
+        """The author of a file; None if there is none of this name."""
+        if not self._path(kind, name).exists():
             return None
         try:
-            return self.trajectory(name).author
+            return self.trajectory(name).author if kind == TRAJECTORIES else self.mission(name).author
         except ConfigError:  # it is damaged, and may be replaced
             return UNKNOWN
 

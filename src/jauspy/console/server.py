@@ -25,7 +25,10 @@ from jauspy.console.certificates import check_certificate
 from jauspy.console.connections import Connections
 from jauspy.console.console import RECORDINGS, Console
 from jauspy.console.killed_console import Watchdog
+from jauspy.console.listening import add_listening
 from jauspy.console.login import LOCAL_HOSTS, LoginMiddleware
+from jauspy.console.map_tiles import TileSource, add_tiles
+from jauspy.console.recordings import add_recordings
 from jauspy.console.saved_files import RobotPoses
 from jauspy.console.users import Users, current_user
 from jauspy.console.world_socket import add_world
@@ -91,6 +94,9 @@ def make_app(console: Console) -> FastAPI:
         partial(console.refused, "/ws/world"),
     )
     _add_jog(app, console)
+    add_listening(app, console)
+    add_recordings(app, console.recordings, lambda token: console.is_of(token, current_user()), console.act)
+    add_tiles(app, lambda: console.map, lambda token: console.is_of(token, current_user()), console.note)
     return app
 
 
@@ -121,7 +127,7 @@ def _add_stop(app: FastAPI, console: Console) -> None:
                     continue  # as when a key is held
             while len(running) >= MAX_REQUESTS:
                 await asyncio.wait(list(running), return_when=asyncio.FIRST_COMPLETED)
-            work = console.stop(request.target) if request.verb == "stop" else console.release(request.target)
+            work = console.stop(request.target, token) if request.verb == "stop" else console.release(request.target)
             task = asyncio.create_task(_tell(page, work), name="console: emergency")
             running[task] = request
             task.add_done_callback(running.pop)
@@ -225,6 +231,7 @@ async def serving(
     watchdog: Watchdog | None = None,
     poses: RobotPoses | None = None,
     robot: int | None = None,
+    map: TileSource | None = None,
 ) -> AsyncIterator[str]:
     """Serve the console at this address while the context is open; the URL. OCUs and watchdog must be open.
 
@@ -241,6 +248,7 @@ async def serving(
     console = Console(ocu, emergency_ocu, audit, recordings, watchdog)
     console.poses = poses or {}
     console.first_robot = robot
+    console.map = map
     app = make_app(console)
     add_page(app, console)
     served, connections = listener.getsockname()[1], Connections(console.note)

@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Annotated, Final
+from typing import Annotated, Final, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -23,6 +23,7 @@ MAX_FILE: Final = 1 << 20
 MAX_PLACE: Final = 200
 """Characters of the place of a mistake."""
 DEFAULT_SECONDS: Final = 2.0
+Model = TypeVar("Model", bound=BaseModel)
 _Name = Annotated[str, Field(min_length=1, max_length=255)]
 _Finite = Annotated[float, Field(allow_inf_nan=False, strict=True)]
 
@@ -122,15 +123,7 @@ class Trajectory:
     @classmethod
     def from_json(cls, text: str | bytes, name: str = "the file") -> Trajectory:
         """Read a file; raises `ConfigError` with place and reason."""
-        if len(text) > MAX_FILE:
-            raise ConfigError(f"{name}: has more than {MAX_FILE >> 20} MiB")
-        try:
-            data = _FileModel.model_validate_json(text)
-        except ValidationError as error:
-            first = error.errors()[0]
-            raise ConfigError(
-                f"{name}: {place(first['loc'])}: {first['msg']}; see docs/console.md for the form"
-            ) from None
+        data = read_model(_FileModel, text, name, guide="docs/console.md")
         if len(set(data.joints)) < len(data.joints):
             raise ConfigError(f"{name}: joints: a name is there twice")
         for number, row in enumerate(data.rows, 1):
@@ -154,6 +147,17 @@ class Trajectory:
             more="\nfrom jauspy.platform.modular.arm import TrajectoryPoint" if modular else "",
             play=_PLAY_MODULAR if modular else _PLAY,
         )
+
+
+def read_model(model: type[Model], text: str | bytes, name: str, *, guide: str) -> Model:
+    """The content of a JSON file; raises `ConfigError` with place, reason, and the guide that has the form."""
+    if len(text) > MAX_FILE:
+        raise ConfigError(f"{name}: has more than {MAX_FILE >> 20} MiB")
+    try:
+        return model.model_validate_json(text)
+    except ValidationError as error:
+        first = error.errors()[0]
+        raise ConfigError(f"{name}: {place(first['loc'])}: {first['msg']}; see {guide} for the form") from None
 
 
 def place(location: Sequence[int | str]) -> str:

@@ -19,6 +19,8 @@ from typing import TYPE_CHECKING, Any, Final
 from jauspy.codec.message import Message
 from jauspy.console.held_parts import HeldParts
 from jauspy.console.manipulators import MODULAR_ARM
+from jauspy.console.planned_motion import PlannedMotion
+from jauspy.console.planned_way import PlannedWay
 from jauspy.console.reports import reports_of
 from jauspy.console.robot_geometry import (
     RobotGeometry,
@@ -57,6 +59,7 @@ from jauspy.ocu.joints import DESCRIPTION, PAN_TILT_SENSOR, POSITION_SENSOR, SPE
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.state import RobotPose, pose_of
 from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.platform.description import RobotModel
 from jauspy.platform.modular.parts import CellSetup, PartType
 from jauspy.printable import printable
 
@@ -88,7 +91,7 @@ _MAP_HEADER: Final = struct.Struct("<BxHHxxfff")
 """Kind, columns, rows, x and y of the lower left corner, side of a cell: then the cells, rows along y, deflated."""
 _SCAN_HEADER: Final = struct.Struct("<Bxxxf")
 """Kind, height in metres: then x and y of each echo in centimetres (int16), in the robot's frame."""
-_CLOUD_HEADER: Final = struct.Struct("<BBHI")
+CLOUD_HEADER: Final = struct.Struct("<BBHI")
 """Kind, values of a point, bytes of the link's name, padding after it, and the number of points: then float32."""
 
 
@@ -123,8 +126,14 @@ class World:
         """The latest cloud of each address, encoded for browsers."""
         self.clouds_total = 0
         self.mapping: LiveMapping | None = None
+        self.model: RobotModel | None = None
+        """The robot's model, if its file is on this machine."""
         self.route = Route(ocu, robot, lambda: self.pose)
         """The robot's waypoints."""
+        self.planned = PlannedMotion(robot)
+        """The motion that the robot's planner has planned."""
+        self.way = PlannedWay(robot)
+        """The way that the robot's navigator drives, and the costs that it sees."""
         self.problems: dict[str, str] = {}
         """Why data are missing, by their name."""
         self._ocu = ocu
@@ -157,6 +166,8 @@ class World:
                 for cloud_address in self._cloud_addresses
             ]
         if not self._reading_joints:
+            self._reading_joints.append(self._start("planner", self.planned.run))
+            self._reading_joints.append(self._start("navigator", self.way.run))
             if self._held is not None:
                 self._reading_joints.append(self._start("connectors", self._held.run))
             for component in self._found().components:
@@ -200,6 +211,12 @@ class World:
 
         return asyncio.create_task(following(), name=f"console: {what}")
 
+    @property
+    def subsystem(self) -> int:
+        """The number of the robot; 0 while it has gone."""
+        robot = self._robot()
+        return 0 if robot is None else robot.id
+
     def _found(self) -> Robot:
         robot = self._robot()
         if robot is None:
@@ -220,7 +237,7 @@ class World:
                 names = {joint.name for table in self._tables.values() for joint in table.joints}
                 found = await asyncio.to_thread(_known, robot.name, self._files, names)
                 if found is not None:
-                    self._description = found.description
+                    self._description, self.model = found.description, found.model
                     self._geometry = described(found.description, found.source)
                     self.positions = found.start | self.positions
                     self._cloud_addresses += [cloud for cloud in found.clouds if cloud not in self._cloud_addresses]
@@ -400,6 +417,18 @@ class World:
                     self.clouds[address] = _cloud_bytes(cloud.points, cloud.values, cloud.frame)
                     self.clouds_total += 1
 
+    def echoes(self) -> list[tuple[float, float]]:
+        """The echoes of the last scan: x and y in metres, in the robot's frame."""
+        if not self.scan:
+            return []
+        values = struct.unpack(f"<{(len(self.scan) - _SCAN_HEADER.size) // 2}h", self.scan[_SCAN_HEADER.size :])
+        return [(x / 100.0, y / 100.0) for x, y in zip(values[::2], values[1::2], strict=True)]
+
+    @property
+    def description(self) -> RobotDescription | None:
+        """Links and joints, if the robot's file is on this machine."""
+        return self._description
+
     # --- for browsers -----------------------------------------------------------------------------------------------
 
     def state(self, sent_track: int) -> dict[str, Any]:
@@ -423,6 +452,11 @@ class World:
             drift = self.mapping.mapper.correction.inverse()
             state["map"] = [round(number, 4) for number in drift]
         return state
+
+    def ghost(self) -> dict[str, Any] | None:
+        """The planned motion as postures for browsers; None without one."""
+        assert self._geometry is not None
+        return self.planned.message(self._geometry, self._description, self.positions, self.part_poses)
 
     def notes(self) -> list[str]:
         """Texts about missing data, and about scans that are not in the map."""
@@ -450,14 +484,22 @@ class World:
 class _Known:
     """A robot whose file is on this machine."""
 
-    description: RobotDescription
+    model: RobotModel
     source: str
     start: dict[str, float]
     """Positions of joints that no service reports."""
     clouds: list[str]
     """Addresses."""
-    cell: CellSetup | None
-    """The equipment around it, and the types of parts."""
+
+    @property
+    def description(self) -> RobotDescription:
+        """Links and joints."""
+        return self.model.description
+
+    @property
+    def cell(self) -> CellSetup | None:
+        """The equipment around it, and the types of parts."""
+        return self.model.cell
 
 
 def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
@@ -478,7 +520,7 @@ def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
                 joint: position for group in groups for joint, position in zip(group.joints, group.start, strict=True)
             }
             addresses = [cloud.address for cloud in config.clouds]
-            return _Known(model.description, f"description of {printable(file)}", start, addresses, model.cell)
+            return _Known(model, f"description of {printable(file)}", start, addresses)
     return None
 
 
@@ -527,4 +569,4 @@ def _cloud_bytes(points: bytes, values: int, frame: str) -> bytes:
     )
     name = frame.encode()[:1000]
     name += b" " * (-len(name) % 4)
-    return _CLOUD_HEADER.pack(CLOUD, values, len(name), len(kept) // size) + name + kept
+    return CLOUD_HEADER.pack(CLOUD, values, len(name), len(kept) // size) + name + kept

@@ -11,6 +11,7 @@ from fastapi import FastAPI, HTTPException, WebSocket, WebSocketDisconnect
 from starlette.responses import FileResponse
 
 from jauspy.console.browser_messages import Refuse, messages, nothing
+from jauspy.console.fleet_positions import FleetPositions
 from jauspy.console.robot_geometry import RobotGeometry
 from jauspy.console.world import RATE, World, known_cell
 from jauspy.errors import JausError
@@ -38,6 +39,8 @@ class Worlds:
         """Addresses of point clouds, by subsystem."""
         self._ocu = ocu
         self._robots = robots
+        self.positions = FleetPositions(ocu, robots)
+        """Where all robots are; asked for while a page shows one."""
         self._worlds: dict[int, World] = {}
         self._pages: dict[int, set[str]] = {}
         self._cells: dict[str, CellSetup | None] = {}
@@ -62,6 +65,7 @@ class Worlds:
             world = World(self._ocu, lambda: self._robots().get(subsystem), self.files, self.clouds.get(subsystem, ()))
             self._worlds[subsystem] = world
         self._pages.setdefault(subsystem, set()).add(token)
+        self.positions.start()
         return self._worlds[subsystem]
 
     async def forget(self, token: str) -> None:
@@ -71,12 +75,15 @@ class Worlds:
             if not pages:
                 del self._pages[subsystem]
                 await self._worlds.pop(subsystem).close()
+        if not self._pages:
+            await self.positions.close()
 
     async def close(self) -> None:
         """End all. May be called twice."""
         for world in self._worlds.values():
             await world.close()
         self._worlds, self._pages = {}, {}
+        await self.positions.close()
 
 
 def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[str], bool], refuse: Refuse) -> None:
@@ -90,7 +97,7 @@ def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[s
         if found is None:
             await page.close(4404, "there is no such robot")
             return
-        await _serve(page, found, f"/world/mesh/{subsystem}/{token}/", refuse)
+        await _serve(page, found, worlds.positions, f"/world/mesh/{subsystem}/{token}/", refuse)
 
     @app.get("/world/mesh/{subsystem}/{token}/{number}")
     async def mesh(subsystem: int, token: str, number: int) -> FileResponse:
@@ -103,13 +110,13 @@ def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[s
         return FileResponse(meshes[number], headers={"Cache-Control": "private, max-age=3600"})
 
 
-async def _serve(page: WebSocket, world: World, mesh_url: str, refuse: Refuse) -> None:
+async def _serve(page: WebSocket, world: World, positions: FleetPositions, mesh_url: str, refuse: Refuse) -> None:
     """Send until the browser leaves: a slow one gets fewer messages, never older ones."""
     watcher = object()
     leaving = asyncio.create_task(_until_closed(page, refuse))
     try:
         await world.watched_by(watcher)
-        await _send_states(page, world, mesh_url, leaving)
+        await _send_states(page, world, positions, mesh_url, leaving)
     except (WebSocketDisconnect, RuntimeError):
         return
     except JausError as error:
@@ -119,10 +126,12 @@ async def _serve(page: WebSocket, world: World, mesh_url: str, refuse: Refuse) -
         world.unwatched_by(watcher)
 
 
-async def _send_states(page: WebSocket, world: World, mesh_url: str, leaving: asyncio.Task[None]) -> None:
+async def _send_states(
+    page: WebSocket, world: World, positions: FleetPositions, mesh_url: str, leaving: asyncio.Task[None]
+) -> None:
     clock = asyncio.get_running_loop().time
     before, notes = "", list[str]()
-    track = map_version = scans = clouds = 0
+    track = map_version = scans = clouds = planned = way = 0
     map_due = cloud_due = 0.0
     shown: RobotGeometry | None = None
     while not leaving.done():
@@ -132,12 +141,19 @@ async def _send_states(page: WebSocket, world: World, mesh_url: str, leaving: as
             await page.send_text(json.dumps({"model": geometry.for_browser(mesh_url), "left_out": geometry.left_out}))
         state = world.state(track)
         track = world.track_total
+        state.update(positions.for_browser(world.subsystem))
         if notes != (now := world.notes()):
             state["notes"] = notes = now
         text = json.dumps(state, separators=(",", ":"))
         if text != before:
             await page.send_text(text)
             before = text
+        if world.planned.version != planned:
+            planned = world.planned.version
+            await page.send_text(json.dumps({"ghost": world.ghost()}, separators=(",", ":")))
+        if world.way.version != way:
+            way = world.way.version
+            await page.send_text(json.dumps({"way": world.way.message()}, separators=(",", ":")))
         if world.scans != scans:
             scans = world.scans
             await page.send_bytes(world.scan)

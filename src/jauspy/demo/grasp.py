@@ -22,6 +22,7 @@ from jauspy.geometry.vectors import Vector, difference
 from jauspy.ocu.camera import Camera
 from jauspy.ocu.frames import LOCAL, RobotFrames
 from jauspy.ocu.robot import Robot
+from jauspy.planning.colours import HUES, MIN_SATURATION, MIN_VALUE
 from jauspy.platform.description import RobotModel
 
 if TYPE_CHECKING:
@@ -187,7 +188,7 @@ def _bearing(bearing: float) -> str:
     return f"{math.degrees(abs(bearing)):.1f}° to the {'left' if bearing > 0.0 else 'right'}"
 
 
-REDS: Final = (((0, 140, 40), (8, 255, 255)), ((172, 140, 40), (180, 255, 255)))
+REDS: Final = tuple(((low, MIN_SATURATION, MIN_VALUE), (high, 255, 255)) for low, high in HUES["red"])
 """Lower and upper hue (0..180), saturation and value of red, at both ends of the hues; bricks are less saturated."""
 MIN_RED_SHARE: Final = 2e-4
 """Minimal share of the picture."""

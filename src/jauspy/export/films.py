@@ -2,69 +2,41 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO, Final, NamedTuple
+from typing import TYPE_CHECKING, BinaryIO, Final
 
-from jauspy.capture.reader import Datagram
 from jauspy.codec.names import unique
+from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError, ProtocolError
+from jauspy.export.rtp_streams import UNSAFE, RecordedPicture, RtpStreams
 from jauspy.export.tables import MAX_NAME, make_folder
 from jauspy.recording.mcap_capture import MAGIC, MAX_CHUNK, open_capture_file
-from jauspy.video.h264_payload import PPS, SPS, Depacketiser, Picture, nal_type, split_nals
-from jauspy.video.rtp import CLOCK_RATE, RtpPacket
+from jauspy.video.h264_payload import PPS, SPS, Picture, nal_type, split_nals
+from jauspy.video.rtp import CLOCK_RATE
 
 if TYPE_CHECKING:
     from jauspy.video.recorder import Recorder
 
-MAX_STREAMS: Final = 64
-"""Streams of a capture; packets of further ones are left out."""
-DYNAMIC_TYPES: Final = range(96, 128)
-"""Payload types of RTP that a session defines, as that of H.264."""
-RTP_VERSION: Final = 0x80
 VIDEO_SCHEMA: Final = "foxglove.CompressedVideo"
 H264: Final = "h264"
-_UNSAFE: Final = re.compile(r"[^A-Za-z0-9.]+")
 
 
-class RecordedPicture(NamedTuple):
-    """A picture of a camera."""
+def pictures(path: Path, registry: Registry | None = None) -> Iterator[RecordedPicture]:
+    """The pictures in a recording, in the order of their ends; raises `ConfigError`.
 
-    camera: str
-    """A name that is safe in a path: from the address of its packets, or from the topic of its channel."""
-    time: float
-    """When it was received, in seconds since 1970."""
-    picture: Picture
-
-
-def pictures(path: Path) -> Iterator[RecordedPicture]:
-    """The pictures in a recording, in the order of their ends; raises `ConfigError`."""
+    With a registry, RTP streams have the ids of the cameras that the messages of the recording name.
+    """
+    streams = RtpStreams(registry)
     try:
         with path.open("rb") as file:
             if file.peek(len(MAGIC)).startswith(MAGIC):
                 yield from _channel_pictures(path)
-            yield from _rtp_pictures(iter(open_capture_file(file, name=str(path), port=None)))
+            for datagram in open_capture_file(file, name=str(path), port=None):
+                yield from streams.feed(datagram)
     except OSError as error:
         raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
-
-
-def _rtp_pictures(datagrams: Iterator[Datagram]) -> Iterator[RecordedPicture]:
-    streams: dict[tuple[str, int], Depacketiser] = {}
-    for datagram in datagrams:
-        data = datagram.payload
-        if len(data) < 13 or data[0] & 0xC0 != RTP_VERSION or data[1] & 0x7F not in DYNAMIC_TYPES:
-            continue
-        key = datagram.source[0], datagram.destination[1]
-        if key not in streams and len(streams) >= MAX_STREAMS:
-            continue
-        try:
-            packet = RtpPacket.decode(data)
-        except ProtocolError:
-            continue
-        for picture in streams.setdefault(key, Depacketiser()).feed(packet):
-            yield RecordedPicture(_UNSAFE.sub("-", f"{key[0]}-{key[1]}"), datagram.time, picture)
 
 
 def _channel_pictures(path: Path) -> Iterator[RecordedPicture]:
@@ -100,7 +72,7 @@ def _decoded_channels(file: BinaryIO, path: Path) -> Iterator[RecordedPicture]:
 
 def _camera_of(topic: str) -> str:
     """A topic as a name that is safe in a path."""
-    return _UNSAFE.sub("-", topic).strip("-.")[:MAX_NAME] or "camera"
+    return UNSAFE.sub("-", topic).strip("-.")[:MAX_NAME] or "camera"
 
 
 # --- foxglove.CompressedVideo -----------------------------------------------------------------------------------------
@@ -113,9 +85,9 @@ _VARINT, _FIXED64, _LENGTH, _FIXED32 = 0, 1, 2, 5
 def compressed_video(data: bytes) -> tuple[str, int, bytes]:
     """Format, time stamp (ns, 0 if there is none) and bytes of a message in protobuf; raises `ProtocolError`."""
     format, time, video = "", 0, b""
-    for number, value in _protobuf_fields(data):
+    for number, value in protobuf_fields(data):
         if number == _TIMESTAMP and isinstance(value, bytes):
-            parts = {inner: part for inner, part in _protobuf_fields(value) if isinstance(part, int)}
+            parts = {inner: part for inner, part in protobuf_fields(value) if isinstance(part, int)}
             time = parts.get(1, 0) * 1_000_000_000 + parts.get(2, 0)
         elif number == _DATA and isinstance(value, bytes):
             video = value
@@ -124,7 +96,7 @@ def compressed_video(data: bytes) -> tuple[str, int, bytes]:
     return format, time, video
 
 
-def _protobuf_fields(data: bytes) -> Iterator[tuple[int, int | bytes]]:
+def protobuf_fields(data: bytes) -> Iterator[tuple[int, int | bytes]]:
     """Number and value of each field (https://protobuf.dev/programming-guides/encoding)."""
     at = 0
     while at < len(data):

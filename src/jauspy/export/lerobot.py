@@ -21,10 +21,12 @@ from av.video.stream import VideoStream
 from numpy.typing import NDArray
 from pyarrow import parquet
 
+from jauspy.codec.field_paths import leaves
 from jauspy.codec.rounding import rounded_dict
 from jauspy.errors import ConfigError
-from jauspy.export.films import RecordedPicture, pictures
-from jauspy.export.tables import flattened, make_folder
+from jauspy.export.films import pictures
+from jauspy.export.rtp_streams import RecordedPicture
+from jauspy.export.tables import make_folder
 from jauspy.inspection.traffic import SeenMessage
 from jauspy.video.h264 import H264Decoder
 
@@ -180,10 +182,10 @@ def _read(path: Path, messages: Iterable[SeenMessage], settings: DatasetSettings
 def _numbers(values: Mapping[str, Any]) -> dict[str, float]:
     """The finite numbers of a message by their paths."""
     found = {}
-    for path, value in flattened(values):
+    for path, value in leaves(values):
         is_number = isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
         if is_number and path.partition(".")[0] not in NO_MEASUREMENTS:
-            found[path] = float(value)  # type: ignore[arg-type]  # it is a number
+            found[path] = float(value)
     return found
 
 

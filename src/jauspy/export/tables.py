@@ -6,9 +6,11 @@ import csv
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack
+from itertools import islice
 from pathlib import Path
 from typing import Any, Final, NamedTuple, TypeAlias
 
+from jauspy.codec.field_paths import leaves
 from jauspy.codec.message import Message
 from jauspy.codec.names import unique
 from jauspy.codec.rounding import rounded_dict
@@ -46,18 +48,6 @@ class Exported(NamedTuple):
     """Messages by why they are in no table."""
 
 
-def flattened(value: Any, path: str = "") -> Iterator[tuple[str, Scalar]]:
-    """Columns and values of what `to_dict` gives: `time_stamp.hour`, and lists by index, as `joints.0.position`."""
-    if isinstance(value, Mapping):
-        for name, inner in value.items():
-            yield from flattened(inner, f"{path}.{name}" if path else str(name))
-    elif isinstance(value, list | tuple):
-        for number, inner in enumerate(value):
-            yield from flattened(inner, f"{path}.{number}")
-    elif value is not None:
-        yield path, value if isinstance(value, bool | int | float | str) else str(value)
-
-
 def rows(messages: Iterable[SeenMessage], left_out: Counter[str]) -> Iterator[Row]:
     """A row of each message that was decoded; the others are counted."""
     for seen in messages:
@@ -75,10 +65,7 @@ def rows(messages: Iterable[SeenMessage], left_out: Counter[str]) -> Iterator[Ro
 
 
 def _fields(message: Message) -> Iterator[tuple[str, Scalar]]:
-    for number, pair in enumerate(flattened(rounded_dict(message))):
-        if number >= MAX_COLUMNS:
-            return
-        yield pair
+    return islice(leaves(rounded_dict(message)), MAX_COLUMNS)
 
 
 def export_tables(read: Callable[[], Iterable[SeenMessage]], folder: Path, suffix: str) -> Exported:

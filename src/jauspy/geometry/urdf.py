@@ -12,6 +12,7 @@ from lxml import etree
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose
+from jauspy.geometry.vectors import Rotation
 
 ORIGIN: Final = Pose()
 """The identity."""
@@ -345,6 +346,8 @@ class Inertial:
     link: str
     mass: float
     origin: Pose
+    tensor: Rotation = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+    """Moments and products of inertia about the centre of mass, along the axes of `origin`, kg m^2."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -356,6 +359,7 @@ class CollisionBox:
     origin: Pose
     is_round: bool = False
     """True for a cylinder or sphere, whose diameter is the first size."""
+    is_sphere: bool = False
 
 
 def inertials(text: str) -> list[Inertial]:
@@ -364,8 +368,10 @@ def inertials(text: str) -> list[Inertial]:
     for link in parse_tree(text).findall("link"):
         name, inertial = str(link.get("name")), link.find("inertial")
         if inertial is not None:
-            mass = inertial.find("mass")
-            found.append(Inertial(name, _number(mass, "value"), origin(inertial)))
+            mass, inertia = inertial.find("mass"), inertial.find("inertia")
+            xx, xy, xz, yy, yz, zz = (_number(inertia, f"i{key}") for key in ("xx", "xy", "xz", "yy", "yz", "zz"))
+            tensor = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+            found.append(Inertial(name, _number(mass, "value"), origin(inertial), tensor))
     return found
 
 
@@ -375,7 +381,9 @@ def collision_boxes(text: str) -> list[CollisionBox]:
     pairs = [(str(link.get("name")), collision) for link in links for collision in link.findall("collision")]
     sizes = [(name, _size(shape.find("geometry")), shape) for name, shape in pairs]
     return [
-        CollisionBox(name, size, origin(shape), _is_round(shape)) for name, size, shape in sizes if size is not None
+        CollisionBox(name, size, origin(shape), _is_round(shape), shape.find("geometry/sphere") is not None)
+        for name, size, shape in sizes
+        if size is not None
     ]
 
 

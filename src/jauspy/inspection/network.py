@@ -31,12 +31,24 @@ _DROPS: Final = struct.Struct("I")
 _INSTRUCTION: Final = struct.Struct("HBBI")
 _PROGRAM: Final = struct.Struct("HP")
 _LOAD_BYTE, _LOAD_HALF, _LOAD_INDEXED, _HEADER_LENGTH = 0x30, 0x28, 0x48, 0xB1
-_EQUALS, _ANY_OF, _RETURN = 0x15, 0x45, 0x06
+_LOAD_BYTE_INDEXED, _AND = 0x50, 0x54
+_SET_INDEX, _EQUALS, _ANY_OF, _RETURN = 0x01, 0x15, 0x45, 0x06
 """Instructions of classic BPF (linux/filter.h)."""
 _PROTOCOL: Final = 0xFFFFF000
 """SKF_AD_OFF and SKF_AD_PROTOCOL."""
 _IP_HEADER: Final = 0xFFF00000
 """SKF_NET_OFF: where the kernel has found the IP header."""
+_IPV6_HEADER_LENGTH: Final = 40
+_UDP_HEADER_LENGTH: Final = 8
+_RTP_VERSION_BITS, _RTP_VERSION = 0xC0, 0x80
+"""In the first byte of a packet of RTP."""
+_IPV6_EXTENSIONS: Final = (
+    socket.IPPROTO_HOPOPTS,
+    socket.IPPROTO_ROUTING,
+    socket.IPPROTO_FRAGMENT,
+    socket.IPPROTO_DSTOPTS,
+)
+"""Headers between those of IPv6 and UDP or TCP; rare, and left to `DatagramAssembler`."""
 _ETHER, _LOOPBACK = 1, 772
 """ARPHRD_ETHER and ARPHRD_LOOPBACK of linux/if_arp.h; interfaces of other kinds, as of a VPN, have IP alone."""
 
@@ -44,15 +56,18 @@ _ETHER, _LOOPBACK = 1, 772
 class InterfaceCapture:
     """Iterates over the UDP datagrams from or to `port` that pass an interface, until `seconds` have passed.
 
-    Fragments are put together, tags of VLANs are taken off. The interface is in promiscuous mode meanwhile, so a port
-    of a switch to which others are mirrored shows those, too. `lost` counts packets that this reader was too slow for.
+    Packets of JTCP are datagrams, too, and so is what comes by IPv6. Fragments are put together, tags of VLANs are
+    taken off. The interface is in promiscuous mode meanwhile, so a port of a switch to which others are mirrored shows
+    those, too. `lost` counts packets that this reader was too slow for. `with_rtp` shows what may be RTP of other
+    ports, too.
 
     Raises:
         TransportError: no such interface, or this process may not capture.
     """
 
-    def __init__(self, interface: str, port: int, seconds: float | None = None) -> None:
+    def __init__(self, interface: str, port: int, seconds: float | None = None, *, with_rtp: bool = False) -> None:
         self._assembler = DatagramAssembler(port)
+        self._with_rtp = with_rtp
         self._port, self._lost = port, 0
         self._end = None if seconds is None else time.monotonic() + seconds
         try:
@@ -70,7 +85,7 @@ class InterfaceCapture:
                 "`tcpdump -w FILE` record, and read that with --capture"
             ) from None
         try:
-            _attach_filter(self._socket, port)  # before `bind`: nothing else is received
+            _attach_filter(self._socket, port, with_rtp=with_rtp)  # before `bind`: nothing else is received
             _enlarge_buffer(self._socket)
             self._socket.setsockopt(socket.SOL_SOCKET, _SO_TIMESTAMPNS, 1)
             self._socket.bind((interface, _ETH_P_ALL))
@@ -97,7 +112,7 @@ class InterfaceCapture:
                 continue  # it is seen again as it comes in
             packet = ip_packet(ETHERNET if hardware in (_ETHER, _LOOPBACK) else IPV4, frame)
             for udp in self._assembler.add(packet) if packet is not None else ():
-                if self._port in (udp.source[1], udp.destination[1]):
+                if self._port in (udp.source[1], udp.destination[1]) or (self._with_rtp and _may_be_rtp(udp.payload)):
                     yield Datagram(number, _stamp(control), *udp)
 
     def close(self) -> None:
@@ -179,6 +194,10 @@ def _received(sock: socket.socket, end: float | None) -> Iterator[tuple[bytes, _
         yield data, control, origin
 
 
+def _may_be_rtp(payload: bytes) -> bool:
+    return payload[:1] != b"" and payload[0] & _RTP_VERSION_BITS == _RTP_VERSION
+
+
 def _stamp(control: _Control) -> float:
     """When the kernel received it, in seconds since 1970."""
     for level, kind, data in control:
@@ -196,27 +215,44 @@ def _enlarge_buffer(sock: socket.socket) -> None:
         multicast.set_receive_buffer(sock)
 
 
-def _attach_filter(sock: socket.socket, port: int) -> None:
-    """Let the kernel keep only UDP from or to a port, all fragments of UDP, and what has a further tag of a VLAN.
+def _attach_filter(sock: socket.socket, port: int, *, with_rtp: bool) -> None:
+    """Let the kernel keep only UDP and TCP from or to a port, all fragments, and what has a further tag of a VLAN.
 
-    The other traffic of an interface, such as video, then costs this process nothing.
+    So does IPv6, of which packets with extension headers are kept, too. The other traffic of an interface, such as
+    video, then costs this process nothing. `with_rtp` keeps what has the version of RTP where UDP has its content.
     """
-    code = (
-        (_LOAD_HALF, 0, 0, _PROTOCOL),
-        (_EQUALS, 11, 0, 0x8100),
-        (_EQUALS, 10, 0, 0x88A8),
-        (_EQUALS, 0, 10, 0x0800),
-        (_LOAD_BYTE, 0, 0, _IP_HEADER + 9),
-        (_EQUALS, 0, 8, socket.IPPROTO_UDP),
-        (_LOAD_HALF, 0, 0, _IP_HEADER + 6),
-        (_ANY_OF, 5, 0, 0x3FFF),  # a fragment: only the first has the ports
-        (_HEADER_LENGTH, 0, 0, _IP_HEADER),
-        (_LOAD_INDEXED, 0, 0, _IP_HEADER),
-        (_EQUALS, 2, 0, port),
-        (_LOAD_INDEXED, 0, 0, _IP_HEADER + 2),
-        (_EQUALS, 0, 1, port),
-        (_RETURN, 0, 0, MAX_DATAGRAM),
-        (_RETURN, 0, 0, 0),
-    )
+    rows: list[tuple[str, int, str, str, int]] = [  # label, instruction, where to go on if true and if not, operand
+        ("", _LOAD_HALF, "", "", _PROTOCOL),
+        ("", _EQUALS, "keep", "", 0x8100),
+        ("", _EQUALS, "keep", "", 0x88A8),
+        ("", _EQUALS, "v6", "", 0x86DD),
+        ("", _EQUALS, "", "drop", 0x0800),
+        ("", _LOAD_BYTE, "", "", _IP_HEADER + 9),
+        ("", _EQUALS, "v4", "", socket.IPPROTO_UDP),
+        ("", _EQUALS, "v4", "drop", socket.IPPROTO_TCP),
+        ("v4", _LOAD_HALF, "", "", _IP_HEADER + 6),
+        ("", _ANY_OF, "keep", "", 0x3FFF),  # a fragment: only the first has the ports
+        ("", _HEADER_LENGTH, "", "", _IP_HEADER),
+        ("", _EQUALS, "ports", "ports", 0),
+        ("v6", _LOAD_BYTE, "", "", _IP_HEADER + 6),
+        *(("", _EQUALS, "keep", "", kind) for kind in _IPV6_EXTENSIONS),
+        ("", _EQUALS, "v6 ports", "", socket.IPPROTO_UDP),
+        ("", _EQUALS, "v6 ports", "drop", socket.IPPROTO_TCP),
+        ("v6 ports", _SET_INDEX, "", "", _IPV6_HEADER_LENGTH),
+        ("ports", _LOAD_INDEXED, "", "", _IP_HEADER),
+        ("", _EQUALS, "keep", "", port),
+        ("", _LOAD_INDEXED, "", "", _IP_HEADER + 2),
+        ("", _EQUALS, "keep", "rtp" if with_rtp else "drop", port),
+        ("rtp", _LOAD_BYTE_INDEXED, "", "", _IP_HEADER + _UDP_HEADER_LENGTH),
+        ("", _AND, "", "", _RTP_VERSION_BITS),
+        ("", _EQUALS, "keep", "drop", _RTP_VERSION),
+        ("keep", _RETURN, "", "", MAX_DATAGRAM),
+        ("drop", _RETURN, "", "", 0),
+    ]
+    places = {label: place for place, (label, *_) in enumerate(rows) if label}
+    code = [
+        (instruction, *(places[label] - place - 1 if label else 0 for label in (if_true, if_false)), operand)
+        for place, (_, instruction, if_true, if_false, operand) in enumerate(rows)
+    ]
     program = ctypes.create_string_buffer(b"".join(_INSTRUCTION.pack(*instruction) for instruction in code))
     sock.setsockopt(socket.SOL_SOCKET, _SO_ATTACH_FILTER, _PROGRAM.pack(len(code), ctypes.addressof(program)))

@@ -165,6 +165,8 @@ class ObservedComponent:
     """Its own, as a client."""
     requests: dict[JausID, int] = field(default_factory=dict)
     """Authorities of requests for control that are not answered yet."""
+    host: str = ""
+    """Address from which its last message came; that of the node manager for components of its machine."""
     heard: float | None = None
     """Time of the last message that it sent."""
     sent: int = 0
@@ -202,7 +204,7 @@ class Observed:
         if sender is None:
             self.beyond += 1
         else:
-            sender.heard = seen.time
+            sender.host, sender.heard = seen.host, seen.time
             sender.sent += 1
             sender.history.add(seen.time)
             if packet.ack not in (Ack.ACK, Ack.NAK):

@@ -135,10 +135,14 @@ class PeerRecogniser:
         for name, sign in signs(payload, source, destination, packets):
             self._signs.setdefault(source[0], {}).setdefault(name, sign)
 
+    def kinds_of(self, host: str) -> list[tuple[PeerKind, str]]:
+        """The kinds that were recognised at a host, each with its sign; may be called from another thread."""
+        return [(KINDS[name], sign) for name, sign in tuple(self._signs.get(host, {}).items())]
+
     @property
     def found(self) -> dict[str, list[tuple[PeerKind, str]]]:
         """The recognised kinds by host, each with the sign by which it was recognised."""
-        return {host: [(KINDS[name], sign) for name, sign in kinds.items()] for host, kinds in self._signs.items()}
+        return {host: self.kinds_of(host) for host in tuple(self._signs)}
 
     def notes(self) -> list[str]:
         """A sentence for each host and kind."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Iterator
-from dataclasses import fields
 from enum import Enum
-from typing import Any, Final
+from typing import Final
 
 from jauspy.capture.filters import printed_values
-from jauspy.codec.message import Message, Struct
+from jauspy.codec.field_paths import leaves, without_numbers
+from jauspy.codec.message import Message
 from jauspy.inspection.rates import Route
 from jauspy.inspection.traffic import SeenMessage
 
@@ -25,7 +25,7 @@ _DOTS: Final = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
 class Series:
     """The newest values of a field of the messages of one route."""
 
-    def __init__(self, route: Route, path: tuple[str, ...]) -> None:
+    def __init__(self, route: Route, path: str) -> None:
         self.route, self.path = route, path
         self.points: deque[tuple[float, float]] = deque(maxlen=MAX_POINTS)
         """Times and values."""
@@ -42,22 +42,10 @@ class Series:
             return
 
 
-def numeric_fields(message: Message) -> list[tuple[str, ...]]:
+def numeric_fields(message: Message) -> list[str]:
     """The paths of the fields that have numbers; of a list, that of its elements once."""
-    found = dict.fromkeys(_numbers(message, ()))
+    found = dict.fromkeys(without_numbers(path) for path, value in leaves(message) if isinstance(value, int | float))
     return list(found)[:MAX_FIELDS]
-
-
-def _numbers(value: object, path: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
-    if isinstance(value, Struct):
-        kind: Any = type(value)  # a dataclass
-        for each in fields(kind):
-            yield from _numbers(getattr(value, each.name), (*path, each.name))
-    elif isinstance(value, list | tuple):
-        for inner in value[:1]:
-            yield from _numbers(inner, path)
-    elif isinstance(value, int | float):
-        yield path
 
 
 def curve(points: list[tuple[float, float]], start: float, end: float, width: int, height: int) -> list[str]:

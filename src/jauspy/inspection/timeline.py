@@ -11,6 +11,7 @@ from jauspy.capture.reader import Datagram
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.inspection.observed import Observed
+from jauspy.inspection.peers import PeerRecogniser
 from jauspy.inspection.traffic import COPY_TIME, SeenMessage, seen_messages
 
 MAX_BYTES: Final = 256 << 20
@@ -36,6 +37,8 @@ class Timeline:
         self._registry = registry
         self._datagrams: list[Datagram] = []
         self._times: list[float] = []
+        self.peers = PeerRecogniser()
+        """Notes on the implementations at their hosts."""
         self.problem = ""
         """Why it ends before the capture does, if so."""
         self._read(datagrams)
@@ -106,5 +109,6 @@ class Timeline:
                 time = max(datagram.time, self._times[-1]) if self._times else datagram.time
                 self._times.append(time)
                 self._datagrams.append(datagram._replace(time=time))
+                self.peers.see(datagram.payload, datagram.source, datagram.destination)
         except ConfigError as error:  # what was read before the damage is shown
             self.problem = str(error)

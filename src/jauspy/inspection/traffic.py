@@ -10,6 +10,7 @@ from jauspy.capture.dissect import Part, local_control
 from jauspy.capture.dissector import Dissector
 from jauspy.capture.reader import Datagram
 from jauspy.codec.registry import NO_HINTS, Hints, Registry
+from jauspy.inspection.peers import PeerRecogniser
 from jauspy.protocol.header import OVERHEAD, Ack, DataFlag
 
 COPY_TIME: Final = 0.1
@@ -23,6 +24,8 @@ class SeenMessage(NamedTuple):
     time: float
     """Seconds since 1970, UTC."""
     part: Part
+    host: str = ""
+    """Address from which it came; that of the node manager for components of its machine."""
 
     @property
     def name(self) -> str:
@@ -43,15 +46,23 @@ class SeenMessage(NamedTuple):
 
 
 def seen_messages(
-    datagrams: Iterable[Datagram], registry: Registry, wanted: Hints = NO_HINTS, *, copies: bool = False
+    datagrams: Iterable[Datagram],
+    registry: Registry,
+    wanted: Hints = NO_HINTS,
+    *,
+    copies: bool = False,
+    peers: PeerRecogniser | None = None,
 ) -> Iterator[SeenMessage]:
-    """The messages in datagrams; copies of one are left out unless `copies`."""
+    """The messages in datagrams; copies of one are left out unless `copies`. Datagrams are shown to `peers`, too."""
     recent: OrderedDict[tuple[int, int, int, bytes], float] = OrderedDict()
     dissector = Dissector(registry, wanted)
     for datagram in datagrams:
         if datagram.source == datagram.destination and local_control(datagram.payload) is not None:
             continue
-        for part in dissector.dissect(datagram.payload, datagram.time).parts:
+        parts = dissector.dissect(datagram.payload, datagram.time).parts
+        if peers is not None:
+            peers.see(datagram.payload, datagram.source, datagram.destination, [part.packet for part in parts])
+        for part in parts:
             packet = part.packet
             key = int(packet.source), int(packet.destination), packet.sequence, bytes(packet.payload)
             before = recent.get(key)
@@ -60,4 +71,4 @@ def seen_messages(
             recent[key] = datagram.time
             if len(recent) > MAX_REMEMBERED:
                 recent.popitem(last=False)
-            yield SeenMessage(datagram.time, part)
+            yield SeenMessage(datagram.time, part, datagram.source[0])

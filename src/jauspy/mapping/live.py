@@ -50,7 +50,8 @@ class LiveMapping:
 
     A scan takes about 30 ms of CPU time; with `threaded` it is processed in a thread, so that the event loop runs on.
     `rate` (Hz) is that of the scans, which otherwise come as they are measured. `on_scan` is called with each, used or
-    not: the lidar's pose on the robot, the angles of the rays, and their lengths, inf without an echo.
+    not: the lidar's pose on the robot, the angles of the rays, and their lengths, inf without an echo. `on_placed` is
+    called with those that are used, and the odometry's pose of the robot before them.
     """
 
     def __init__(
@@ -62,12 +63,14 @@ class LiveMapping:
         threaded: bool = False,
         rate: float | None = None,
         on_scan: Callable[[PlanarPose, Sequence[float], Sequence[float]], None] | None = None,
+        on_placed: Callable[[PlanarPose, PlanarPose, Sequence[float], Sequence[float]], None] | None = None,
     ) -> None:
         self._robot = robot
         self._sensor = sensor
         self._threaded = threaded
         self._rate = rate
         self._on_scan = on_scan
+        self._on_placed = on_placed
         self.lidar_height = 0.0
         """Metres above the origin of the robot, once the robot has reported it."""
         self.mapper = mapper
@@ -123,7 +126,7 @@ class LiveMapping:
             tilt = max(abs(report.roll or 0.0), abs(report.pitch or 0.0))
             pose = PlanarPose(report.x or 0.0, -(report.y or 0.0), -(report.yaw or 0.0))
             async with self._updated:
-                self._poses.append(_StampedPose(_seconds(report.time_stamp), pose, tilt < MAX_TILT))
+                self._poses.append(_StampedPose(time_of_day(report.time_stamp), pose, tilt < MAX_TILT))
                 self._updated.notify_all()
 
     async def _add_report(self, report: ReportRangeSensorData, lidar: PlanarPose) -> None:
@@ -139,10 +142,12 @@ class LiveMapping:
             ]
             if self._on_scan is not None:
                 self._on_scan(lidar, angles, ranges)
-            stamped = await self._at(_seconds(found.range_sensor_data_rec.time_stamp))
+            stamped = await self._at(time_of_day(found.range_sensor_data_rec.time_stamp))
             if stamped is None or not stamped.is_level:
                 self.counters["no pose in time" if stamped is None else "tilted"] += 1
                 continue
+            if self._on_placed is not None:
+                self._on_placed(stamped.pose, lidar, angles, ranges)
             await self._add(stamped.pose, lidar, angles, ranges)
             self.counters["scans"] += 1
 
@@ -162,28 +167,28 @@ class LiveMapping:
         """The pose at a time of day, s; None if there is none before or after it."""
         try:
             async with asyncio.timeout(POSE_TIMEOUT), self._updated:
-                await self._updated.wait_for(lambda: self._poses and _after(self._poses[-1].time, time) >= 0.0)
+                await self._updated.wait_for(lambda: self._poses and seconds_after(self._poses[-1].time, time) >= 0.0)
         except TimeoutError:
             return None
-        earlier = [pose for pose in self._poses if _after(pose.time, time) <= 0.0]
-        later = next(pose for pose in self._poses if _after(pose.time, time) >= 0.0)
+        earlier = [pose for pose in self._poses if seconds_after(pose.time, time) <= 0.0]
+        later = next(pose for pose in self._poses if seconds_after(pose.time, time) >= 0.0)
         return interpolated(earlier[-1], later, time) if earlier else None
 
 
 def interpolated(before: _StampedPose, later: _StampedPose, time: float) -> _StampedPose:
     """The pose at a time between two others, linearly."""
-    whole = _after(later.time, before.time)
-    part = _after(time, before.time) / whole if whole else 0.0
+    whole = seconds_after(later.time, before.time)
+    part = seconds_after(time, before.time) / whole if whole else 0.0
     step = later.pose.relative_to(before.pose)
     moved = before.pose @ PlanarPose(step.x * part, step.y * part, step.yaw * part)
     return _StampedPose(time, moved, before.is_level and later.is_level)
 
 
-def _seconds(stamp: Any) -> float:
+def time_of_day(stamp: Any) -> float:
     """Seconds since midnight."""
     return float(stamp.hour * 3600.0 + stamp.minutes * 60.0 + stamp.seconds + stamp.milliseconds / 1000.0)
 
 
-def _after(time: float, other: float) -> float:
+def seconds_after(time: float, other: float) -> float:
     """Seconds from one time of day to another, also across midnight."""
     return math.remainder(time - other, DAY)

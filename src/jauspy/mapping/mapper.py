@@ -53,7 +53,8 @@ class Mapper:
         self.path: list[PlanarPose] = []
         """The corrected pose of each scan in the map."""
         self._matching = matching
-        self._max_range = max_range
+        self.max_range = max_range
+        """Metres of a ray that are mapped."""
         self._correction = PlanarPose()
 
     @property
@@ -87,8 +88,8 @@ class Mapper:
         if len(used) > MAX_RAYS:
             used = used[np.linspace(0, len(used) - 1, MAX_RAYS).astype(np.intp)]
         bearings, distances = bearings[used], distances[used]
-        echoes = distances <= self._max_range
-        distances = np.minimum(distances, self._max_range)
+        echoes = distances <= self.max_range
+        distances = np.minimum(distances, self.max_range)
         return transformed(lidar, np.column_stack([distances * np.cos(bearings), distances * np.sin(bearings)])), echoes
 
 

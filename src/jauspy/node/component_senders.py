@@ -7,7 +7,7 @@ import errno
 import os
 import socket
 import stat
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Final
 
@@ -73,8 +73,8 @@ class ComponentSender:
         self._on_unbound = on_unbound
         self._loop = asyncio.get_running_loop()
         self._socket: socket.socket | None = None
-        self._fast_path: Callable[[bytes], object] | None = None
-        """The socket's `send`; only while it is connected and the queue is empty."""
+        self.fast_path: Callable[[bytes], object] | None = None
+        """The socket's `send`; only while it is connected and the queue is empty. After an error, call `slow_path`."""
         self._queue = SendQueue(max_age=max_age, memory=memory)
         self._watched = False
         self._since_attempt = 0
@@ -85,13 +85,13 @@ class ComponentSender:
 
     def send(self, datagram: bytes) -> None:
         """Send now, or as soon as the component reads; what the queue has no room for is dropped and counted."""
-        if self._fast_path is not None:
+        if self.fast_path is not None:
             try:
-                self._fast_path(datagram)
+                self.fast_path(datagram)
             except OSError:
-                self._slow_path(datagram)
+                self.slow_path(datagram)
         else:
-            self._slow_path(datagram)
+            self.slow_path(datagram)
 
     def reconnect(self) -> None:
         """Connect again: a new component may have a new socket of the same name."""
@@ -99,13 +99,19 @@ class ComponentSender:
         if self._queue:
             self._drain()
 
+    @property
+    def queued_bytes(self) -> int:
+        """The bytes of the queued datagrams."""
+        return self._queue.bytes
+
     def close(self) -> None:
         """Close the socket, and count queued datagrams as dropped; a second call does nothing."""
         self._disconnect()
         for _ in range(self._queue.clear()):
             self._counters.drop("component_gone", self._path)
 
-    def _slow_path(self, datagram: bytes) -> None:
+    def slow_path(self, datagram: bytes) -> None:
+        """Send by the queue, or by a new connection."""
         if not self._queue:
             if self._try(datagram):
                 return
@@ -133,10 +139,10 @@ class ComponentSender:
             self._wait_until_writable()
         elif self._socket is not None:
             self._stop_watching(self._socket)
-            self._fast_path = self._socket.send
+            self.fast_path = self._socket.send
 
     def _wait_until_writable(self) -> None:
-        self._fast_path, self._since_attempt = None, 0
+        self.fast_path, self._since_attempt = None, 0
         if self._socket is not None and not self._watched:
             self._loop.add_writer(self._socket.fileno(), self._drain)
             self._watched = True
@@ -190,11 +196,11 @@ class ComponentSender:
             raise
         self._socket = sock
         if not self._queue:
-            self._fast_path = sock.send
+            self.fast_path = sock.send
         return sock
 
     def _disconnect(self) -> None:
-        sock, self._socket, self._fast_path = self._socket, None, None
+        sock, self._socket, self.fast_path = self._socket, None, None
         if sock is not None:
             self._stop_watching(sock)
             sock.close()
@@ -218,6 +224,11 @@ class ComponentSenders:
         """The number of queued datagrams of each component."""
         return {path: len(sender) for path, sender in self._senders.items()}
 
+    @property
+    def queued_bytes(self) -> Mapping[str, int]:
+        """The bytes of these datagrams."""
+        return {path: sender.queued_bytes for path, sender in self._senders.items()}
+
     def send(self, path: str, datagram: bytes) -> None:
         """Send to a component; a control message of the Junior protocol goes to a socket that may be new."""
         sender = self.sender_for(path)
@@ -234,6 +245,23 @@ class ComponentSenders:
                 path, self._router.counters, self._on_unbound, self._max_age, self._memory
             )
         return sender
+
+    def group(self, paths: Iterable[str]) -> Callable[[bytes], None]:
+        """A function that sends to all of these components; valid until one of them is removed."""
+        senders = tuple(map(self.sender_for, paths))
+
+        def send(datagram: bytes) -> None:
+            for sender in senders:
+                fast_path = sender.fast_path
+                if fast_path is None:
+                    sender.slow_path(datagram)
+                    continue
+                try:
+                    fast_path(datagram)
+                except OSError:
+                    sender.slow_path(datagram)
+
+        return send
 
     def remove_dead(self, port: ComponentPort) -> None:
         """Remove a component that is dead and whose socket is removed."""

@@ -25,7 +25,7 @@ from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.node.address_books import AddressEntries, load_address_book, parse_entries
 from jauspy.protocol import authentication, judp
-from jauspy.protocol.address_book import ADDRESS_LIFETIME
+from jauspy.protocol.address_book import ADDRESS_LIFETIME, MAX_IDS, MAX_IDS_PER_HOST, IdBounds
 from jauspy.protocol.addressing import DEFAULT_NETWORK
 from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
@@ -287,6 +287,11 @@ class NodeConfig(NetworkConfig):
     """Files with further addresses: TOML with a table [addresses], nm.cfg of the JAUS Toolset, or YAML of FKIE."""
     address_lifetime: float = Field(default=ADDRESS_LIFETIME, gt=0)
     """Seconds without a packet after which a learned address expires."""
+    max_ids: int = Field(default=MAX_IDS, ge=64, le=1 << 20)
+    """Ids on networks whose addresses and rates are remembered: at least the components of all robots and operators.
+    Beyond that the one heard longest ago is forgotten, and searched by multicast again. Each needs about 0.6 kB."""
+    max_ids_per_host: int = Field(default=MAX_IDS_PER_HOST, ge=64, le=1 << 20)
+    """Ids of one host among these, so that one host cannot displace all others. A gateway of many robots needs more."""
     receive_buffer: int = Field(default=RECEIVE_BUFFER, ge=4096, le=1 << 30)
     """Bytes of each UDP receive buffer; the kernel grants at most net.core.rmem_max."""
     queue_memory: int = Field(default=64 << 20, ge=1 << 20)
@@ -325,6 +330,11 @@ class NodeConfig(NetworkConfig):
         return {
             id: tuple(dict.fromkeys(port._replace(network=self.name) for port in ports)) for id, ports in found.items()
         }
+
+    @property
+    def id_bounds(self) -> IdBounds:
+        """The bounds of tables of ids."""
+        return IdBounds(self.max_ids, self.max_ids_per_host)
 
     @property
     def all_networks(self) -> tuple[NetworkConfig, ...]:

@@ -26,11 +26,11 @@ from jauspy.node.mirror_server import MirrorServer
 from jauspy.node.mirrored_packets import MirroredPackets
 from jauspy.node.network import Network
 from jauspy.node.status import NodeState, StatusServer
-from jauspy.protocol import header, junior
+from jauspy.protocol import addressing, header, junior
 from jauspy.protocol.address_book import MAX_COMPONENTS, ComponentPort
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.egress import ROUTED_COUNTERS
-from jauspy.protocol.routing import RECEIVED_COUNTERS, Router
+from jauspy.protocol.routing import RECEIVED_COUNTERS, BroadcastRoute, Router
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, local, multicast, node_status
 from jauspy.transport.age import DatagramReader
@@ -47,17 +47,20 @@ MAX_SENDERS: Final = 4096
 RELOADABLE: Final = ("gateway", "source_check", "rate_limit", "rate_burst", "addresses", "address_books")
 """Settings that `NodeManager.reload` applies."""
 CACHE_LIFETIME: Final = 0.5
-"""Seconds after which the cache is cleared, so that the router learns from packets at most this late."""
+"""Seconds after which routes from and to networks expire, so that the router learns from packets at most this late.
+Those between components of this machine hold until the directory of components changes."""
 MAX_ROUTES: Final = 1024
 
 _BROADCAST: Final = 0x0C
-"""The bits of the control byte with the broadcast flag."""
+"""The bits of the control byte with the broadcast field."""
 _GLOBAL: Final = header.Broadcast.GLOBAL << 2
 _IDS: Final = 0xFFFFFFFF
 _unpack_plain: Final = struct.Struct("<IBQxx").unpack_from
 """Version, flags and data size as one number, the control byte, and destination and source as one number."""
 
 Send: TypeAlias = Callable[[bytes], object]
+_Route: TypeAlias = tuple[Send, str, str, int]
+"""The sender, the counters of received and of sent datagrams, and how many are sent for one."""
 
 
 class NodeManager:
@@ -79,6 +82,7 @@ class NodeManager:
             str(self.config.local_root),
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,
+            bounds=self.config.id_bounds,
             local_udp=self.config.local_udp,
             may_connect=lambda port: self._local_users is not None and self._local_users.may_connect(port),
             is_abandoned=lambda port: self._local_users is not None and self._local_users.is_abandoned(port),
@@ -92,10 +96,11 @@ class NodeManager:
             sources=SourceChecks(
                 source_limits(self.config),
                 authenticated=[setup.name for setup in self.config.all_networks if setup.key_file],
+                bounds=self.config.id_bounds,
             ),
             changed=self._invalidate,
         )
-        self._cache = RoutingCache(self._router, self._sender_for)
+        self._cache = RoutingCache(self._router, self._sender_for, self._broadcast_sender)
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
@@ -171,6 +176,7 @@ class NodeManager:
             router=self._router,
             networks=self._networks,
             queued=self._component_senders.queued,
+            queued_bytes=self._component_senders.queued_bytes,
             ingress=ingress,
             now=self._loop.time(),
         )
@@ -312,7 +318,8 @@ class NodeManager:
             if len(self._local_ports) > MAX_SENDERS:
                 self._local_ports.clear()
             port = self._local_ports[sender] = LocalPort(path)
-        self._receive(datagram, port)
+        if not self._cache.forward(datagram, port):
+            self._route(datagram, port)
 
     def _from_network(self, data: bytes, port: UdpPort) -> None:
         network = self._networks.get(port.network)
@@ -322,9 +329,12 @@ class NodeManager:
 
     def _receive(self, datagram: bytes, port: Port) -> None:
         if not self._cache.forward(datagram, port):
-            self._router.receive(datagram, port, self._loop.time())
-            self._mirror_source = port
-            self._flush()
+            self._route(datagram, port)
+
+    def _route(self, datagram: bytes, port: Port) -> None:
+        self._router.receive(datagram, port, self._loop.time())
+        self._mirror_source = port
+        self._flush()
 
     def _invalidate(self, id: int | None) -> None:
         self._cache.invalidate(id)
@@ -369,6 +379,26 @@ class NodeManager:
             return self._component_senders.sender_for(port.path).send
         network = self._networks.get(port.network)
         return None if network is None else network.sender_for(port.host, port.port)
+
+    def _broadcast_sender(self, route: BroadcastRoute) -> Send | None:
+        """The sender of a cached broadcast; None with a mirror."""
+        networks = [self._networks[name] for name in route.networks if name in self._networks]
+        if self._mirrors or len(networks) < len(route.networks):
+            return None
+        deliver = self._component_senders.group(port.path for port in route.components)
+        if not networks:
+            return deliver
+
+        def send(datagram: bytes) -> None:
+            deliver(datagram)
+            now = self._loop.time()
+            for network in networks:
+                self._router.note_multicast(datagram, network.config.name, now)
+                network.multicast(datagram)
+                if network.config.name == self.config.name:
+                    self._links.broadcast(datagram)
+
+        return send
 
     def _refresh_memberships(self) -> None:
         self._membership_timer = self._loop.call_later(multicast.WATCH_INTERVAL, self._refresh_memberships)
@@ -422,15 +452,26 @@ def _path(sender: str | bytes | None) -> str:
 class RoutingCache:
     """Sends packets whose route is known, and counts them like the router.
 
-    `sender_for(port)` returns a function that sends to the port, or None if its datagrams must pass the router.
+    `sender_for(port)` returns a function that sends to the port, or None if its datagrams must pass the router;
+    `broadcast_sender(route)` one that sends a broadcast, and counts its multicasts.
     """
 
-    def __init__(self, router: Router, sender_for: Callable[[LocalPort | UdpPort], Send | None]) -> None:
+    def __init__(
+        self,
+        router: Router,
+        sender_for: Callable[[LocalPort | UdpPort], Send | None],
+        broadcast_sender: Callable[[BroadcastRoute], Send | None],
+    ) -> None:
         self._router = router
         self._counters = router.counters
         self._sender_for = sender_for
-        self._routes: dict[tuple[Port, int], tuple[Send, str, str]] = {}
+        self._broadcast_sender = broadcast_sender
+        self._routes: dict[tuple[Port, int, int], _Route] = {}
+        """Routes by the port of the sender, both ids, and the broadcast field of the header."""
+        self._expiring: list[tuple[Port, int, int]] = []
+        """The keys of routes from or to a network."""
         self._ids: set[int] = set()
+        self._has_broadcasts = False
         self._timer: asyncio.TimerHandle | None = None
 
     def __len__(self) -> int:
@@ -442,44 +483,77 @@ class RoutingCache:
             start, control, ids = _unpack_plain(datagram)
         except struct.error:
             return False
-        if start != (len(datagram) - 1) << 16 | header.VERSION or control & _BROADCAST == _GLOBAL:
+        if start != (len(datagram) - 1) << 16 | header.VERSION:
             return False
-        route = self._routes.get((port, ids)) or self._find(port, ids)
+        broadcast = control & _BROADCAST
+        route = self._routes.get((port, ids, broadcast)) or self._find(port, ids, broadcast)
         if route is None:
             return False
-        send, received, routed = route
-        self._counters[received] += 1
-        self._counters[routed] += 1
+        send, received, routed, number = route
+        counters = self._counters
+        counters[received] += 1
+        counters[routed] += number
         send(datagram)
         return True
 
     def invalidate(self, id: int | None) -> None:
-        """Clear the cache if it has routes of this id; None stands for any id."""
-        if id is None or id in self._ids:
+        """Clear the cache if it has routes of this id, or broadcasts; None stands for any id."""
+        if id is None or self._has_broadcasts or id in self._ids:
             self.clear()
 
     def clear(self) -> None:
         """Remove all routes."""
         self._routes.clear()
+        self._expiring.clear()
         self._ids.clear()
+        self._has_broadcasts = False
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
 
-    def _find(self, port: Port, ids: int) -> tuple[Send, str, str] | None:
+    def _expire(self) -> None:
+        self._timer = None
+        for key in self._expiring:
+            del self._routes[key]
+        self._expiring.clear()
+        self._ids = {id for _, ids, _ in self._routes for id in (ids >> 32, ids & _IDS)}
+
+    def _find(self, port: Port, ids: int, broadcast: int) -> _Route | None:
         source, destination = ids >> 32, ids & _IDS
+        is_broadcast = addressing.is_wildcard(destination)
+        if is_broadcast and type(port) is not LocalPort:
+            return None
         loop = asyncio.get_running_loop()
-        cached = self._router.cacheable_route(source, destination, port, loop.time())
-        send = None if cached is None else self._sender_for(cached)
-        if cached is None or send is None:
+        if is_broadcast:
+            route, is_local = self._find_broadcast(source, destination, port, broadcast >> 2), True
+        elif broadcast == _GLOBAL:
+            return None
+        else:
+            cached = self._router.cacheable_route(source, destination, port, loop.time())
+            send = None if cached is None else self._sender_for(cached)
+            if cached is None or send is None:
+                return None
+            route = send, RECEIVED_COUNTERS[type(port)], ROUTED_COUNTERS[type(cached)], 1
+            is_local = type(port) is LocalPort and type(cached) is LocalPort
+        if route is None:
             return None
         if len(self._routes) >= MAX_ROUTES:
             self.clear()
-        route = self._routes[port, ids] = (send, RECEIVED_COUNTERS[type(port)], ROUTED_COUNTERS[type(cached)])
+        self._routes[port, ids, broadcast] = route
         self._ids.update((source, destination))
-        if self._timer is None:
-            self._timer = loop.call_later(CACHE_LIFETIME, self.clear)
+        self._has_broadcasts |= is_broadcast
+        if not is_local:
+            self._expiring.append((port, ids, broadcast))
+            if self._timer is None:
+                self._timer = loop.call_later(CACHE_LIFETIME, self._expire)
         return route
+
+    def _find_broadcast(self, source: int, destination: int, port: Port, broadcast: int) -> _Route | None:
+        found = self._router.cacheable_broadcast(source, destination, broadcast, port)
+        send = None if found is None else self._broadcast_sender(found)
+        if found is None or send is None:
+            return None
+        return send, RECEIVED_COUNTERS[LocalPort], ROUTED_COUNTERS[LocalPort], len(found.components)
 
 
 MAX_OPEN_FILES: Final = 4096

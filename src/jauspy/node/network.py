@@ -25,6 +25,10 @@ _LOG = get_logger(__name__)
 _ANY6: Final = "::"
 _IP_RECVERR: Final = 11
 _MSG_ERRQUEUE: Final = 0x2000
+MAX_HOSTS: Final = 4096
+"""Hosts whose bytes are counted; the oldest is forgotten first."""
+_SEND_QUEUE: Final = 2
+"""Place of the bytes that wait to be sent in what `SO_MEMINFO` returns."""
 _SO_MEMINFO: Final = 55
 """Socket options of linux/in.h, linux/socket.h and asm-generic/socket.h; Python has no names for them."""
 _MEMINFO: Final = struct.Struct("=9I")
@@ -60,10 +64,15 @@ class Network:
         if authenticator is not None:
             authenticator.is_own = is_own_address
         self._counters = counters
+        self._sent: dict[str, int] = {}
+        """Bytes sent to hosts."""
         self._unicast = bind_udp(config.address, config.port, receive_buffer)
+        self._port = int(self._unicast.getsockname()[1])
         self._group: socket.socket | None = None
         self._ipv6: _IPv6 | None = None
         self._memberships: Memberships | None = None
+        self._selected: str | None = None
+        """The interface by which multicasts are sent now; None when it has to be set again."""
         try:
             multicast.prepare_sender(self._unicast, multicast.ANY, config.multicast_ttl)
             self._unicast.setsockopt(socket.IPPROTO_IP, _IP_RECVERR, 1)
@@ -79,7 +88,7 @@ class Network:
     @property
     def port(self) -> int:
         """The UDP port in use."""
-        return int(self._unicast.getsockname()[1])
+        return self._port
 
     @property
     def skip(self) -> int:
@@ -100,6 +109,19 @@ class Network:
         except (OSError, struct.error):
             return ReceiveBuffer(0, 0, 0)
         return ReceiveBuffer(info[0], info[1], info[8])
+
+    @property
+    def send_queue(self) -> int:
+        """Bytes that the kernel has not yet given to the interface; 0 where the system does not report it."""
+        try:
+            info = _MEMINFO.unpack(self._unicast.getsockopt(socket.SOL_SOCKET, _SO_MEMINFO, _MEMINFO.size))
+        except (OSError, struct.error):
+            return 0
+        return int(info[_SEND_QUEUE])
+
+    def sent_bytes(self, host: str) -> int:
+        """Bytes that were sent to a host, without headers of UDP and IP, since it was first sent to."""
+        return self._sent.get(host, 0)
 
     def authenticate(self, data: bytes, source: UdpPort) -> bytes | None:
         """The datagram in received data; None, and counted, if authentication fails."""
@@ -133,12 +155,14 @@ class Network:
         for attempt in range(2):
             try:
                 sock.sendto(datagram, (host, port))
+                self._count(host, len(datagram))
             except ConnectionRefusedError as error:
                 # The error belongs to an earlier datagram, to any destination; this one was not sent yet.
                 self.report_unreachable()
                 if attempt:
                     self._counters.drop("udp_unreachable", error)
             except OSError as error:
+                self._selected = None  # perhaps its interface has gone
                 self._counters.drop("udp_unreachable", error)
                 return
             else:
@@ -147,7 +171,7 @@ class Network:
     def sender_for(self, host: str, port: int) -> Callable[[bytes], None]:
         """A function that sends to one peer, without the steps of `send` that are rarely needed."""
         address = (host, port)
-        sendto = self._unicast.sendto
+        sendto, sent = self._unicast.sendto, self._sent
 
         def slow_path(datagram: bytes) -> None:
             self.send(datagram, host, port)
@@ -157,8 +181,22 @@ class Network:
                 sendto(datagram, address)
             except OSError:
                 slow_path(datagram)
+                return
+            try:
+                sent[host] += len(datagram)
+            except KeyError:
+                self._count(host, len(datagram))
 
         return fast_path if self.authenticator is None and ":" not in host else slow_path
+
+    def _count(self, host: str, size: int) -> None:
+        sent = self._sent
+        if host in sent:
+            sent[host] += size
+            return
+        if len(sent) >= MAX_HOSTS:
+            del sent[next(iter(sent))]
+        sent[host] = size
 
     def report_unreachable(self) -> None:
         """Read the socket's error queue, where Linux reports datagrams to ports without a listener."""
@@ -173,6 +211,7 @@ class Network:
 
     def refresh_memberships(self) -> None:
         """Join the group on interfaces that have appeared; to be called periodically."""
+        self._selected = None
         if self._memberships is not None:
             self._memberships.refresh()
         if self._ipv6 is not None:
@@ -182,9 +221,10 @@ class Network:
         """Send to the group on each interface."""
         if self.authenticator is not None:
             datagram = self.authenticator.sign(datagram, time.time(), None)
+        group, port = self.config.multicast_group, self._port
         for interface in self._memberships.current if self._memberships else self.config.interfaces:
-            if self._select_interface(interface):
-                self._send(datagram, self.config.multicast_group, self.port)
+            if interface in (self._selected, multicast.ANY) or self._select_interface(interface):
+                self._send(datagram, group, port)
         for group in self._ipv6.groups() if self._ipv6 else ():
             self._send(datagram, group, self.port)
 
@@ -196,11 +236,12 @@ class Network:
     def _select_interface(self, interface: str) -> bool:
         """Send multicasts by this interface; false while it does not exist."""
         try:
-            if interface != multicast.ANY:
-                self._unicast.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
+            self._unicast.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
         except OSError as error:
+            self._selected = None
             self._counters.drop("udp_unreachable", error)
             return False
+        self._selected = interface
         return True
 
     def _join(self) -> Memberships | None:

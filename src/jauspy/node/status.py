@@ -36,6 +36,7 @@ class NodeState:
     router: Router
     networks: Mapping[str, Network]
     queued: Mapping[str, int]
+    queued_bytes: Mapping[str, int]
     ingress: int
     now: float
 
@@ -65,11 +66,14 @@ class NodeState:
             "multicast_group6": config.multicast_group6,
             "inside": inside,
             "authenticated": network.authenticator is not None,
+            "send_queue": network.send_queue,
             "receive_buffer": {"bytes": buffer.bytes, "limit": buffer.limit, "dropped": buffer.dropped},
         }
 
     def _component(self, id: int, path: str) -> dict[str, Any]:
-        return {"id": str(JausID.from_int(id)), "path": path, "waiting": self.queued.get(path, 0)}
+        return {"id": str(JausID.from_int(id)), "path": path, "waiting": self.queued.get(path, 0)} | {
+            "waiting_bytes": self.queued_bytes.get(path, 0)
+        }
 
     def _clash(self, id: int, port: NetworkPort, heard: float) -> dict[str, Any]:
         return {"id": str(JausID.from_int(id)), "address": format_port(port), "heard": round(heard, 3)}
@@ -87,6 +91,7 @@ class NodeState:
             "id": str(JausID.from_int(id)),
             "address": format_port(port),
             "network": port.network,
+            "sent_bytes": self.networks[port.network].sent_bytes(port.host) if port.network in self.networks else 0,
             "heard": None if heard is None else round(self.now - heard, 3),
         }
 

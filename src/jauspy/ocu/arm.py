@@ -57,7 +57,15 @@ from jauspy.ocu.joints import (
     reported,
 )
 from jauspy.ocu.lists import Elements
-from jauspy.ocu.motion_limits import MotionLimits, limited_by, motion_limits, profile_record, speeds_for
+from jauspy.ocu.motion_limits import (
+    MotionLimits,
+    limited_by,
+    motion_limits,
+    profile_record,
+    speeds_for,
+    straight_limits,
+)
+from jauspy.ocu.preset_poses import PRESET_POSE, held_pose, move_to_pose, pose_names
 from jauspy.ocu.reach import reach_of
 from jauspy.ocu.state import Joints, RobotPose
 from jauspy.ocu.subscription import subscribe
@@ -220,6 +228,29 @@ class Arm:
                     await self._arrive(values, tolerance, timeout)
         return await self.joints()
 
+    async def poses(self) -> tuple[str, ...]:
+        """Names of the poses that the robot knows for these joints; empty for an arm without the service PresetPose."""
+        if self.info.find(PRESET_POSE) is None:
+            return ()
+        return tuple((await pose_names(self._connection, self.info.id)).values())
+
+    async def pose(self) -> str | None:
+        """The name of the pose in which the joints are; None if they are in none."""
+        self._need(PRESET_POSE, "tell its pose")
+        return await held_pose(self._connection, self.info.id)
+
+    async def move_to(self, name: str, *, timeout: float = 60.0) -> Joints:
+        """Move to a pose that the robot knows, as in `arm.move_to("stow")`, and wait until the joints are there.
+
+        The robot chooses a route on which its links touch neither each other nor the ground on which it stands.
+        Raises `ConfigError` for an unknown pose, and `RequestError`, with the reason, when the pose is not reached
+        within `timeout` seconds. If the call is cancelled, the arm stops.
+        """
+        self._need(PRESET_POSE, "move to named poses")
+        async with self._stopping():
+            await move_to_pose(self._connection, self.info.id, name, timeout, self.blocked)
+        return await self.joints()
+
     async def move_tool_at(
         self,
         linear: Sequence[float] = (0.0, 0.0, 0.0),
@@ -264,6 +295,7 @@ class Arm:
         self,
         rows: Sequence[tuple[float, Mapping[str, float]]],
         *,
+        straight: bool = False,
         progress: Callable[[int], None] | None = None,
         timeout: float = 60.0,
     ) -> Joints:
@@ -272,26 +304,31 @@ class Arm:
         A row consists of the duration of its motion in seconds and of positions by name, as in `(2.0, {"elbow": 0.6})`;
         a duration of 0 means as fast as the robot's motion profile allows. All rows are checked before anything moves.
         They are uploaded as a list if the component supports lists and each row moves a joint; otherwise they are sent
-        one after another. `progress` is called with the index of each row that begins. Raises `ConfigError` with the
-        number of a row that is not possible, and `RequestError` when the arm stops before the end. If the call is
-        cancelled, the arm stops.
+        one after another. With `straight` all joints keep the same part of their ways of a row behind them, as motions
+        that were planned around something need; the rows are then sent one after another, since a list goes on before
+        the arm rests. `progress` is called with the index of each row that begins. Raises `ConfigError` with the number
+        of a row that is not possible, and `RequestError` when the arm stops before the end. If the call is cancelled,
+        the arm stops.
         """
-        targets, speeds, moves = await self._planned(rows)
+        if straight:
+            self._need(PROFILE, "move all joints on a straight way")
+        targets, profiles, moves = await self._planned(rows, straight=straight)
         await check_ready(self._connection, self.info.id)
         tell = progress or (lambda _: None)
         end = timeout + sum(seconds for seconds, _ in rows)
         async with self._stopping():
-            if self.info.find(LIST_DRIVER) and all(moves):
+            if self.info.find(LIST_DRIVER) and all(moves) and not straight:
                 try:
                     async with asyncio.timeout(end):
-                        await self._follow_list(targets, speeds, tell)
+                        await self._follow_list(targets, profiles, tell)
                 except TimeoutError:
                     raise RequestError(f"{self.info.id} is not at the last row after {end:g} s") from None
             else:
                 begun = asyncio.get_running_loop().time()
                 for number, (seconds, positions) in enumerate(rows):
                     tell(number)
-                    await self.move(positions, speed=speeds[number] or None, timeout=end)
+                    async with self._profiled(profiles[number]):
+                        await self.move(positions, timeout=end)
                     begun += seconds
                     await asyncio.sleep(max(0.0, begun - asyncio.get_running_loop().time()))
         return await self.joints()
@@ -396,20 +433,21 @@ class Arm:
 
     @asynccontextmanager
     async def _stopping(self) -> AsyncIterator[None]:
-        """Stop the arm when the block is cancelled or fails, if the arm is still controlled."""
+        """Stop the arm when the block is cancelled or fails, if it is controlled and no later motion has begun."""
+        may_stop = self._connection.begin_motion(self.info.id)
         try:
             yield
         except BaseException:
-            if self.info.id in self._connection.controls:
+            if may_stop():
                 with suppress(JausError):
                     await self.stop()
             raise
 
     @asynccontextmanager
-    async def _limited(self, speed: float | Mapping[str, float] | None) -> AsyncIterator[dict[str, MotionLimits]]:
-        """Set this speed in the motion profile; yields the limits as they were, and restores them at the end."""
+    async def _limited(self, speed: float | Mapping[str, float] | None) -> AsyncIterator[None]:
+        """Set this speed in the motion profile, and restore the profile at the end."""
         if speed is None:
-            yield {}
+            yield
             return
         names = [joint.name for joint in (await self._joint_table()).joints]
         speeds = speed if isinstance(speed, Mapping) else dict.fromkeys(names, speed)
@@ -418,40 +456,55 @@ class Arm:
             if not value > 0:
                 raise ConfigError(f"speed {value:g} must be above 0 rad/s or m/s")
         self._need(PROFILE, "limit the speed of its joints")
+        async with self._profiled(limited_by(await self.motion_limits(), speeds)):
+            yield
+
+    @asynccontextmanager
+    async def _profiled(self, limits: Mapping[str, MotionLimits]) -> AsyncIterator[None]:
+        """Set these limits in the motion profile, and restore them at the end; none leave it as it is."""
+        if not limits:
+            yield
+            return
         before = await self.motion_limits()
-        await self.set_motion_limits(limited_by(before, speeds))
+        await self.set_motion_limits(limits)
         try:
-            yield before
+            yield
         finally:
             if self.info.id in self._connection.controls:
                 with suppress(JausError):
                     await self.set_motion_limits(before)
 
     async def _planned(
-        self, rows: Sequence[tuple[float, Mapping[str, float]]]
-    ) -> tuple[list[list[float]], list[dict[str, float]], list[bool]]:
-        """The positions of all joints and the speeds of each row, none for full speed, and whether it moves a joint."""
+        self, rows: Sequence[tuple[float, Mapping[str, float]]], *, straight: bool
+    ) -> tuple[list[list[float]], list[dict[str, MotionLimits]], list[bool]]:
+        """The positions of all joints and the limits of each row, none for full speed, and whether it moves a joint."""
         if not rows:
             raise ConfigError("`rows` is empty; give at least one row")
         table, limits = await self._joint_table(), await self.motion_limits()
         values = await reported(self._connection, self.info)
-        targets, speeds, moves = list[list[float]](), list[dict[str, float]](), list[bool]()
+        targets, profiles, moves = list[list[float]](), list[dict[str, MotionLimits]](), list[bool]()
         for number, (seconds, positions) in enumerate(rows, 1):
             check_number(seconds, f"the time of row {number}")
             if seconds < 0:
                 raise ConfigError(f"row {number}: its time is {seconds:g} s; use 0 for as fast as possible")
             try:
                 after = table.to_reported(table.from_reported(values) | table.check(positions))
-                speeds.append(speeds_for(limits, values, after, seconds) if seconds else {})
+                if straight:
+                    profiles.append(straight_limits(limits, values, after, seconds))
+                else:
+                    speeds = speeds_for(limits, values, after, seconds) if seconds else {}
+                    profiles.append(limited_by(limits, speeds) if seconds else {})
             except ConfigError as error:
                 raise ConfigError(f"row {number}: {error}") from None
             moves.append(any(abs(a - b) > JOINT_TOLERANCE for a, b in zip(values, after, strict=True)))
             targets.append(after)
             values = after
-        return targets, speeds, moves
+        if any(profiles):
+            profiles = [profile or limits for profile in profiles]
+        return targets, profiles, moves
 
     async def _follow_list(
-        self, targets: list[list[float]], speeds: list[dict[str, float]], tell: Callable[[int], None]
+        self, targets: list[list[float]], profiles: list[dict[str, MotionLimits]], tell: Callable[[int], None]
     ) -> None:
         """Execute the rows as a list of the component.
 
@@ -461,12 +514,12 @@ class Arm:
         assert info is not None
         elements = Elements(self._connection, self.info.id, info)
         await elements.upload([await self._message(values) for values in targets])
-        async with self._limited(speeds[0] if any(speeds) else None) as before:
+        async with self._profiled(profiles[0]):
             await elements.execute()
             async for number in elements.progress():
                 tell(number)
-                if any(speeds) and number + 1 < len(targets):
-                    await self.set_motion_limits(limited_by(before, speeds[number + 1]))
+                if number + 1 < len(targets) and profiles[number + 1]:
+                    await self.set_motion_limits(profiles[number + 1])
         if await self._largest_error(targets[-1]) > JOINT_TOLERANCE:
             raise RequestError(await self._why(targets[-1], RequestError(f"{self.info.id} has not followed all rows")))
 
@@ -504,7 +557,7 @@ class Arm:
 
     async def _why(self, values: Sequence[float], error: RequestError, tolerance: float = JOINT_TOLERANCE) -> str:
         """Why the joints are not at these positions."""
-        if blocked := await self._blocked():
+        if blocked := await self.blocked():
             return blocked
         reason = await explain(self._connection, self.info.id, await self._message(values))
         if reason:
@@ -515,18 +568,21 @@ class Arm:
         where = ", ".join(f"{name} is {value:+.3f} off" for name, value in off.items())
         return f"{error}; {where}" if where else str(error)
 
-    async def _blocked(self) -> str:
-        """The joints that stood still, with effort and distance from their positions, as text; empty if none did."""
+    async def blocked(self) -> str:
+        """What kept the last command from being carried out, as in "Blocked: elbow, 41 N m, 0.07 rad short; ...".
+
+        Joints that met something, or stood still short of their positions, with effort and way left; empty without any.
+        """
         if self.info.find(DESCRIPTION) is None:
             return ""
         report = await self._connection.query(self.info.id, QueryBlockedJoints(), expects=ReportBlockedJoints)
         assert isinstance(report, ReportBlockedJoints)
         turns = {joint.name: joint.is_revolute for joint in (await self._joint_table()).joints}
-        parts = [
-            f"{joint.joint_name}, {abs(joint.effort):.0f} {'N m' if turns.get(joint.joint_name, True) else 'N'}, "
-            f"{abs(joint.short):.2f} {'rad' if turns.get(joint.joint_name, True) else 'm'} short"
-            for joint in report.blocked_joint_list
-        ]
+        parts = []
+        for joint in report.blocked_joint_list:
+            push, way = ("N m", "rad") if turns.get(joint.joint_name, True) else ("N", "m")
+            short = f", {abs(joint.short):.2f} {way} short" if joint.short else ""
+            parts.append(f"{joint.joint_name}, {abs(joint.effort):.0f} {push}{short}")
         return f"Blocked: {'; '.join(parts)}; {self.info.id} holds where it is" if parts else ""
 
     async def _base_frame(self) -> Transform:
@@ -556,7 +612,7 @@ class Arm:
         return math.dist(tool.position, goal.position) <= TOOL_TOLERANCE and (not exactly or turn <= ATTITUDE_TOLERANCE)
 
     async def _not_reached(self, goal: Transform, command: SetEndEffectorPose, error: RequestError) -> RequestError:
-        if reason := await self._blocked() or await explain(self._connection, self.info.id, command):
+        if reason := await self.blocked() or await explain(self._connection, self.info.id, command):
             return RequestError(reason)
         tool = await self._tool()
         distance = math.dist(tool.position, goal.position)

@@ -34,8 +34,9 @@ from jauspy.messages.cell.v1_0 import (
     SetModulePower,
 )
 from jauspy.ocu.service import ServiceClient
+from jauspy.platform.battery import BatteryState
 from jauspy.platform.modular.arm import ArmController, ModularArmState, MotionResult, TrajectoryPoint
-from jauspy.platform.modular.cell import BatteryState, Consumption, ConveyorState, PowerState
+from jauspy.platform.modular.cell import Consumption, ConveyorState, PowerState
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState
 from jauspy.services.cell.modular_arm import trajectory_command
 

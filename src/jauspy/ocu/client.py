@@ -16,7 +16,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Final, Self, TypeVar, overload
 
-from jauspy.arguments import async_only, check_text, described
+from jauspy.arguments import async_only, check_number, check_text, described
 from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.component import Component, ComponentOptions
@@ -24,15 +24,20 @@ from jauspy.errors import ConfigError, RequestError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.ocu.connection import Connection, RetryPolicy, Stats, Trace
+from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.discovery import News, discover, discover_all, watch
 from jauspy.ocu.explain import explain
+from jauspy.ocu.handoff import request_handoff
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.sealing import load_key
 from jauspy.ocu.service import ServiceClient
+from jauspy.ocu.subsystems import MAX_COMPONENTS
+from jauspy.protocol.address_book import IdBounds
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness
-from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.services.core.discovery import COMPONENT, COMPONENT_TYPE, NODE, NODE_TYPE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
+from jauspy.services.iop.handoff import DecideHandoff, Decision, HandoffController, leave_open
 from jauspy.transport import Transport
 from jauspy.transport.connect import transport_for
 
@@ -45,9 +50,9 @@ _LOG: Final = get_logger("jauspy.ocu")
 
 CLASH_INTERVAL: Final = 5.0
 """Seconds between two checks for another machine with the same id."""
+MOST_COMPONENTS: Final = 1 << 20
+"""Greatest bound of the components that an OCU remembers."""
 _OCU_TYPE = 20001
-_COMPONENT_TYPE = 60001
-_NODE_TYPE = 40001
 
 
 class OCU:
@@ -57,7 +62,9 @@ class OCU:
     `"local:DIRECTORY"`.
     `timeout` (seconds) and `retries` are the defaults of queries; `registry` holds the known messages; `delivery` the
     settings of reliable delivery and of large messages. `operator`: the path of the file with an operator's key, which
-    seals every command (`jauspy keys new`).
+    seals every command (`jauspy keys new`). `decide_handoff` is asked when another client wants control of a component
+    that this one controls: by default such requests are left to time out. `max_components` bounds the components of all
+    robots that discovery and the addresses of UDP remember; further ones are not discovered.
     To others the OCU is a subsystem with one component, which answers discovery and heartbeat queries.
     """
 
@@ -73,6 +80,8 @@ class OCU:
         transport: Transport | None = None,
         delivery: Delivery | None = None,
         operator: str | Path | None = None,
+        decide_handoff: DecideHandoff = leave_open,
+        max_components: int = MAX_COMPONENTS,
     ) -> None:
         self.id: JausID = JausID.of(id)
         if self.id.is_wildcard or 0 in (self.id.subsystem, self.id.node, self.id.component):
@@ -85,8 +94,14 @@ class OCU:
         if registry is not None and not isinstance(registry, Registry):
             raise TypeError(f"registry is what `jauspy.load` returns, not {described(registry)}")
         key = None if operator is None else load_key(operator)
-        self._connection = Connection(self.id, registry or _builtin(), RetryPolicy(timeout, retries), key)
+        check_number(max_components, "max_components", whole=True)
+        if not 1 <= max_components <= MOST_COMPONENTS:
+            raise ConfigError(f"max_components {max_components} is outside 1..{MOST_COMPONENTS}")
+        self._bounds = IdBounds(max_components, -(-max_components // 4))
+        retry = RetryPolicy(timeout, retries)
+        self._connection = Connection(self.id, registry or _builtin(), retry, key, max_components=max_components)
         self._component: Component | None = None
+        self._handoffs = HandoffController(decide_handoff)
         self._stack = ExitStack()
 
     def __repr__(self) -> str:
@@ -115,8 +130,8 @@ class OCU:
         """
         if self._component is not None:
             return
-        transport = self._transport or await transport_for(self.id, self._connect)
-        host = Host(self.id, _services(self._name), utc_now=lambda: datetime.now(UTC))
+        transport = self._transport or await transport_for(self.id, self._connect, self._bounds)
+        host = Host(self.id, [*_services(self._name), self._handoffs], utc_now=lambda: datetime.now(UTC))
         component = Component.of_host(
             host,
             transport,
@@ -305,6 +320,24 @@ class OCU:
         """
         await self._connection.send_checked(JausID.of(destination), message, ack=ack)
 
+    def decide_handoffs(self, decide: DecideHandoff) -> None:
+        """Have this function decide on requests for control from now on, as `decide_handoff` of the constructor."""
+        self._handoffs.decide = decide
+
+    def answer_handoff(self, component: str | JausID, id: int, decision: Decision) -> None:
+        """Decide on a request that was left open; `id` is its number at the component."""
+        self._handoffs.answer(JausID.of(component), id, decision)
+
+    async def request_handoff(
+        self, destination: str | JausID, explanation: str, *, authority: int = DEFAULT_AUTHORITY, within: float = 90.0
+    ) -> None:
+        """Ask the client in control of a component to hand over, with the reason; wait `within` seconds at most.
+
+        Afterwards this OCU has control: take it by `control` with the same authority before the component's time-out.
+        Raises `ControlRejected` with the reason when nothing is handed over, and `ResponseTimeout` without an answer.
+        """
+        await request_handoff(self._connection, JausID.of(destination), explanation, authority=authority, within=within)
+
     async def explain(self, destination: str | JausID, command: Message | None = None) -> str:
         """Why a component ignores commands, or this one; see `ServiceClient.explain`."""
         return await explain(self._connection, JausID.of(destination), command)
@@ -318,8 +351,8 @@ def _services(name: str) -> list[Discovery | Liveness]:
     identities = {
         SYSTEM: Identity(name, _OCU_TYPE),
         SUBSYSTEM: Identity(name, _OCU_TYPE),
-        NODE: Identity(f"{name} node", _NODE_TYPE),
-        COMPONENT: Identity(name, _COMPONENT_TYPE),
+        NODE: Identity(f"{name} node", NODE_TYPE),
+        COMPONENT: Identity(name, COMPONENT_TYPE),
     }
     return [Discovery(identities), Liveness()]
 

@@ -56,15 +56,11 @@ async def perform(connection: Connection, id: JausID, command: Message, within: 
     result = await _PendingCommand(connection, id, command, within).result()
     if result.command_result != CommandEvent.CommandResult.SUCCESSFUL:
         connection.controls.check(id, command)
-        when = _time_text(begin, within)
-        raise RequestError(
-            f"{id} did not carry out {command.NAME} {when}: {await why_it_failed(connection, id, command)}"
-        )
-
-
-def _time_text(begin: float, within: float) -> str:
-    elapsed = asyncio.get_running_loop().time() - begin
-    return f"(it said so after {elapsed:.1f} s)" if elapsed < within else f"within {within:g} s"
+        elapsed = asyncio.get_running_loop().time() - begin
+        timed_out = elapsed >= within
+        when = f"within {within:g} s" if timed_out else f"(it said so after {elapsed:.1f} s)"
+        why = await why_it_failed(connection, id, command, timed_out=timed_out)
+        raise RequestError(f"{id} did not carry out {command.NAME} {when}: {why}")
 
 
 class _PendingCommand:
@@ -181,6 +177,7 @@ class CommandStream:
         self._connection = connection
         self._id = id
         self._command: Message | None = None
+        self._stops = 0
         self._task: asyncio.Task[None] | None = None
 
     def __repr__(self) -> str:
@@ -199,7 +196,7 @@ class CommandStream:
             raise ConfigError("this stream is not open; use `async with driver.streaming(...) as stream` first")
         self._command = None
         await self._connection.send_checked(self._id, command, ack=False)
-        self._command = command
+        self._command, self._stops = command, self._connection.controls.stops(self._id)
 
     async def stop(self) -> None:
         """Stop: the last command with efforts and velocities of zero, resent until acknowledged; then send nothing."""
@@ -244,6 +241,9 @@ class CommandStream:
             return
         if self._id not in self._connection.controls:
             self._command = None  # control was released: it has been sent Standby
+            return
+        if self._connection.controls.stops(self._id) != self._stops:
+            self._command = None  # this OCU has stopped it, as by SetEmergency: it must not go on when that ends
             return
         try:
             self._connection.controls.check(self._id, self._command)

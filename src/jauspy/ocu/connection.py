@@ -31,7 +31,10 @@ from jauspy.messages.core import (
     CreateEvent,
     ReleaseControl,
     RequestControl,
+    Reset,
     SetEmergency,
+    Shutdown,
+    Standby,
     UpdateEvent,
 )
 from jauspy.messages.operators import QuerySealChallenge, RejectCommand, ReportSealChallenge
@@ -158,6 +161,10 @@ class Trace(Protocol):
         """Take one message."""
 
 
+LEAVES_READY: Final = tuple(command.CODE for command in (Standby, SetEmergency, Reset, Shutdown))
+"""After one of these from this OCU the component is expected to leave Ready."""
+
+
 class ControlHandle(Protocol):
     """Control of one component, as the connection uses it."""
 
@@ -173,6 +180,7 @@ class ActiveControls:
 
     def __init__(self) -> None:
         self._controls: dict[JausID, ControlHandle] = {}
+        self._stops: dict[JausID, int] = {}
 
     def __contains__(self, id: JausID) -> bool:
         return id in self._controls
@@ -187,6 +195,11 @@ class ActiveControls:
         """Remove it; without effect when another control of the component is registered."""
         if self._controls.get(id) is control:
             del self._controls[id]
+            self._stops.pop(id, None)
+
+    def stops(self, id: JausID) -> int:
+        """How often this OCU has stopped a component that it controls, by `LEAVES_READY`."""
+        return self._stops.get(id, 0)
 
     def check(self, id: JausID, message: Message) -> None:
         """Raise `ControlRejected` for a command to a component whose control was taken and is lost."""
@@ -198,6 +211,8 @@ class ActiveControls:
         for id, control in self._controls.items():
             if destination.matches(id):
                 control.on_sent(message)
+                if message.CODE in LEAVES_READY:
+                    self._stops[id] = self.stops(id) + 1
 
 
 class EventUsers:
@@ -235,15 +250,28 @@ class EventUsers:
 
 
 class Connection:
-    """Sends messages and finds the answer to each query; `id` is the client's, `registry` holds the known messages."""
+    """Sends messages and finds the answer to each query; `id` is the client's, `registry` holds the known messages.
 
-    def __init__(self, id: JausID, registry: Registry, retry: RetryPolicy, operator: OperatorKey | None = None) -> None:
+    Discovery remembers up to `max_components`.
+    """
+
+    def __init__(
+        self,
+        id: JausID,
+        registry: Registry,
+        retry: RetryPolicy,
+        operator: OperatorKey | None = None,
+        *,
+        max_components: int,
+    ) -> None:
         self.id = id
+        self.max_components = max_components
         self.registry = registry
         self.retry = retry
         self.stats = StatsRecorder()
         self.replies = ReplyDispatcher(registry, self.on_malformed)
         self.request_counts: Counter[JausID] = Counter()
+        self._motions: Counter[JausID] = Counter()
         self.controls = ActiveControls()
         self.events = EventUsers()
         self.program_silence: Callable[[], float] = lambda: 0.0
@@ -262,6 +290,15 @@ class Connection:
         """Send with this component."""
         self._component, self._loop = component, asyncio.get_running_loop()
         self.pending_cancels = asyncio.Semaphore(MAX_PENDING_CANCELS)
+
+    def begin_motion(self, id: JausID) -> Callable[[], bool]:
+        """Count a motion of a component; the result says whether its end may stop the component.
+
+        It may while this OCU controls the component and has begun no later motion of it.
+        """
+        self._motions[id] += 1
+        number = self._motions[id]
+        return lambda: id in self.controls and number == self._motions[id]
 
     @contextmanager
     def on_close(self, callback: Callable[[], Awaitable[object]]) -> Iterator[None]:
@@ -329,7 +366,8 @@ class Connection:
             self._on_reject(packet.payload, packet.source)
             return True
         known = self.registry.by_code(code)
-        if any(kind.IS_COMMAND or kind.IS_QUERY for kind in known):
+        inputs = self._component.host.inputs if self._component is not None else ()
+        if code in inputs or any(kind.IS_COMMAND or kind.IS_QUERY for kind in known):
             return False
         self.stats.unexpected += 1
         name = known[0].NAME if known else f"{code:04X}h, which is not known here,"

@@ -26,13 +26,10 @@ from jauspy.messages.core import (
     ReportStatus,
     ReportTimeout,
     RequestControl,
-    Reset,
     Resume,
-    SetEmergency,
-    Shutdown,
     Standby,
 )
-from jauspy.ocu.connection import Connection, RetryPolicy
+from jauspy.ocu.connection import LEAVES_READY, Connection, RetryPolicy
 from jauspy.protocol.header import Ack
 
 _LOG: Final = get_logger("jauspy.ocu")
@@ -62,9 +59,6 @@ REMEDIES: Final[Mapping[int, str]] = {
     ReportStatus.Status.SHUTDOWN: "start the component again",
 }
 """Commands that end the states in which a component gives control to nobody (AS5710), apart from initialization."""
-
-_LEAVES_READY: Final = tuple(command.CODE for command in (Standby, SetEmergency, Reset, Shutdown))
-"""After one of these from this OCU the component is expected to leave Ready."""
 
 
 class ControlStatus:
@@ -186,7 +180,7 @@ class Control:
 
     def on_sent(self, message: Message) -> None:
         """Called for each message that the OCU sends to the component, which may now leave Ready."""
-        if message.CODE == Resume.CODE or message.CODE in _LEAVES_READY:
+        if message.CODE == Resume.CODE or message.CODE in LEAVES_READY:
             self._was_ready, self._may_leave_ready = False, message.CODE != Resume.CODE
 
     async def __aenter__(self) -> Self:
@@ -317,12 +311,17 @@ class Control:
             if status.status == ReportStatus.Status.READY:
                 self._was_ready = True
             elif self._was_ready:
-                self._lose(f"{self.id} went from READY to {status_name(status)} without a command of this OCU")
+                why = (
+                    "since its emergency was set"
+                    if status.status == ReportStatus.Status.EMERGENCY
+                    else "without a command of this OCU"
+                )
+                self._lose(f"{self.id} went from READY to {status_name(status)} {why}")
 
     def _on_message(self, message: Message, source: JausID) -> None:
         if isinstance(message, RejectControl):
             if message.response_code == RejectControl.ResponseCode.CONTROL_RELEASED:
-                self._on_taken(f"{source} took it back: another client outranked you, you were silent, or it ended")
+                self._on_taken(f"{source} took it back")
         elif isinstance(message, ConfirmControl):
             if message.response_code == ConfirmControl.ResponseCode.INSUFFICIENT_AUTHORITY:
                 self._on_taken(f"{source} gave it to another client; your authority of {self.authority} is too low")
@@ -340,14 +339,27 @@ class Control:
     async def _query_holder(self, why: str) -> None:
         """A stale reply does not count."""
         control = await self._status.query(QueryControl(), STATUS_RETRY)
+        if self.lost == why:  # it is known better now
+            self.lost = ""
         if isinstance(control, ReportControl):
             if not self._taken and controller(control) == self._connection.id:
                 return
             if self._status.is_held_by_other(control):
                 why = f"{self.id} took it back, and {self._status.held_by()}; you had {self.authority}"
                 self.lost = ""
+            elif controller(control) == NO_CONTROLLER:
+                why = f"{why}{self._freed()}"
+        else:
+            why = f"{why}, and does not tell who has it now: it has ended, or packets are lost"
         self._taken, self.lost = True, self.lost or why
         self._ended.set()
+
+    def _freed(self) -> str:
+        """Why nobody has control now, as far as this client can tell."""
+        silence = asyncio.get_running_loop().time() - self._confirmed_at
+        if self.timeout and silence >= self.timeout:
+            return f": it has confirmed no renewal for {silence:.1f} s, and its timeout is {self.timeout:g} s"
+        return ", and nobody has it: it was reset, has failed or is ending"
 
     def _lose(self, why: str) -> None:
         self.lost = self.lost or why

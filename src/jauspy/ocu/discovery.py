@@ -131,7 +131,7 @@ async def _search(
     check_number(timeout, "timeout")
     if not timeout > 0:
         raise ConfigError(f"timeout {timeout} s must be above 0")
-    tree, own_id = SubsystemTree(), connection.id
+    tree, own_id = SubsystemTree(connection.max_components), connection.id
     clock = asyncio.get_running_loop().time
     end, size = clock() + timeout, 0
 
@@ -216,7 +216,7 @@ async def watch(
     if subsystem is not None and not 0 < subsystem < ANY_SUBSYSTEM:
         raise ConfigError(f"subsystem {subsystem} is outside 1..{ANY_SUBSYSTEM - 1}")
     clock, own_id = asyncio.get_running_loop().time, connection.id
-    tree, received = SubsystemTree(), asyncio.Event()
+    tree, received = SubsystemTree(connection.max_components), asyncio.Event()
 
     def on_report(message: Message, source: JausID) -> None:
         if source != own_id and subsystem in (None, source.subsystem):

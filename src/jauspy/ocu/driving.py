@@ -128,12 +128,14 @@ class Driving:
         stream = await self._opened(driver)
         if not stream.active:
             await check_ready(self._connection, driver.id)
+        may_stop = self._connection.begin_motion(driver.id)
         await stream.send(command)
         if seconds is not None:
             try:
                 await self._while_active(stream, driver, seconds)
             finally:
-                await self.stop()
+                if may_stop():
+                    await self.stop()
 
     async def speed_limits(self) -> tuple[float, float]:
         """See `Robot.speed_limits`."""
@@ -202,14 +204,15 @@ class Driving:
             yaw=None if yaw is None else wrap_angle(-goal.yaw),
             waypoint_tolerance=tolerance,
         )
+        may_stop = self._connection.begin_motion(driver.id)
         await self._connection.send_checked(driver.id, waypoint, ack=True)
         way = _Way(self, goal, tolerance if accept is None else accept, progress)
         try:
             return await way.follow(lambda: self._travel(driver, speed, timeout), timeout)
         except BaseException as error:
-            if driver.id in self._connection.controls:
-                if isinstance(error, RequestError):
-                    self._connection.controls.check(driver.id, waypoint)  # a lost control explains it
+            if isinstance(error, RequestError):
+                self._connection.controls.check(driver.id, waypoint)  # a lost control explains it
+            if may_stop():
                 await self._connection.deliver(driver.id, self._command(self.driver(), 0.0, 0.0))
             raise
 

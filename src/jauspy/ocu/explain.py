@@ -26,6 +26,7 @@ from jauspy.messages.core import (
     Reset,
     Shutdown,
 )
+from jauspy.messages.iop import StartRetrotraverse
 from jauspy.messages.manipulator import QueryJointPositions, ReportJointPositions
 from jauspy.messages.mobility import QueryVelocityCommand, ReportVelocityCommand, SetVelocityCommand
 from jauspy.ocu.connection import COMMANDS_WITHOUT_CONTROL, Connection, RetryPolicy
@@ -62,6 +63,13 @@ _JOINT_LISTS: Final = {
     "SetActuatorForceTorques": "actuator_force_torque_list",
     "SetJointMotionProfile": "joint_motion_profile_list",
 }
+_PERHAPS: Final[Mapping[type[Message], str]] = {
+    StartRetrotraverse: (
+        "it has no path to drive back, or something has stopped it: it keeps the path that it has driven since it "
+        "started, without what it has driven back, and ends when it does not get on, or is off its path"
+    )
+}
+"""Why commands fail that a component takes, as far as their services define it."""
 _LISTS_WITH_TYPES: Final = {"SetJointPositions": "joint_position"}
 _FULL: Final = 0xFF
 _COMPONENT_LEVEL: Final = QueryIdentification.QueryType.COMPONENT
@@ -103,8 +111,11 @@ async def explain(
     return ""
 
 
-async def why_it_failed(connection: Connection, id: JausID, command: Message) -> str:
-    """Why `id` reported that it has not carried out a command, as far as it can be asked; completes "...: "."""
+async def why_it_failed(connection: Connection, id: JausID, command: Message, *, timed_out: bool = False) -> str:
+    """Why `id` reported that it has not carried out a command, as far as it can be asked; completes "...: ".
+
+    `timed_out`: it reported so when the time for it was over.
+    """
     if reason := await explain(connection, id, command):
         return reason
     try:
@@ -118,7 +129,9 @@ async def why_it_failed(connection: Connection, id: JausID, command: Message) ->
                 return "another motion took its place"
     except ResponseTimeout:  # a component without this query
         pass
-    return f"{id} takes such commands now, and tells no reason: messages of JAUS have no field for one"
+    untold = f"{id} takes such commands now, and tells no reason: messages of JAUS have no field for one"
+    perhaps = None if timed_out else _PERHAPS.get(type(command))
+    return untold if perhaps is None else f"{untold}; perhaps {perhaps}"
 
 
 async def motion_result(connection: Connection, id: JausID, number: int) -> ReportModularArmMotionResult:

@@ -15,6 +15,8 @@ MIN_SPEED: Final = 0.002
 """rad/s or m/s that a motion profile has at least: zero would mean no limit."""
 DURATION_ROUNDING: Final = 1e-6
 """Seconds by which a duration may be shorter than possible (rounding)."""
+LEAST_SHARE: Final = 0.02
+"""Part of its limits that a joint keeps on a straight way of others: with less it could not hold itself."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +82,47 @@ def speeds_for(
             raise ConfigError(f"{name} needs at least {least:.2f} s for its way, and not {duration:g} s")
         speeds[name] = max(speed, MIN_SPEED)
     return speeds
+
+
+def straight_limits(
+    limits: Mapping[str, MotionLimits], start: Sequence[float], end: Sequence[float], duration: float = 0.0
+) -> dict[str, MotionLimits]:
+    """Limits with which all joints have the same part of their ways behind them at any time, from rest to rest.
+
+    The motion takes `duration` seconds, or with 0 as long as the slowest joint needs; `ConfigError` if that is longer.
+    """
+    whole, ways = _whole_way(limits, start, end), [abs(b - a) for a, b in zip(start, end, strict=True)]
+    speed = whole.speed_for(1.0, duration) if duration and any(ways) else whole.speed
+    if speed is None:
+        raise ConfigError(f"the joints need at least {whole.least_duration(1.0):.2f} s, and not {duration:g} s")
+    return {
+        name: MotionLimits(
+            max(_share(speed, way, limit.speed), MIN_SPEED),
+            _share(whole.acceleration, way, limit.acceleration),
+            _share(whole.deceleration, way, limit.deceleration),
+        )
+        for (name, limit), way in zip(limits.items(), ways, strict=True)
+    }
+
+
+def straight_duration(limits: Mapping[str, MotionLimits], start: Sequence[float], end: Sequence[float]) -> float:
+    """The least time in seconds of a straight way of all joints, from rest to rest."""
+    return _whole_way(limits, start, end).least_duration(1.0)
+
+
+def _whole_way(limits: Mapping[str, MotionLimits], start: Sequence[float], end: Sequence[float]) -> MotionLimits:
+    """The limits of the part of the way that is done, 0 to 1, with which no joint exceeds its own."""
+    ways = [abs(last - first) for first, last in zip(start, end, strict=True)]
+    moving = [(limit, way) for limit, way in zip(limits.values(), ways, strict=True) if way]
+    return MotionLimits(
+        min((limit.speed / way for limit, way in moving), default=math.inf),
+        min((limit.acceleration / way for limit, way in moving), default=math.inf),
+        min((limit.deceleration / way for limit, way in moving), default=math.inf),
+    )
+
+
+def _share(whole: float, way: float, limit: float) -> float:
+    return limit if math.isinf(whole) else max(whole * way, LEAST_SHARE * limit if math.isfinite(limit) else 0.0)
 
 
 def limited_by(limits: Mapping[str, MotionLimits], speeds: Mapping[str, float]) -> dict[str, MotionLimits]:

@@ -14,23 +14,37 @@ from jauspy.arguments import async_only, check_number, check_text
 from jauspy.errors import ConfigError, RequestError
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import QueryForceTorque, ReportForceTorque
+from jauspy.messages.exp import QueryHealthDetails, ReportHealthDetails
+from jauspy.messages.iop import QueryCommunicatorHealth, ReportCommunicatorHealth
+from jauspy.messages.ugv import QueryPowerPlantStatus, ReportPowerPlantStatus
 from jauspy.ocu.arm import POSE_DRIVER, POSITION_DRIVER, Arm
 from jauspy.ocu.camera import VIDEO, Camera
 from jauspy.ocu.cell import Connector, Conveyor, ModularArm, PartStation, ServoModule
+from jauspy.ocu.comms_lost import POLICY_MANAGER, RETROTRAVERSE, CommsLost, WayBack, drive_back
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
+from jauspy.ocu.courses import CoursePoint, course_points, drive_course
 from jauspy.ocu.driving import TOLERANCE, VELOCITY, WRENCH, Driving, Progress
+from jauspy.ocu.following import Follower, Following
 from jauspy.ocu.gripper import DRIVER as GRIPPER_DRIVER, Gripper
+from jauspy.ocu.guards import Guards
 from jauspy.ocu.joints import PAN_TILT_SENSOR, POSITION_SENSOR, joint_table, reported
 from jauspy.ocu.lidar import RANGE_SENSOR, Lidar
+from jauspy.ocu.planner import PLANNER, Planner
+from jauspy.ocu.preset_poses import PRESET_POSE, NoRouteError, listed
 from jauspy.ocu.service import ServiceClient
-from jauspy.ocu.state import ForceTorque, Joints, RobotPose
+from jauspy.ocu.sound import ANNOUNCER, MICROPHONE, Announcer, Microphone
+from jauspy.ocu.state import BatteryReport, ForceTorque, HealthReport, Joints, LinkHealth, RobotPose, health_of
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.printable import printable
 
 MOVING: Final = (VELOCITY, WRENCH, "mobility:LocalWaypointDriver", POSITION_DRIVER, POSE_DRIVER, GRIPPER_DRIVER)
 """Services that move a robot; a component that offers one of them is controlled by `Robot.control`."""
-FORCE_TORQUE: Final = "ForceTorqueSensor"
+FORCE_TORQUE: Final = "environmentSensing:ForceTorqueSensor"
+COMMUNICATOR: Final = "iop:Communicator"
+ALL_LINK_FIELDS: Final = 0xFFFF
+HEALTH: Final = "HealthReporter"
+POWER_PLANT: Final = "PowerPlantManager"
 ALL_FIELDS: Final = 0xFF
 DEFAULT_SPEED: Final = 0.5
 """m/s on the way to a point."""
@@ -68,6 +82,17 @@ class ComponentClient:
     def camera(self) -> Camera:
         """Camera of the component, if it has one only."""
         return Camera(self._connection, (self.info,), None)
+
+    def microphone(self, number: int = 1) -> Microphone:
+        """One of its microphones, by number from 1."""
+        check_number(number, "number", whole=True)
+        return Microphone(self._connection, self.info, number)
+
+    def announcer(self, number: int | None = None) -> Announcer:
+        """One of its loudspeakers by number; without a number the first one. Microphones are counted before them."""
+        if number is not None:
+            check_number(number, "number", whole=True)
+        return Announcer(self._connection, self.info, number)
 
     # --- modules of a factory cell ------------------------------------------------------------------------------------
 
@@ -108,6 +133,7 @@ class Robot:
         self.info = info
         self._connection = connection
         self._driving = Driving(connection, self._offering)
+        self._follower = Follower(connection, self._offering)
         self._arms: dict[JausID, Arm] = {}
 
     def __repr__(self) -> str:
@@ -167,8 +193,8 @@ class Robot:
     def control(self, *parts: str | int, authority: int = DEFAULT_AUTHORITY) -> RobotControl:
         """Control for an `async with` block of all components that move the robot, or of some; it resumes them.
 
-        `parts` are "drive", "arm", "gripper", or components by number (102) or id ("101.1.102"). At the end of the
-        block they are put in Standby and released.
+        `parts` are "drive", "arm", "gripper", "planner", or components by number (102) or id ("101.1.102"). At the end
+        of the block they are put in Standby and released.
         """
         ids: list[JausID] = [id for part in parts for id in self._part(part)] if parts else self._moving()
         return RobotControl(self._connection, list(dict.fromkeys(ids)), authority, self._driving.close)
@@ -219,6 +245,107 @@ class Robot:
             x, y, yaw, frame, speed=speed, tolerance=tolerance, accept=accept, timeout=timeout, progress=progress
         )
 
+    async def drive_course(
+        self,
+        points: Iterable[CoursePoint | tuple[float, float]],
+        *,
+        speed: float = DEFAULT_SPEED,
+        timeout: float = 300.0,
+    ) -> RobotPose:
+        """Drive along points (metres of the local frame) and wait until the robot is at the last; returns its pose.
+
+        A point is a pair (x, y), or `CoursePoint(x, y, reverse=True, wait=5.0)` to drive there backward and stand there
+        for some seconds; these need EnhancedLocalWaypointListDriver (IOP). At other points the robot drives on at
+        `speed` m/s, negative backward. The list of the component is replaced. Raises `RequestError` when the robot is
+        not there within `timeout` seconds; then, and if the call is cancelled, it stops.
+        """
+        return await drive_course(
+            self._connection, self._offering, self._driving, course_points(points), speed=speed, timeout=timeout
+        )
+
+    async def follow(
+        self,
+        leader: int | str | JausID,
+        *,
+        gap: float = 3.0,
+        lag: float = 0.0,
+        max_gap: float = 30.0,
+        offset: float = 0.0,
+        may_slow: bool = False,
+        may_stop: bool = False,
+    ) -> None:
+        """Begin to follow another robot along its path, `gap` metres and, if given, `lag` seconds behind it.
+
+        `leader` is the component with its GlobalPoseSensor, as in "101.1.102", or a subsystem: then the one with the
+        numbers of this robot's driver. `offset` is in metres to the left of the leader's path. The robot stops for good
+        when its leader is more than `max_gap` metres ahead along the path or silent for 3 s, when another command is
+        sent to it, and when its control is lost. With `may_slow` and `may_stop` it asks the leader to wait for it,
+        which the leader does if its `set_convoy` names this robot. Raises `RequestError` if it does not begin.
+        """
+        await self._follower.follow(
+            leader, gap=gap, lag=lag, max_gap=max_gap, offset=offset, may_slow=may_slow, may_stop=may_stop
+        )
+
+    async def stop_following(self) -> None:
+        """Stop the robot, which then follows nobody."""
+        await self._follower.stop()
+
+    async def following(self) -> Following:
+        """Whether the robot follows another one now, and how."""
+        return await self._follower.state()
+
+    async def set_convoy(self, *followers: int) -> None:
+        """Set the convoy that this robot leads: subsystems, each behind the one before it; none ends the convoy.
+
+        The robot waits for the first of them only, if that asks for it; it needs `control()`.
+        """
+        await self._follower.set_convoy(self.id, followers)
+
+    async def retrotraverse(
+        self,
+        distance: float | None = None,
+        *,
+        speed: float | None = None,
+        point: tuple[float, float] | None = None,
+        nose_first: bool = False,
+        standoff: float = 0.0,
+        timeout: float = 300.0,
+        progress: Callable[[float], None] | None = None,
+    ) -> WayBack:
+        """Drive back along the path by which the robot came, and wait until it has arrived.
+
+        The result tells how far that was, and why it ended there: a path that is shorter than `distance` is no error.
+
+        `distance` metres, or to where the path comes nearest to a `point`, latitude and longitude in degrees, and then
+        at most `distance`; it stops `standoff` metres before. It drives with the headings of the way out, or turns
+        about (`nose_first`), at most at `speed` m/s, by default as fast as it came. `progress` is called twice a second
+        with the share that is driven, 0..1. Raises `RequestError` when the robot gives up, or does not arrive within
+        `timeout` seconds. If the call is cancelled, it stops.
+        """
+        service = self._offering(RETROTRAVERSE)
+        if service is None:
+            raise ConfigError(f"this robot keeps no path to drive back: it does not offer {RETROTRAVERSE}")
+        await self._driving.close()
+        return await drive_back(
+            self._connection,
+            service,
+            distance=distance,
+            speed=speed,
+            point=point,
+            nose_first=nose_first,
+            standoff=standoff,
+            timeout=timeout,
+            progress=progress,
+        )
+
+    @property
+    def comms_lost(self) -> CommsLost:
+        """The reaction of the robot to a lost link to this OCU."""
+        service = self._offering(POLICY_MANAGER)
+        if service is None:
+            raise ConfigError(f"this robot has no policy for lost links: it does not offer {POLICY_MANAGER}")
+        return CommsLost(self._connection, service)
+
     async def pose(self) -> RobotPose:
         """The present pose in the robot's local frame, metres and radians."""
         return await self._driving.pose()
@@ -239,6 +366,37 @@ class Robot:
                 found[f"{component.id} {name}" if name in found else name] = value
         return Joints(found, datetime.now(UTC))
 
+    async def poses(self) -> dict[str, tuple[JausID, ...]]:
+        """Names of the poses that the robot knows, each with the components whose joints it names."""
+        arms = self._posed()
+        found: dict[str, tuple[JausID, ...]] = {}
+        for arm, names in zip(arms, await asyncio.gather(*(arm.poses() for arm in arms)), strict=True):
+            for name in dict.fromkeys(names):
+                found[name] = (*found.get(name, ()), arm.info.id)
+        return found
+
+    async def move_to(self, name: str, *, timeout: float = 60.0) -> Joints:
+        """Move all joints of a pose there, as in `robot.move_to("stow")`: arm and flippers. Returns all positions.
+
+        One component moves after the other. One that finds no way without contact waits until others have moved.
+        Raises as `Arm.move_to`, with `timeout` seconds for each component, which must be controlled.
+        """
+        known = await self.poses()
+        if name not in known:
+            raise ConfigError(f"subsystem {self.id} has no pose {name!r}; it has: {listed(known)}")
+        waiting = [arm for arm in self._posed() if arm.info.id in known[name]]
+        while waiting:
+            obstructed = list[tuple[Arm, NoRouteError]]()
+            for arm in waiting:
+                try:
+                    await arm.move_to(name, timeout=timeout)
+                except NoRouteError as error:
+                    obstructed.append((arm, error))
+            if len(obstructed) == len(waiting):
+                raise obstructed[0][1]
+            waiting = [arm for arm, _ in obstructed]
+        return await self.joints()
+
     async def force_torque(self, sensor: int = 1) -> ForceTorque:
         """Measurement of a force-torque sensor, as between arm and gripper; `sensor` is its number from 1."""
         check_number(sensor, "sensor", whole=True)
@@ -251,6 +409,41 @@ class Robot:
             torque = measured.torque_x or 0.0, -(measured.torque_y or 0.0), -(measured.torque_z or 0.0)
             return ForceTorque(force, torque, datetime.now(UTC))
         raise RequestError(f"{client.id} has no force-torque sensor {sensor}")
+
+    async def link(self) -> LinkHealth:
+        """Health of the link to this program, which the robot measures while it is asked (Communicator of IOP)."""
+        report = await self.service(COMMUNICATOR).query(QueryCommunicatorHealth(ALL_LINK_FIELDS))
+        record, error = report.report_communicator_health_rec, report.error_variant
+        rate = error.packet_error_rate if isinstance(error, ReportCommunicatorHealth.PacketErrorRateRec) else 0.0
+        return LinkHealth(
+            is_up=record.bit_results != ReportCommunicatorHealth.BIT_Results.FAILED,
+            round_trip=None if record.latency is None else 2.0 * record.latency,
+            loss=rate / 100.0,
+            rate=None if record.data_rate is None else 1e6 * record.data_rate,
+        )
+
+    async def battery(self) -> BatteryReport:
+        """Charge, voltage and current of the robot's battery, of the first one if it has several."""
+        client = self.service(POWER_PLANT)
+        report = await client.query(QueryPowerPlantStatus([]), expects=ReportPowerPlantStatus)
+        for plant in report.power_plant_status_list:
+            status = plant.power_plant_status_var
+            if isinstance(status, ReportPowerPlantStatus.BatteryStatus) and status.battery_status:
+                row = status.battery_status[0]
+                percent = row.percent_charge_remaining
+                return BatteryReport(
+                    charge=None if percent is None else percent / 100.0,
+                    voltage=row.voltage,
+                    current=row.current_draw,
+                    temperature=row.battery_temp,
+                    time=datetime.now(UTC),
+                )
+        raise RequestError(f"{client.id} reports no battery")
+
+    async def health(self) -> list[HealthReport]:
+        """Health of the robot's drives, cameras, computers and battery, the worst first."""
+        report = await self.service(HEALTH).query(QueryHealthDetails(), expects=ReportHealthDetails)
+        return health_of(report, datetime.now(UTC))
 
     @property
     def arm(self) -> Arm:
@@ -269,6 +462,21 @@ class Robot:
             self._connection, self._only(list(self.info.offering(GRIPPER_DRIVER)), "gripper", GRIPPER_DRIVER)
         )
 
+    @property
+    def planner(self) -> Planner:
+        """Planner of the motions of its arm: a component that runs beside it, as by `jauspy planner`."""
+        found = list(self.info.offering(PLANNER))
+        return Planner(self._connection, self._only(found, "planner of motions", PLANNER, "robot.planner_of({})"))
+
+    def planner_of(self, which: int | str | JausID) -> Planner:
+        """A planner of motions by number (130) or id of its component, for a robot that has several."""
+        return Planner(self._connection, self.component(which).info)
+
+    @property
+    def guards(self) -> Guards:
+        """Its guards against self collision and obstacles."""
+        return Guards(self._connection, self.components)
+
     def camera(self, name: str | None = None) -> Camera:
         """A camera by its name; the only one without a name."""
         return Camera(self._connection, tuple(self.info.offering(VIDEO)), name)
@@ -276,6 +484,16 @@ class Robot:
     def lidar(self, name: str | None = None) -> Lidar:
         """A lidar by its name; the only one without a name."""
         return Lidar(self._connection, tuple(self.info.offering(RANGE_SENSOR)), name)
+
+    @property
+    def microphone(self) -> Microphone:
+        """First microphone of the robot, if one component has them."""
+        return Microphone(self._connection, self._only(list(self.info.offering(MICROPHONE)), "microphone", MICROPHONE))
+
+    @property
+    def announcer(self) -> Announcer:
+        """First loudspeaker of the robot, if one component has them."""
+        return Announcer(self._connection, self._only(list(self.info.offering(ANNOUNCER)), "loudspeaker", ANNOUNCER))
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
@@ -306,9 +524,17 @@ class Robot:
             return [self.arm.info.id]
         if part == "gripper":
             return [self.gripper.info.id]
+        if part == "planner":
+            return [self.planner.info.id]
         if isinstance(part, str) and "." not in part:
-            raise ConfigError(f"there is no part {part!r}; parts are drive, arm, gripper, and components, as in 102")
+            raise ConfigError(
+                f"there is no part {part!r}; parts are drive, arm, gripper, planner, and components, as in 102"
+            )
         return [self.component(part).id]
+
+    def _posed(self) -> list[Arm]:
+        """The components with named poses."""
+        return [self._arm_of([component]) for component in self.info.offering(PRESET_POSE)]
 
     def _arm_of(self, found: list[ComponentInfo]) -> Arm:
         info = self._only(found, "arm", POSITION_DRIVER, "robot.manipulator({})")

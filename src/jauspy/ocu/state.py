@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import ItemsView, Iterator, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
+from enum import IntEnum
 from typing import Final
 
 from jauspy.geometry.poses import Pose, jaus_pose
 from jauspy.geometry.vectors import Vector
 from jauspy.messages.core import TimeStamp
+from jauspy.messages.exp import ReportHealthDetails
 from jauspy.messages.mobility import ReportLocalPose
+from jauspy.printable import printable
 
 DAY: Final = timedelta(days=1)
 
@@ -30,6 +33,21 @@ class RobotPose:
 
 
 @dataclass(frozen=True, slots=True)
+class LinkHealth:
+    """The link between a robot and this program, as the robot measures it in the last ten seconds."""
+
+    is_up: bool
+    """False if the robot's last probes were not answered."""
+    round_trip: float | None
+    """Seconds there and back; None while it is not known."""
+    loss: float
+    """Fraction of the packets that were not answered, 0 to 1."""
+    rate: float | None = None
+    """Bits per second that the robot's node manager sends to this machine, video and sound left out; None while it is
+    not known, and for a program on the robot's machine."""
+
+
+@dataclass(frozen=True, slots=True)
 class ForceTorque:
     """Force and torque of a tool and its load on a sensor, with the robot's axes (REP-103: z is up)."""
 
@@ -39,6 +57,49 @@ class ForceTorque:
     """Newton metres, about the sensor."""
     time: datetime
     """When the report arrived: it has no time stamp."""
+
+
+@dataclass(frozen=True, slots=True)
+class BatteryReport:
+    """The state of a battery, as the robot reports it; None for what it leaves out."""
+
+    charge: float | None
+    """Fraction of its capacity, 0..1."""
+    voltage: float | None
+    """Volts."""
+    current: float | None
+    """Amperes that it delivers."""
+    temperature: float | None
+    """Degrees Celsius."""
+    time: datetime
+    """When the report arrived: it has no time stamp."""
+
+    @property
+    def power(self) -> float | None:
+        """Watts that it delivers."""
+        return None if self.voltage is None or self.current is None else self.voltage * self.current
+
+
+@dataclass(frozen=True, slots=True)
+class HealthReport:
+    """The health of one part, as the robot reports it."""
+
+    component: int
+    """Number of the component, on the node of the one that reports."""
+    service: str
+    """URN of the service that the part belongs to."""
+    severity: str
+    """NONE, INFO, WARN, ERR or FAIL."""
+    part: str
+    """NONE, PROCESSOR, RAM, ROM, FILESYS, POWER, SENSOR, ACTUATOR or SOFTWARE."""
+    text: str
+    time: datetime | None
+    """Since when; None for a time that does not exist."""
+
+    @property
+    def is_well(self) -> bool:
+        """True if nothing needs to be done."""
+        return self.severity in ("NONE", "INFO")
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +134,32 @@ def pose_of(report: ReportLocalPose, now: datetime) -> RobotPose:
     return RobotPose(
         x=pose.x, y=pose.y + 0.0, z=pose.z + 0.0, roll=pose.roll, pitch=pose.pitch + 0.0, yaw=pose.yaw + 0.0, time=time
     )
+
+
+def health_of(report: ReportHealthDetails, now: datetime) -> list[HealthReport]:
+    """The entries of a report, the worst first."""
+    found = []
+    for component in report.detailed_status_list:
+        for entry in component.component_status_list:
+            time = entry.logtime
+            stamp = TimeStamp(
+                milliseconds=time.milliseconds, seconds=time.seconds, minutes=time.minute, hour=time.hour, day=time.day
+            )
+            row = HealthReport(
+                component=component.component_rec.component_id,
+                service=printable(entry.service_urn),
+                severity=_name(ReportHealthDetails.Severity, entry.severity),
+                part=_name(ReportHealthDetails.Code, entry.code),
+                text=printable(entry.descriptor),
+                time=datetime_of(stamp, now),
+            )
+            found.append((-int(entry.severity), row))
+    return [row for _, row in sorted(found, key=lambda item: item[0])]
+
+
+def _name(kind: type[IntEnum], value: int) -> str:
+    """The name of a value; its number for one that the standard does not define."""
+    return next((item.name for item in kind if item == value), str(int(value)))
 
 
 def datetime_of(stamp: TimeStamp, now: datetime) -> datetime | None:

@@ -20,11 +20,15 @@ _LEVELS: Final = frozenset(map(int, Level))
 
 MAX_COMPONENTS: Final = 4096
 """Components that a tree holds, and silent ones that it remembers; a flood of invented ids cannot exceed it."""
-MAX_SERVICES: Final = 1 << 16
-"""Services that a tree holds; a component whose report does not fit any more is shown without them."""
+SERVICES_PER_COMPONENT: Final = 16
+"""Services that a tree holds on average; a component whose report does not fit any more is shown without them."""
 MAX_SERVICES_OF_COMPONENT: Final = 256
 INTRODUCTION_TIME: Final = 1.0
 """Seconds that a new component has for reporting its names and services before it is shown without them."""
+
+
+PROFILES: Final = ("urn:jaus:jss:iop:", "urn:jaus:jss:exp:")
+"""Beginnings of URNs of profiles, some of whose services are called as those of the standards are."""
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -62,8 +66,12 @@ class ComponentInfo:
         return kind_of(self.type)
 
     def find(self, name: str) -> ServiceInfo | None:
-        """The newest version of the service of this name; None when the component does not offer it."""
-        return max((service for service in self.services if service.is_called(name)), default=None)
+        """The newest version of the service of this name; None when the component does not offer it.
+
+        Of services that are called the same, those of the standards precede those of profiles (IOP, AEODRS).
+        """
+        called = (service for service in self.services if service.is_called(name))
+        return max(called, default=None, key=lambda service: (not service.urn.startswith(PROFILES), service))
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,13 +137,17 @@ class _Entry:
 
 
 class SubsystemTree:
-    """Grows with `add` and shrinks with `expire`; `subsystems` returns what is known as frozen values."""
+    """Grows with `add` and shrinks with `expire`; `subsystems` returns what is known as frozen values.
 
-    def __init__(self) -> None:
+    It holds `max_components`, and in all `SERVICES_PER_COMPONENT` times as many services.
+    """
+
+    def __init__(self, max_components: int = MAX_COMPONENTS) -> None:
+        self._max_components = max_components
         self._entries: dict[JausID, _Entry] = {}
         self._names: dict[tuple[int, JausID], tuple[str, int]] = {}
         self._services = 0
-        """Number of services of all entries, for `MAX_SERVICES`."""
+        """Number of services of all entries."""
         self._silent: dict[JausID, None] = {}
         """Components that responded once and fell silent; other components may still list them."""
 
@@ -177,7 +189,7 @@ class SubsystemTree:
         for entry in self._entries.values() if silent else ():
             entry.services = {source: services for source, services in entry.services.items() if source not in silent}
         self._services = sum(len(services) for entry in self._entries.values() for services in entry.services.values())
-        while len(self._silent) > MAX_COMPONENTS:
+        while len(self._silent) > self._max_components:
             del self._silent[next(iter(self._silent))]
         if silent:
             named = {name_owner(level, id) for id in self._entries for level in Level}
@@ -249,7 +261,7 @@ class SubsystemTree:
 
     def _entry(self, id: JausID, now: float) -> _Entry | None:
         """The entry of a component, new if need be; None when the tree is full."""
-        if id not in self._entries and len(self._entries) >= MAX_COMPONENTS:
+        if id not in self._entries and len(self._entries) >= self._max_components:
             return None
         return self._entries.setdefault(id, _Entry(id, now, now))
 
@@ -258,7 +270,7 @@ class SubsystemTree:
         if entry is not None:
             services = frozenset(islice(services, MAX_SERVICES_OF_COMPONENT))
             more = len(services) - len(entry.services.get(source, ()))
-            if self._services + more <= MAX_SERVICES:
+            if self._services + more <= SERVICES_PER_COMPONENT * self._max_components:
                 entry.services[source] = services
                 self._services += more
             if not entry.responds:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from typing import Protocol, runtime_checkable
 
+from jauspy.geometry.poses import Pose
 from jauspy.platform.contract import DisabledRobot, Robot
 from jauspy.platform.description import RobotModel
 
@@ -27,4 +30,27 @@ class EnablesLast(Protocol):
 
     def open_disabled(self, robot: RobotModel, world: str) -> DisabledRobot:
         """Open a robot as `Backend.open` does, without enabling its motors."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedRobot:
+    """A robot, and where its base starts in the world: x and y in metres, and the yaw in radians, as in REP-103.
+
+    Names of the descriptions of robots of one world differ.
+    """
+
+    robot: RobotModel
+    start: Pose = field(default_factory=Pose)
+
+
+@runtime_checkable
+class OpensSeveral(Protocol):
+    """A backend that has several robots in one world, where they see and touch each other."""
+
+    def open_several(self, robots: Sequence[PlacedRobot], world: str) -> Sequence[Robot]:
+        """Open the robots of one world, each at rest where it starts. Raises `ConfigError` as `Backend.open` does.
+
+        Those that share a state are `SharesWorld`.
+        """
         ...

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple, Protocol, Self, runtime_checkable
 
@@ -36,7 +37,7 @@ class DriveBase(Protocol):
         ...
 
     def pose(self) -> Pose:
-        """Pose of the base in the world, whose origin is where the robot started."""
+        """Pose of the base in the world, whose origin is where a robot that is alone started."""
         ...
 
     def twist(self) -> Twist:
@@ -78,7 +79,7 @@ class RobotParts(Protocol):
 
 
 class Robot(RobotParts, Protocol):
-    """One robot of a backend, at rest at the world's origin when opened."""
+    """One robot of a backend, at rest when opened: at the world's origin, or where it is placed among others."""
 
     @property
     def cameras(self) -> Mapping[str, CameraSource]:
@@ -126,6 +127,16 @@ class Counting(Protocol):
     @property
     def counters(self) -> Mapping[str, int]:
         """Numbers by name; may be read by another thread than that of `advance`."""
+        ...
+
+
+@runtime_checkable
+class SharesWorld(Protocol):
+    """A robot that shares its world, and so its state, with others, which other threads advance."""
+
+    @property
+    def world_lock(self) -> AbstractContextManager[object]:
+        """The lock of the world; whoever calls the robot or its parts holds it."""
         ...
 
 

@@ -13,15 +13,19 @@ from typing import Annotated, Final
 from annotated_types import Interval, Len
 
 from jauspy.geometry.urdf import RobotDescription
+from jauspy.platform.battery import BatterySetup
 from jauspy.platform.camera import CameraSetup, Quality
 from jauspy.platform.force_torque import ForceTorqueSetup
-from jauspy.platform.joints import JointGains, JointSensors
+from jauspy.platform.joints import ContactReaction, JointGains, JointSensors
 from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import EXACT, LocalizationSetup
 from jauspy.platform.modular.parts import CellSetup
+from jauspy.platform.named_poses import NamedPose
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.servo_drives import CanSetup
-from jauspy.platform.tables import Converted, Table, UrdfName
+from jauspy.platform.sound import LoudspeakerSetup, MicrophoneSetup, ToneSetup
+from jauspy.platform.stability_setup import StabilitySetup
+from jauspy.platform.tables import Converted, Table, UrdfName, check_order
 from jauspy.platform.wheels import WheelSetup
 
 WORLD_SUFFIXES: Final = (".xml", ".mjcf", ".sdf", ".world", ".toml")
@@ -49,6 +53,8 @@ class GroupSetup:
     """Initial positions of the joints."""
     feed_forward: bool = False
     """True if their controllers know the robot's dynamics, and apply what a motion needs before an error appears."""
+    contact: ContactReaction = ContactReaction.IGNORE
+    """What they do when something is in their way, which needs `feed_forward`."""
     sensors: JointSensors | None = None
     """Errors of what the joints measure; None measures exactly."""
 
@@ -79,6 +85,34 @@ class TiltSetup(Table):
 
 
 @dataclass(frozen=True, slots=True)
+class SelfCollisionSetup(Table):
+    """The table `self_collision`: the guard that stops joints before links of the robot touch each other."""
+
+    enabled: bool = False
+    """True if it is on when the robot starts; a client may switch it."""
+    distance: Annotated[float, Interval(ge=0.002, le=0.5)] = 0.01
+    """Metres at which links stop."""
+
+
+@dataclass(frozen=True, slots=True)
+class GuardedTeleopSetup(Table):
+    """The table `guarded_teleop`: the guard that stops the chassis before obstacles that its sensors see."""
+
+    enabled: bool = False
+    """True if it is on when the robot starts; a client may switch it."""
+    distance: Annotated[float, Interval(ge=0.02, le=5.0)] = 0.15
+    """Metres from the chassis at which it stops."""
+    height: tuple[Annotated[float, Interval(ge=-1.0, le=10.0)], Annotated[float, Interval(ge=-1.0, le=10.0)]] = (
+        0.1,
+        1.0,
+    )
+    """Metres above the ground under the chassis between which a point is an obstacle."""
+
+    def __post_init__(self) -> None:
+        check_order("height", self.height, "the lowest and then the greatest height of an obstacle")
+
+
+@dataclass(frozen=True, slots=True)
 class RobotModel:
     """All that a backend needs to make a robot."""
 
@@ -99,6 +133,10 @@ class RobotModel:
     """Wheels in place of tracks."""
     tilt_guard: TiltSetup | None = None
     """Tilt from which on the robot is stopped; None for no limit."""
+    self_collision: SelfCollisionSetup = SelfCollisionSetup()
+    guarded_teleop: GuardedTeleopSetup = GuardedTeleopSetup()
+    depth_cameras: tuple[str, ...] = ()
+    """Names of the cameras that measure depths."""
     localization: LocalizationSetup = EXACT
     """Measurement of its pose; for robots with a chassis."""
     lamps: tuple[LampSetup, ...] = ()
@@ -106,3 +144,13 @@ class RobotModel:
     """Light of the simulated world."""
     quality: Quality = Quality.MEDIUM
     """Quality of the pictures of its cameras in a simulation."""
+    stability: StabilitySetup | None = None
+    """Protection against tipping over; None for a robot without it."""
+    battery: BatterySetup | None = None
+    """The battery of a simulated robot; None for a supply that never ends."""
+    poses: tuple[NamedPose, ...] = ()
+    """Named poses of its joints."""
+    microphones: tuple[MicrophoneSetup, ...] = ()
+    loudspeakers: tuple[LoudspeakerSetup, ...] = ()
+    tones: tuple[ToneSetup, ...] = ()
+    """Sounds of its world that never end."""

@@ -57,6 +57,29 @@ class JointGains:
     velocity: Gains
 
 
+class ContactReaction(Enum):
+    """What an arm does when something is in its way."""
+
+    STOP = "stop"
+    """It holds where it is, and lets the effort at the contact fall."""
+    YIELD = "yield"
+    """It moves out of the way of what pushes it, and holds there."""
+    IGNORE = "ignore"
+    """It pushes on."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointContact:
+    """Something in the way of a group of joints, which has therefore ended its motion."""
+
+    number: int
+    """1 for the first contact of the group, and one more for each further one."""
+    efforts: Mapping[str, float]
+    """External efforts of the joints that noticed it, by name, the most noticeable first; N m or N."""
+    gives_way: bool = False
+    """True if the joints give way; otherwise they hold."""
+
+
 @dataclass(frozen=True, slots=True)
 class JointState:
     """The joints of a group at one moment, as measured, base to tip. Efforts are those of the motors and brakes."""
@@ -66,6 +89,8 @@ class JointState:
     efforts: tuple[float, ...]
     overloads: Mapping[str, float] = field(default_factory=dict)
     """Loads of joints whose brakes hold because their motors cannot, by name; N m or N."""
+    contact: JointContact | None = None
+    """The last contact with something in the way, for groups that watch for it."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,8 @@ EXPECTED_MASS: Final = 5.0
 """Kilograms: the standard deviation of a mass of which nothing is known."""
 EXPECTED_MOMENT: Final = 0.3
 """Kilogram metres: the same of the first moment of mass about the tool."""
+EXPECTED_LEVER: Final = 0.12
+"""Metres: the same of the distance of a load's centre from the tool along each axis."""
 FARTHEST: Final = 1.0
 """Metres from the tool beyond which no centre of mass is."""
 LEAST: Final = 0.02
@@ -76,7 +78,12 @@ class PayloadIdentifier:
         misfit = self._squares - 2.0 * float(found @ self._vector) + float(found @ self._information @ found)
         # larger misfits than those of the noise are errors of the model, which count as noise
         scale = max(1.0, misfit / max(1.0, self._count - 4.0))
-        deviation = math.sqrt(scale * float(covariance[0, 0]))
+        # the centre of a light load is near the tool: what the motions have not shown of it stays there
+        lever = max(LEAST, float(found[0])) * EXPECTED_LEVER
+        prior = np.diag([EXPECTED_MASS**-2.0, *[min(EXPECTED_MOMENT, lever) ** -2.0] * 3])
+        covariance = np.linalg.inv(self._information / scale + prior)
+        found = covariance @ self._vector / scale
+        deviation = math.sqrt(float(covariance[0, 0]))
         mass = float(found[0])
         if mass < LEAST:
             return Payload(mass_deviation=deviation)

@@ -24,6 +24,27 @@ class Table:
     __slots__ = ()
     __pydantic_config__: ClassVar[Mapping[str, Any]] = {"extra": "forbid"}
 
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source: Any, handler: Any) -> Any:
+        schema = handler(source)
+        reject_conversions(handler.resolve_ref_schema(schema))
+        return schema
+
+
+def reject_conversions(schema: Any) -> None:
+    """Have a schema of pydantic take numbers for numbers only, not `true` or "5", and true and false for flags only.
+
+    A whole number is a float, too. The schema is changed; parts that it only refers to are left as they are.
+    """
+    if isinstance(schema, dict):
+        if schema.get("type") in ("int", "float", "bool"):
+            schema["strict"] = True
+        for part in schema.values():
+            reject_conversions(part)
+    elif isinstance(schema, list | tuple):
+        for part in schema:
+            reject_conversions(part)
+
 
 @dataclass(frozen=True, slots=True)
 class Converted:
@@ -62,6 +83,13 @@ class Written:
         from pydantic_core import core_schema  # noqa: PLC0415 - only where files are read
 
         return core_schema.no_info_after_validator_function(self.convert, handler.generate_schema(self.form))
+
+
+@dataclass(frozen=True, slots=True)
+class FormOf:
+    """Annotation of a value that another validator makes from a table: the class that declares the table's keys."""
+
+    form: type
 
 
 def _finite(value: float) -> float:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Final, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 from jauspy.protocol import addressing
 from jauspy.protocol.addressing import LocalPort, NetworkPort, UdpPort
@@ -24,12 +24,18 @@ MAX_IDS_PER_HOST: Final = 1024
 """Ids of one host, as many as a node manager has components; beyond that its own oldest are forgotten."""
 
 
+class IdBounds(NamedTuple):
+    """Ids on networks that are remembered: all, and those of one host."""
+
+    total: int = MAX_IDS
+    per_host: int = MAX_IDS_PER_HOST
+
+
 class LearnedAddresses:
     """Port and time of each id, a 32-bit number; the one that was set longest ago is forgotten first."""
 
-    def __init__(self, limit: int = MAX_IDS, per_host: int = MAX_IDS_PER_HOST) -> None:
-        self._limit = limit
-        self._per_host = per_host
+    def __init__(self, bounds: IdBounds = IdBounds()) -> None:  # noqa: B008 - immutable
+        self._bounds = bounds
         self._learned_ports: OrderedDict[int, tuple[NetworkPort, float]] = OrderedDict()
         self._hosts: dict[str, OrderedDict[int, None]] = {}
 
@@ -49,9 +55,9 @@ class LearnedAddresses:
         self._learned_ports[id] = (port, now)
         ids = self._hosts.setdefault(port.host, OrderedDict())
         ids[id] = None
-        if len(ids) > self._per_host:
+        if len(ids) > self._bounds.per_host:
             self.remove(next(iter(ids)))
-        if len(self._learned_ports) > self._limit:
+        if len(self._learned_ports) > self._bounds.total:
             self.remove(next(iter(self._learned_ports)))
 
     def remove(self, id: int) -> None:
@@ -84,9 +90,13 @@ class AddressBook:
     """
 
     def __init__(
-        self, static: StaticAddresses | None = None, *, limit: int = MAX_IDS, lifetime: float = ADDRESS_LIFETIME
+        self,
+        static: StaticAddresses | None = None,
+        *,
+        bounds: IdBounds = IdBounds(),  # noqa: B008 - immutable
+        lifetime: float = ADDRESS_LIFETIME,
     ) -> None:
-        self._learned = LearnedAddresses(limit)
+        self._learned = LearnedAddresses(bounds)
         self._lifetime = lifetime
         self.set_static(static or {})
 

@@ -11,6 +11,9 @@ from typing import Final, NamedTuple, TypeAlias
 DEFAULT_NETWORK: Final = "lan"
 """The name of the first network, unless the configuration sets another."""
 
+ID_REQUESTS: Final = frozenset({0xDB01, 0xDB03})
+"""RequestSubsystemID and RequestNodeID, whose senders have no id yet; some have wildcards in its place."""
+
 
 def is_wildcard(id: int) -> bool:
     """True when any part of the id is a wildcard: all subsystems, nodes or components."""
@@ -96,6 +99,11 @@ class Location(NamedTuple):
     hosts: frozenset[str] = frozenset()
     ports: frozenset[int] = frozenset()
     """UDP ports of JAUS, as far as they are known: of the node manager here, and of the component's machine."""
+
+    sent: int | None = None
+    """Bytes that the node manager here has sent to that machine; None if it does not count them."""
+    waiting: int | None = None
+    """Bytes that wait in its queue to the component, or in the kernel's to the network; None if that is unknown."""
 
     def has(self, host: str) -> bool:
         """True when this is an address of the machine; loopback addresses are those of this one only."""

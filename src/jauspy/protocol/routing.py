@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from typing import Final, Literal, TypeAlias
+from typing import Final, Literal, NamedTuple, TypeAlias
 
 from jauspy.errors import ProtocolError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 from jauspy.logs import get_logger
 from jauspy.protocol import addressing, judp, junior
 from jauspy.protocol.address_book import (
@@ -21,6 +21,7 @@ from jauspy.protocol.address_book import (
     AddressBook,
     ComponentDirectory,
     ComponentPort,
+    IdBounds,
 )
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
 from jauspy.protocol.compression import Compression, is_compressed
@@ -41,12 +42,28 @@ RECEIVED_COUNTERS: Final[dict[type, str]] = {port: f"received.{kind}" for port, 
 CompressionUse: TypeAlias = Literal["off", "accept", "propose"]
 
 
+def _asks_for_id(raw: RawPacket, datagram: bytes) -> bool:
+    """True for a broadcast request for an id, which is answered by broadcast: nothing is sent to its source."""
+    is_request = (
+        len(datagram) >= raw.payload_start + 2 and message_id(datagram, raw.payload_start) in addressing.ID_REQUESTS
+    )
+    return is_request and raw.ack == Ack.NONE and addressing.is_wildcard(raw.destination)
+
+
+class BroadcastRoute(NamedTuple):
+    """The components of this machine that a broadcast is for, and the networks by whose groups it is sent."""
+
+    components: tuple[LocalPort, ...]
+    networks: tuple[str, ...]
+
+
 class Router:
     """Routes between the components of this machine (`LocalPort`) and the networks (all other ports).
 
     Args:
         local_root: The directory of the components' sockets.
         addresses: Static addresses, which never expire; learned ones expire after `address_lifetime` seconds.
+        bounds: How many learned addresses are remembered.
         networks: The names of all networks. Packets cross from one to another only through a `gateway`.
         gateway, sources: Filters of received packets; both may be replaced at run time.
         local_udp: Whether components of this machine may connect by UDP.
@@ -69,6 +86,7 @@ class Router:
         gateway: Gateway | None = None,
         sources: SourceChecks | None = None,
         address_lifetime: float = ADDRESS_LIFETIME,
+        bounds: IdBounds = IdBounds(),  # noqa: B008 - immutable
         local_udp: bool = True,
         may_connect: Callable[[UdpPort], bool] = lambda _: True,
         is_abandoned: Callable[[NetworkPort], bool] = lambda _: False,
@@ -83,7 +101,7 @@ class Router:
         self._changed = changed
         self.components = ComponentDirectory(changed, max_sockets=max_sockets)
         static = {int(id): ports for id, ports in (addresses or {}).items()}
-        self.address_book = AddressBook(static, lifetime=address_lifetime)
+        self.address_book = AddressBook(static, bounds=bounds, lifetime=address_lifetime)
         self.gateway = gateway
         self.sources = sources or SourceChecks()
         self._networks = tuple(networks)
@@ -185,6 +203,33 @@ class Router:
         compression = self._egress.compression
         return None if compression is not None and compression.applies_to(route) else route
 
+    def cacheable_broadcast(self, source: int, destination: int, broadcast: int, port: Port) -> BroadcastRoute | None:
+        """Route of every plain broadcast of these ids from `port`; None if each must pass through `receive`.
+
+        `broadcast` is the field of the header. The route holds until `changed` is called for any id, and for a moment
+        at most.
+        """
+        if self.gateway is not None or self.sources.are_limited or addressing.is_wildcard(source):
+            return None
+        if not isinstance(port, LocalPort) or self.components.port(source) != port:
+            return None
+        components = self.components.matching(destination, exclude=source)
+        if not components:
+            return None
+        if broadcast == Broadcast.LOCAL:
+            networks: tuple[str, ...] = ()
+        elif self.address_book.static_matching(destination):
+            return None
+        else:
+            networks = self._networks
+        local = tuple(found for found in components if isinstance(found, LocalPort))
+        return BroadcastRoute(local, networks) if len(local) == len(components) else None
+
+    def note_multicast(self, datagram: bytes, network: str, now: float) -> None:
+        """Count a multicast that is sent by a `BroadcastRoute`, and recognise it when the network returns it."""
+        self._egress.echoes.add(datagram, network, now)
+        self.counters["routed.multicast"] += 1
+
     def _is_verified_peer(self, id: int, port: Port, now: float) -> bool:
         """True for a peer on a network whose address was checked and learned a moment ago."""
         if isinstance(port, LocalPort | GroupPort) or id in self.components:
@@ -257,7 +302,7 @@ class Router:
     ) -> str | None:
         """Reason to refuse a packet from this address, as a counter's name; None if it is accepted."""
         source = raw.source
-        if not verified and addressing.is_wildcard(source):
+        if not verified and addressing.is_wildcard(source) and not _asks_for_id(raw, datagram):
             return "wildcard_source"
         if (in_use := self._registrar.is_in_use(source)) or (not verified and self._is_own(source)):
             self._duplicate_ids.warn_duplicate(source, port)

@@ -7,7 +7,7 @@ from collections.abc import Collection, Hashable
 from dataclasses import dataclass
 from typing import Final, NamedTuple, TypeVar
 
-from jauspy.protocol.address_book import LearnedAddresses
+from jauspy.protocol.address_book import MAX_IDS, IdBounds, LearnedAddresses
 from jauspy.protocol.addressing import NetworkPort
 from jauspy.protocol.header import Priority
 
@@ -59,7 +59,6 @@ NEXT_CLAIM: Final = 0.5
 CLAIM_LIFETIME: Final = 2.0
 """Seconds between two packets of a claim."""
 MAX_CLAIMS: Final = 1024
-MAX_SEQUENCES: Final = 4096
 MIN_SEQUENCE_WINDOW: Final = 64
 """Sequence numbers by which the new way may be ahead of the last known one, and twice what the id sends meanwhile."""
 MAX_SEQUENCE_WINDOW: Final = 4096
@@ -88,10 +87,12 @@ class AddressChanges:
     """Lets an id that was heard lately have another host, as when a gateway fails and another one takes over (ADR 85).
 
     The first packet by a new way is a claim. It is accepted when the old way has been silent from then on, and the new
-    way either is authenticated or goes on with the sequence numbers of the id. Ids are 32-bit numbers.
+    way either is authenticated or goes on with the sequence numbers of the id. Ids are 32-bit numbers, and the
+    numbers of `max_ids` are remembered.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, max_ids: int = MAX_IDS) -> None:
+        self._max_ids = max_ids
         self._sequences: OrderedDict[int, _Sequence] = OrderedDict()
         self._claims: OrderedDict[int, _Claim] = OrderedDict()
         self._barred: OrderedDict[int, float] = OrderedDict()
@@ -119,7 +120,7 @@ class AddressChanges:
         if known is not None:
             steps, seconds = (sequence - known.number) % _FULL, now - known.at
             rate = steps / seconds if steps < _HALF and seconds >= VERIFIED_INTERVAL else known.rate
-        _put(self._sequences, id, _Sequence(sequence, now, rate), MAX_SEQUENCES)
+        _put(self._sequences, id, _Sequence(sequence, now, rate), self._max_ids)
 
     def allows(
         self, id: int, port: NetworkPort, holder: NetworkPort, sequence: int | None, now: float, *, authenticated: bool
@@ -183,18 +184,28 @@ class SourceLimits:
 
 
 class SourceChecks:
-    """Checks packets by their source id, a 32-bit number; those of `authenticated` networks have a signature."""
+    """Checks packets by their source id, a 32-bit number; those of `authenticated` networks have a signature.
 
-    def __init__(self, limits: SourceLimits | None = None, *, authenticated: Collection[str] = ()) -> None:
-        self._addresses = LearnedAddresses()
-        self._changes = AddressChanges()
+    `bounds` limits the ids whose addresses, numbers and rates are remembered.
+    """
+
+    def __init__(
+        self,
+        limits: SourceLimits | None = None,
+        *,
+        authenticated: Collection[str] = (),
+        bounds: IdBounds = IdBounds(),  # noqa: B008 - immutable
+    ) -> None:
+        self._addresses = LearnedAddresses(bounds)
+        self._changes = AddressChanges(bounds.total)
+        self._max_ids = bounds.total
         self._authenticated = frozenset(authenticated)
         self.set_limits(limits or SourceLimits())
 
     def set_limits(self, limits: SourceLimits) -> None:
         """Replace the limits; known addresses are kept."""
         self._limits = limits
-        self._buckets = TokenBuckets(limits.rate, limits.burst)
+        self._buckets = TokenBuckets(limits.rate, limits.burst, limit=self._max_ids)
         self.are_limited = limits.rate > 0
 
     def within_rate(self, id: int, priority: int, now: float) -> bool:

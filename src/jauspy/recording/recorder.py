@@ -92,8 +92,7 @@ class Recorder:
 
     def add(self, datagram: Datagram) -> None:
         """Record a datagram if one of its messages fits."""
-        if self._file is not None:
-            self._add_pictures(self._file)
+        self.write_pictures()
         parts = self._dissector.dissect(datagram.payload, datagram.time).parts
         if self._fits is not None:
             parts = tuple(filter(self._fits, parts))
@@ -108,19 +107,28 @@ class Recorder:
         self._file.add(datagram, parts)
         self.recorded.datagrams += 1
         self.recorded.messages += len(parts)
-        if datagram.time - self._flushed >= FLUSH_INTERVAL or datagram.time < self._flushed:
-            self._file.flush()
-            self._flushed = datagram.time
+        self._flush(self._file, datagram.time)
+
+    def _flush(self, file: RunFile, now: float) -> None:
+        if now - self._flushed >= FLUSH_INTERVAL or now < self._flushed:
+            file.flush()
+            self._flushed = now
 
     def add_picture(self, picture: Picture) -> None:
         """Record a picture, from any thread; it is written with the next datagram."""
         self._pictures.append(picture)
+
+    def write_pictures(self) -> None:
+        """Write the pictures that wait, if a file is open."""
+        if self._file is not None:
+            self._add_pictures(self._file)
 
     def _add_pictures(self, file: RunFile) -> None:
         while self._pictures:
             camera, time, access_unit, is_idr = self._pictures.popleft()
             file.add_picture(camera, time, access_unit, is_idr=is_idr)
             self.recorded.pictures += 1
+            self._flush(file, time)
 
     def close(self) -> None:
         """Complete the file that is written."""

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from enum import Enum
 from fnmatch import fnmatchcase
 from typing import Final, TypeAlias
 
-from jauspy.codec.message import Message, Struct
+from jauspy.codec.field_paths import leaves, without_numbers
+from jauspy.codec.message import Message
 from jauspy.codec.rounding import rounded
 
 Value: TypeAlias = Enum | str | bytes | float | None
@@ -37,7 +38,7 @@ class Comparison:
         if recorded.CODE != live.CODE:
             yield "", recorded.NAME, live.NAME
             return
-        before, now = dict(_leaves(rounded(recorded), "")), dict(_leaves(rounded(live), ""))
+        before, now = dict(leaves(rounded(recorded))), dict(leaves(rounded(live)))
         for path in dict.fromkeys((*before, *now)):
             if self._ignores(path):
                 continue
@@ -46,7 +47,7 @@ class Comparison:
                 yield path, _text(old), _text(new)
 
     def _ignores(self, path: str) -> bool:
-        names = _without_numbers(path).split(".")
+        names = without_numbers(path).split(".")
         ends = [".".join(names[first:]) for first in range(len(names))]
         starts = [".".join(names[: last + 1]) for last in range(len(names))]
         return any(
@@ -61,24 +62,6 @@ class Comparison:
         if self.strict or _is_exact(old) or _is_exact(new):
             return old != new
         return False
-
-
-def _leaves(value: object, path: str) -> Iterator[tuple[str, Value]]:
-    """Path and value of each field that has no parts."""
-    if isinstance(value, Struct):
-        for member in fields(value):  # type: ignore[arg-type]  # classes of messages are dataclasses
-            inner = getattr(value, member.name)
-            if inner is not None:
-                yield from _leaves(inner, f"{path}.{member.name}" if path else member.name)
-    elif isinstance(value, list | tuple):
-        for number, inner in enumerate(value):
-            yield from _leaves(inner, f"{path}[{number}]")
-    elif isinstance(value, Enum | str | bytes | int | float):
-        yield path, value
-
-
-def _without_numbers(path: str) -> str:
-    return "".join(part.partition("]")[2] if number else part for number, part in enumerate(path.split("[")))
 
 
 def _is_exact(value: Value) -> bool:

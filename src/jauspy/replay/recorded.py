@@ -14,9 +14,11 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import ANY_SUBSYSTEM, JausID
 from jauspy.inspection.traffic import seen_messages
+from jauspy.messages.operators import SealedCommand
 from jauspy.protocol.header import Ack, DataFlag, Packet
 from jauspy.recording.mcap_capture import open_capture_file
 from jauspy.replay.answers import AnswerMatcher
+from jauspy.replay.events import EventKey, EventReports, event_of
 
 MAX_REQUESTS: Final = 1_000_000
 """Requests of a recording that are replayed at once."""
@@ -52,6 +54,9 @@ class Request:
     """Seconds after the first request."""
     packet: Packet
     message: Message | None
+    """Of a sealed command, the command inside."""
+    sealed: bool = False
+    """True for a command that an operator sealed."""
     answers: dict[JausID, Message] = field(default_factory=dict)
 
 
@@ -66,6 +71,8 @@ class Recording:
     """The robot to which the requests were sent."""
     heard: frozenset[JausID]
     """Clients to which the recording has at least one answer; the others' answers were not recorded."""
+    events: EventReports = field(default_factory=EventReports)
+    """The reports of events that the requests created."""
 
 
 def read_messages(path: Path, registry: Registry) -> Iterator[RecordedMessage]:
@@ -143,6 +150,7 @@ def _collect(
     requests: list[Request] = []
     matchers = {client: AnswerMatcher(registry, PATIENCE) for client in clients}
     heard: set[JausID] = set()
+    events, confirmed = EventReports(), set[EventKey]()
     start: float | None = None
     for recorded in read_messages(path, registry):
         packet, message = recorded.packet, recorded.message
@@ -152,17 +160,27 @@ def _collect(
             if len(requests) >= MAX_REQUESTS:
                 raise ConfigError(f"{path} has more than {MAX_REQUESTS} requests; choose with --filter")
             start = recorded.time if start is None else start
+            sealed = isinstance(message, SealedCommand)
+            if isinstance(message, SealedCommand):
+                message = message.command if isinstance(message.command, Message) else None
             if message is not None:
                 matchers[packet.source].sent(len(requests), packet.destination, message, recorded.time)
-            requests.append(Request(recorded.time - start, packet, message))
+            requests.append(Request(recorded.time - start, packet, message, sealed))
         elif packet.source.subsystem == subsystem and packet.destination in matchers and message is not None:
             number = matchers[packet.destination].answered(packet.source, message, recorded.time)
             if number is not None:
                 heard.add(packet.destination)
                 requests[number].answers[packet.source] = message
+                event_id = getattr(message, "event_id", None)
+                if event_id is not None:
+                    confirmed.add((packet.destination, packet.source, event_id))
+            elif (event := event_of(message)) is not None and start is not None:
+                key = packet.destination, packet.source, event[0]
+                if key in confirmed:
+                    events.add(key, recorded.time - start, event[1])
     if not requests:
         raise ConfigError(f"{path} has no command or query that fits the filter")
-    return Recording(tuple(requests), clients, subsystem, frozenset(heard))
+    return Recording(tuple(requests), clients, subsystem, frozenset(heard), events)
 
 
 def _part(recorded: RecordedMessage, registry: Registry) -> Part:

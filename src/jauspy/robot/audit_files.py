@@ -32,18 +32,23 @@ def head_file(path: Path) -> Path:
     return path.with_name(f"{path.name}.head")
 
 
-def own_path(folder: Path, given: str) -> Path:
-    """The path of the log that a robot's file in `folder` names; raises `ConfigError` unless it is below the folder.
+def own_path(folder: Path, given: str, key: str, hint: str) -> Path:
+    """The path for writing that a robot's file in `folder` names as `key`.
 
-    Links on the way are refused, as are names that begin with a dot. The file itself is checked when it is opened.
+    Raises `ConfigError`, which ends with `hint`, unless it is below the folder.
+
+    Links are refused, as are names that begin with a dot. A file is checked again when it is opened.
     """
+    if "\0" in given:
+        raise ConfigError(f"{key} = {given!r}: no file has such a name; {hint}")
     real = Path(os.path.realpath(folder))
     path = Path(os.path.normpath(real / given))
-    hint = "to write elsewhere, start it with jauspy up --audit-log FILE"
-    if not path.is_relative_to(real) or Path(os.path.realpath(path.parent)) != path.parent:
-        raise ConfigError(f"audit_log = {given!r}: leads out of {folder}, the folder of the robot's file; {hint}")
+    if not path.is_relative_to(real):
+        raise ConfigError(f"{key} = {given!r}: leads out of {folder}, the folder of the robot's file; {hint}")
+    if Path(os.path.realpath(path)) != path:
+        raise ConfigError(f"{key} = {given!r}: is or goes through a link; {hint}")
     if any(part.startswith(".") for part in path.relative_to(real).parts) or path == real:
-        raise ConfigError(f"audit_log = {given!r}: is no visible file below {folder}; {hint}")
+        raise ConfigError(f"{key} = {given!r}: is not visible below {folder}; {hint}")
     return path
 
 

@@ -7,7 +7,7 @@ import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, Self, TypeAlias
+from typing import Annotated, Any, Final, Literal, Self, TypeAlias
 
 from pydantic import (
     AfterValidator,
@@ -15,35 +15,54 @@ from pydantic import (
     BeforeValidator,
     ConfigDict,
     Field,
+    GetCoreSchemaHandler,
+    InstanceOf,
     ModelWrapValidatorHandler,
     PrivateAttr,
+    field_validator,
     model_validator,
 )
 
 from jauspy.cloud.depth import DepthSettings
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.platform.battery import BatterySetup
 from jauspy.platform.camera import CameraSetup, Quality
-from jauspy.platform.description import GroupSetup, TiltSetup, TrackSetup
+from jauspy.platform.description import GroupSetup, GuardedTeleopSetup, SelfCollisionSetup, TiltSetup, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.imaging_settings import ImagingSetup
-from jauspy.platform.joints import Gains, JointGains, JointSensors
+from jauspy.platform.joints import ContactReaction, Gains, JointGains, JointSensors
 from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import GnssSetup, LocalizationSetup
 from jauspy.platform.modular.parts import CellSetup
+from jauspy.platform.named_poses import MAX_POSES
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.servo_drives import CanTable
-from jauspy.platform.tables import Name, UrdfName, check_unique, values_of
+from jauspy.platform.sound import LoudspeakerSetup, MicrophoneSetup, ToneSetup
+from jauspy.platform.stability_setup import StabilitySetup
+from jauspy.platform.tables import FormOf, Name, UrdfName, check_unique, reject_conversions, values_of
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.platform.wheels import WheelJoints
 from jauspy.robot import catalogue
 from jauspy.robot.kinds import KINDS, Kind
+from jauspy.robot.kinds.audio import LOUDSPEAKERS, MICROPHONES
 from jauspy.robot.kinds.cell import Connector, Servo
+from jauspy.robot.kinds.manipulator import ManipulatorKind
 from jauspy.robot.kinds.mobility import ORIGIN, Mobility
 from jauspy.robot.kinds.sensing import FORCE_TORQUE, LIDARS
 from jauspy.services.command_timeout import DEFAULT_TIMEOUT
 from jauspy.services.core.discovery import Registrants
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
+from jauspy.services.iop import Reminder
+from jauspy.services.iop.comms_lost import (
+    SHORTEST_TIMEOUT,
+    TOO_SHORT,
+    CommsLostPolicy,
+    ContinueMission,
+    Reaction,
+    StopMotion,
+)
+from jauspy.services.iop.retrotraverse import RetraceRequest
 from jauspy.services.mobility import GlobalPose
 from jauspy.transport.age import MAX_AGE
 
@@ -52,6 +71,12 @@ class StrictConfig(BaseModel):
     """A table of the file; unknown keys are errors."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> Any:
+        schema = handler(source)
+        reject_conversions(handler.resolve_ref_schema(schema))
+        return schema
 
 
 class JointConfig(StrictConfig):
@@ -88,6 +113,8 @@ class GroupConfig(StrictConfig):
     """Rate of the controllers, in hertz."""
     feed_forward: bool = False
     """True to have their controllers apply the efforts that a motion needs by the robot's own model."""
+    contact: ContactReaction = ContactReaction.IGNORE
+    """What they do when something is in their way: "stop", "yield" or "ignore". Needs `feed_forward`."""
     sensors: JointSensors | None = None
     """Errors of encoders and motor currents; exact without this table."""
     joints: Annotated[tuple[JointConfig, ...], Field(min_length=1, max_length=32)]
@@ -96,6 +123,12 @@ class GroupConfig(StrictConfig):
     @model_validator(mode="after")
     def _check_unique_names(self) -> Self:
         check_unique("joints", [joint.name for joint in self.joints])
+        return self
+
+    @model_validator(mode="after")
+    def _check_contact(self) -> Self:
+        if self.contact is not ContactReaction.IGNORE and not self.feed_forward:
+            raise ValueError(f'contact = "{self.contact.value}": needs feed_forward = true, whose model tells contact')
         return self
 
     def setup(self) -> GroupSetup:
@@ -110,11 +143,14 @@ class GroupConfig(StrictConfig):
             rate=self.rate,
             start=start,
             feed_forward=self.feed_forward,
+            contact=self.contact,
             sensors=self.sensors,
         )
 
 
 Groups: TypeAlias = Mapping[UrdfName, GroupConfig]
+
+PosePosition: TypeAlias = Annotated[float, Field(allow_inf_nan=False)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,6 +214,44 @@ class AccessControlConfig(StrictConfig):
     """Lowest authority that may request control."""
 
 
+class CommsLostConfig(StrictConfig):
+    """The reaction of the robot to a lost link to its client, until a client says otherwise."""
+
+    policy: Literal["stop", "continue", "retrotraverse"] = "stop"
+    timeout: Annotated[int, Field(ge=0, le=65535)] = 0
+    """Seconds of silence after which it begins, 4 or more; 0: as soon as control has ended."""
+    distance: Annotated[float, Field(gt=0.0, le=1e6)] = 30.0
+    """Metres that it drives back at most."""
+    speed: Annotated[float, Field(ge=0.0, le=327.0)] = 0.0
+    """m/s on the way back; 0: as on the way out."""
+    regained: Literal["stop", "continue"] = "stop"
+    """Reaction to a link that is back; the robot stops in any case when a client takes control."""
+    regained_timeout: Annotated[int, Field(ge=0, le=65535)] = 0
+    """Seconds of contact after which the link is back."""
+
+    @field_validator("timeout")
+    @classmethod
+    def _check_timeout(cls, seconds: int) -> int:
+        if 0 < seconds < SHORTEST_TIMEOUT:
+            raise ValueError(TOO_SHORT)
+        return seconds
+
+    def setup(self) -> CommsLostPolicy:
+        """Return the policy for the service."""
+        reactions: dict[str, Reaction] = {
+            "stop": StopMotion(),
+            "continue": ContinueMission(),
+            "retrotraverse": RetraceRequest(self.distance, self.speed),
+        }
+        return CommsLostPolicy(
+            self.timeout, reactions[self.policy], self.regained_timeout, stops_when_regained=self.regained == "stop"
+        )
+
+
+def _policy(value: object) -> object:
+    return value if isinstance(value, CommsLostPolicy) else CommsLostConfig.model_validate(value).setup()
+
+
 def _check_single_component(text: str) -> str:
     try:
         wildcard = JausID.parse(text).is_wildcard
@@ -233,6 +307,8 @@ class ModuleConfig(StrictConfig):
     ] = DEFAULT_TIMEOUT
     """Seconds after which an effort, velocity or vector ends unless the client sends a further command, or "off": one
     value for all services of the module, or a table by service."""
+    comms_lost: Annotated[InstanceOf[CommsLostPolicy], BeforeValidator(_policy), FormOf(CommsLostConfig)] | None = None
+    """Reaction to a lost link to the client, of a CM-MOB; without it, it stays where it stops."""
     announce_to: Annotated[str, AfterValidator(_check_single_component)] | None = None
     """The id of a console that the module queries for its identification until it answers, to be discovered by it."""
 
@@ -294,6 +370,10 @@ class OriginConfig(StrictConfig):
         return GlobalPose(self.latitude, self.longitude, self.altitude, math.radians(self.heading))
 
 
+MAX_POSE_NAME: Final = 64
+"""Characters."""
+
+
 def _check_latin1(name: str) -> str:
     try:
         name.encode("latin-1")
@@ -306,6 +386,19 @@ def _check_target(network: Network) -> Network:
     if network.is_multicast or network.is_unspecified:
         raise ValueError(f"video_targets: {network}: video is sent to one machine, so give networks of machines")
     return network
+
+
+class HealthConfig(StrictConfig):
+    """Hours of operation and maintenance of a robot."""
+
+    hour_meter: Annotated[str, Field(min_length=1, max_length=4096)] | None = None
+    """The file that keeps the hours, below the folder of the TOML file; without it they begin at zero each time."""
+    reminders: Annotated[tuple[Reminder, ...], Field(max_length=16)] = ()
+
+    @model_validator(mode="after")
+    def _check_ids(self) -> Self:
+        check_unique("reminders", [str(reminder.id) for reminder in self.reminders])
+        return self
 
 
 class RobotConfig(StrictConfig):
@@ -345,10 +438,17 @@ class RobotConfig(StrictConfig):
     """True to require seals: with `operators`, whether commands without the seal of one are refused."""
     audit_log: Annotated[str, Field(min_length=1)] | None = None
     """The file in which commands are recorded, below the folder of the TOML file, where a relative path starts."""
+    record_to: Annotated[str, Field(min_length=1)] | None = None
+    """The folder of the recordings that DataLogging switches, below that of the TOML file, where a relative path
+    starts."""
     modules: tuple[ModuleConfig, ...]
     localization: LocalizationSetup = LocalizationSetup()
     tilt_guard: TiltSetup | None = None
     """The tilt at which the robot is stopped; without it, it may tilt as it likes."""
+    self_collision: SelfCollisionSetup = SelfCollisionSetup()
+    """The guard that stops joints before links touch each other."""
+    guarded_teleop: GuardedTeleopSetup = GuardedTeleopSetup()
+    """The guard that stops the chassis before obstacles."""
     tracks: TrackSetup | None = None
     wheels: WheelJoints | None = None
     """Without tracks and wheels the base is fixed to the world."""
@@ -360,15 +460,26 @@ class RobotConfig(StrictConfig):
     """Limits in place of those of the URDF, by the names of joints."""
     groups: Groups = Field(default_factory=dict)
     """The groups of joints, by name."""
+    poses: Mapping[str, Mapping[UrdfName, PosePosition]] = Field(default_factory=dict)
+    """Named poses: positions of all joints of a group, or of several; degrees, or metres of joints that slide."""
     lidars: Annotated[tuple[LidarSetup, ...], Field(max_length=16)] = ()
     force_torque: Annotated[tuple[ForceTorqueSetup, ...], Field(max_length=16)] = ()
     cameras: Annotated[tuple[CameraTable, ...], Field(max_length=16)] = ()
     lights: Annotated[tuple[LampSetup, ...], Field(max_length=8)] = ()
     """Lamps of the robot."""
+    microphones: Annotated[tuple[MicrophoneSetup, ...], Field(max_length=8)] = ()
+    loudspeakers: Annotated[tuple[LoudspeakerSetup, ...], Field(max_length=8)] = ()
+    tones: Annotated[tuple[ToneSetup, ...], Field(max_length=8)] = ()
+    """Sounds of the simulated world."""
+    battery: BatterySetup | None = None
+    """The battery of a simulated robot; without it the supply never ends."""
+    stability: StabilitySetup | None = None
+    """Limits that keep the robot from tipping over; without it there are none but those of `tilt_guard`."""
+    health: HealthConfig = HealthConfig()
     clouds: Annotated[tuple[CloudConfig, ...], Field(max_length=32)] = ()
     """Point clouds that are published whenever the robot runs."""
     video_targets: Annotated[tuple[Annotated[Network, AfterValidator(_check_target)], ...], Field(max_length=64)] = ()
-    """Networks and addresses into which any client may have video sent, beside its own machine."""
+    """Networks and addresses into which any client may have video and sound sent, beside its own machine."""
 
     _file: str = PrivateAttr(default="")
 
@@ -432,9 +543,11 @@ class RobotConfig(StrictConfig):
         self._check_sensors("lidars", self.lidars, LIDARS)
         self._check_sensors("force_torque", self.force_torque, FORCE_TORQUE)
         self._check_cameras()
+        self._check_sound()
         if self.origin is None and isinstance(self.localization.gnss, GnssSetup):
             raise ValueError(f"localization.gnss: needs {ORIGIN}, from which its positions are counted")
         self._check_lights()
+        self._check_poses()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError(
                 "modules: none has the service Discovery; without it the robot cannot be discovered; add it to services"
@@ -493,8 +606,53 @@ class RobotConfig(StrictConfig):
             if taken.count(name) > 1:
                 raise ValueError(f"modules: the camera {name!r} has two CM-VIS; one controls its stream")
 
+    def _check_sound(self) -> None:
+        names = [microphone.name for microphone in self.microphones]
+        names += [loudspeaker.name for loudspeaker in self.loudspeakers]
+        check_unique("microphones and loudspeakers", names)
+        for need, devices in ((MICROPHONES, self.microphones), (LOUDSPEAKERS, self.loudspeakers)):
+            for module in self.modules:
+                if not devices and (offered := module.needs().get(need)):
+                    raise ValueError(
+                        f"{need}: there is none, and {module.component} offers {offered[0]}; add [[{need}]]"
+                    )
+
     def _check_lights(self) -> None:
         check_unique("lights", [light.name for light in self.lights])
+
+    def _check_poses(self) -> None:
+        """Check the names of poses, and that each has all joints of the groups that it moves."""
+        if len(self.poses) > MAX_POSES:
+            raise ValueError(f"poses: {len(self.poses)} are too many; a robot has up to {MAX_POSES}")
+        groups = {joint.name: name for name, group in self.groups.items() for joint in group.joints}
+        for name, positions in self.poses.items():
+            if not (1 <= len(name) <= MAX_POSE_NAME and name.isprintable() and name.strip() == name):
+                raise ValueError(
+                    f"poses: the name {name!r} must have 1 to {MAX_POSE_NAME} printable characters, and begin and "
+                    "end with none that is blank"
+                )
+            _check_latin1(name)
+            if not positions:
+                raise ValueError(f"poses.{name}: it names no joint")
+            for joint in positions:
+                if joint not in groups:
+                    known = ", ".join(groups) or "none"
+                    raise ValueError(f"poses.{name}: no group has the joint {joint!r}; there are: {known}")
+            self._check_pose(name, {groups[joint] for joint in positions})
+
+    def _check_pose(self, pose: str, groups: set[str]) -> None:
+        movers = {module.moves: module.type for module in self.modules}
+        for group in sorted(groups):
+            missing = [j.name for j in self.groups[group].joints if j.name not in self.poses[pose]]
+            if missing:
+                raise ValueError(
+                    f"poses.{pose}: {missing[0]} of the group {group} is missing; give all joints of a group or none"
+                )
+            if movers.get(group, ManipulatorKind.type) != ManipulatorKind.type:
+                raise ValueError(
+                    f"poses.{pose}: a {movers[group]} moves the group {group}, and only CM-MAN have poses; leave its "
+                    "joints out"
+                )
 
     @property
     def movers(self) -> Mapping[int, str]:

@@ -11,10 +11,11 @@ from jauspy.ids import JausID, message_id
 from jauspy.messages.core import QueryIdentification, ReportIdentification
 from jauspy.platform.contract import RobotParts
 from jauspy.platform.description import RobotModel
+from jauspy.platform.stability import stability_of
 from jauspy.protocol.header import Broadcast, Packet
 from jauspy.robot import catalogue
 from jauspy.robot.config import ModuleConfig, RobotConfig
-from jauspy.robot.kinds import Context, ModuleBuild, Stoppable
+from jauspy.robot.kinds import Context, ModuleBuild, Shared, Stoppable
 from jauspy.services.command_timeout import ContinuousCommands
 from jauspy.services.core import (
     AccessControl,
@@ -25,18 +26,18 @@ from jauspy.services.core import (
     Management,
     Time,
     Transport,
+    may_move,
+    waits_for_control,
 )
 from jauspy.services.environment_sensing import VideoSource
 from jauspy.services.host import Host
+from jauspy.services.mobility.retraced_joints import OwnMotion
 from jauspy.services.service import Service
 
 NO_VIDEOS: Final[Mapping[str, VideoSource]] = {}
 
 WATCHDOG_PERIOD: Final = 0.1
 """Seconds between two checks."""
-
-MAY_MOVE: Final = ("Controlled", "Available", "Ready")
-"""The nested states in which a client in control may cause motion (AS5710)."""
 
 ANNOUNCEMENT_PERIOD: Final = 5.0
 """Seconds between two queries."""
@@ -55,14 +56,24 @@ def host_of(
     utc_now: Callable[[], datetime],
     now: float,
     more: Sequence[Service] = (),
+    shared: Shared | None = None,
 ) -> Host:
     """The host of a module. `videos`: the cameras by name. `now`: seconds of the clock that runs it.
 
-    `more`: services besides those that `module` names.
+    `more`: services besides those that `module` names. `shared`: what it shares with the robot's other modules.
     """
-    build = _build(config, module, model, robot, videos)
+    build = _build(config, module, model, robot, videos, shared=shared)
     context = module.kind.context(build)
-    return module_host(build.id, module, context, identities=identities, utc_now=utc_now, now=now, more=more)
+    return module_host(
+        build.id,
+        module,
+        context,
+        identities=identities,
+        utc_now=utc_now,
+        now=now,
+        more=more,
+        own_motion=build.shared.own_motion,
+    )
 
 
 def check_parts(config: RobotConfig, module: ModuleConfig, model: RobotModel, robot: RobotParts) -> None:
@@ -71,7 +82,13 @@ def check_parts(config: RobotConfig, module: ModuleConfig, model: RobotModel, ro
 
 
 def _build(
-    config: RobotConfig, module: ModuleConfig, model: RobotModel, robot: RobotParts, videos: Mapping[str, VideoSource]
+    config: RobotConfig,
+    module: ModuleConfig,
+    model: RobotModel,
+    robot: RobotParts,
+    videos: Mapping[str, VideoSource],
+    *,
+    shared: Shared | None = None,
 ) -> ModuleBuild:
     return ModuleBuild(
         id=config.id_of(module),
@@ -83,6 +100,7 @@ def _build(
         robot=robot,
         videos=videos,
         video_targets=config.video_targets,
+        shared=shared or Shared(reminders=config.health.reminders, stability=stability_of(model, robot)),
     )
 
 
@@ -95,8 +113,12 @@ def module_host(
     utc_now: Callable[[], datetime],
     now: float,
     more: Sequence[Service] = (),
+    own_motion: OwnMotion | None = None,
 ) -> Host:
-    """The host of a module whose services are made from `context`, with a watchdog on what it moves."""
+    """The host of a module whose services are made from `context`, with a watchdog on what it moves.
+
+    `own_motion`: what the robot moves without a client in control; nothing by default.
+    """
     access = config.access_control
     core: list[Service] = [
         Transport(),
@@ -123,30 +145,32 @@ def module_host(
             service.command_timeout = config.command_timeout_of(service.urn.rpartition(":")[2])
     host = Host(id, [*core, *services], utc_now=utc_now, now=now, older_versions=config.older_versions)
     if context.moving is not None:
-        ModuleWatchdog(host, context.moving)
+        moved = config.kind.moved(config) or config.type
+        ModuleWatchdog(host, context.moving, moved, own_motion or OwnMotion())
     return host
-
-
-def may_move(host: Host) -> bool:
-    """True while a client is in control and has resumed the component."""
-    path = host.path
-    return any(path[start : start + len(MAY_MOVE)] == MAY_MOVE for start in range(len(path)))
 
 
 class ModuleWatchdog:
     """Stops all motion of a component whenever its state does not allow motion.
 
-    This is redundant: the services stop motion themselves, unless they have a bug.
+    This is redundant: the services stop motion themselves, unless they have a bug. It does not stop `part`, what the
+    module moves, while that is among the parts that the robot moves by itself and nobody controls the module.
     """
 
-    def __init__(self, host: Host, moving: Stoppable) -> None:
+    def __init__(self, host: Host, moving: Stoppable, part: str, own_motion: OwnMotion) -> None:
         self._host = host
         self._moving = moving
+        self._part = part
+        self._own_motion = own_motion
         self._check()
 
     def _check(self) -> None:
         self._host.set_timer("watchdog", self._host.now + WATCHDOG_PERIOD, self._check)
-        if not may_move(self._host):
+        if may_move(self._host):
+            self._own_motion.controlled.add(self._part)
+            return
+        self._own_motion.controlled.discard(self._part)
+        if self._part not in self._own_motion.parts or not waits_for_control(self._host):
             self._moving.stop()
 
 

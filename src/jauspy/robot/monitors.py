@@ -1,17 +1,21 @@
 """Monitors of each module, run ten times a second.
 
-A fault of the backend puts the modules that it concerns in Failure, which they leave by Reset. Loads that joints cannot
-carry are logged once, counted, and shown by `jauspy up`.
+A fault of the backend puts the modules that it concerns in Failure, which they leave by Reset; so does a battery that
+supplies no motors any more. Loads that joints cannot carry, and a battery that is low, are logged once, counted, and
+shown by `jauspy up`.
 """
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Mapping
 from typing import Final
 
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
-from jauspy.platform.contract import PartId, Snapshot
+from jauspy.platform.battery import Battery
+from jauspy.platform.contract import PartId, RobotParts, Snapshot
+from jauspy.platform.guards import Guard, GuardState
 from jauspy.robot.config import ModuleConfig
 from jauspy.robot.realtime import WHOLE_ROBOT, RealTime, described
 from jauspy.services.core import FailureRecovery
@@ -34,8 +38,14 @@ def reason(module: ModuleConfig, faults: Mapping[PartId, str]) -> str:
     return "; ".join(f"{described(part)}: {why}" for part, why in faults_of(module, faults).items())
 
 
+def supply_problem(module: ModuleConfig, robot: RobotParts) -> str:
+    """Why what the module moves has no power; empty if it has, or if the module moves nothing."""
+    battery = Battery.of(robot) if module.kind.moved(module) is not None else None
+    return battery.problem if battery is not None and battery.cuts_motors else ""
+
+
 class FaultMonitor:
-    """Puts a component in Failure while `robot` reports a fault that concerns its module.
+    """Puts a component in Failure while `robot` reports a fault that concerns its module, or its motors have no power.
 
     After Reset the part is used again.
     """
@@ -50,7 +60,7 @@ class FaultMonitor:
 
     def _check(self) -> None:
         self._host.set_timer("faults", self._host.now + MONITOR_PERIOD, self._check)
-        found = reason(self._module, self._robot.faults)
+        found = reason(self._module, self._robot.faults) or supply_problem(self._module, self._robot)
         if found and found != self._reason:
             remedy = "close the robot, and open it again" if self._robot.ended_early else "Reset tries again"
             _LOG.error("%s (%s) is in Failure: %s; %s", self._host.id, self._module.type, found, remedy)
@@ -91,6 +101,12 @@ def tilt_problem(host: Host) -> str:
     return next((vehicle.pilot.tilt_problem for vehicle in vehicles), "")
 
 
+def guard_problems(snapshot: Snapshot) -> dict[str, str]:
+    """Why guards have stopped the robot, by the kind of guard; those that have not are left out."""
+    states = {part.kind.label: state for part, state in snapshot.parts.items() if issubclass(part.kind, Guard)}
+    return {name: state.problem for name, state in states.items() if isinstance(state, GuardState) and state.problem}
+
+
 class LoadMonitor:
     """Monitors the loads of a module's joints: the start and the end of each overload is logged and counted once."""
 
@@ -111,3 +127,24 @@ class LoadMonitor:
         for name in self._known - set(found):
             _LOG.info("%s (%s): joint %s carries its load again", self._host.id, self._module.type, name)
         self._known = set(found)
+
+
+class BatteryMonitor:
+    """Monitors the battery of the robot: that it is low, and that it supplies no motors, is logged and counted once."""
+
+    def __init__(self, host: Host, robot: RobotParts) -> None:
+        self._host, self._battery = host, Battery.of(robot)
+        self._known = (False, False)
+        if self._battery is not None:
+            self._check(self._battery)
+
+    def _check(self, battery: Battery) -> None:
+        self._host.set_timer("battery", self._host.now + MONITOR_PERIOD, lambda: self._check(battery))
+        before, self._known = self._known, (battery.is_low, battery.cuts_motors)
+        if self._known == before:
+            return
+        if text := battery.problem:
+            _LOG.log(logging.ERROR if battery.cuts_motors else logging.WARNING, "%s", text)
+            self._host.count("battery", text)
+        else:
+            _LOG.info("the battery is charged again")

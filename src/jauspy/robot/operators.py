@@ -8,28 +8,24 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import Field, ValidationError
 
 from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.platform.tables import Name
 from jauspy.protocol.seal import DEFAULT_ROLES, Operator, PublicKey
-from jauspy.robot.config import RobotConfig
+from jauspy.robot.config import RobotConfig, StrictConfig
 from jauspy.services.core import CommandSeal
 from jauspy.services.core.command_seal import CommandRecord
 from jauspy.user_files import read_toml
 
 
-class _OperatorConfig(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
+class _OperatorConfig(StrictConfig):
     role: Name
     key: str
 
 
-class _OperatorsConfig(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
+class _OperatorsConfig(StrictConfig):
     roles: Mapping[Name, Annotated[int, Field(ge=0, le=255)]] = {}
     operators: Mapping[Name, _OperatorConfig]
 

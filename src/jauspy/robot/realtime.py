@@ -8,6 +8,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from types import TracebackType
 from typing import Final, Self
@@ -18,7 +19,7 @@ from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.logs import get_logger
 from jauspy.platform.camera import CameraSource
 from jauspy.platform.commands import CHASSIS, DriveEffort, DriveStop, JointTargets, LidarSettings
-from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, Snapshot
+from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, SharesWorld, Snapshot
 from jauspy.platform.force_torque import ForceTorqueSensor, Wrench
 from jauspy.platform.joints import JointGroup, JointState, Target
 from jauspy.platform.ranging import RangeFinder, RangeScan, ScanSettings
@@ -190,9 +191,9 @@ class StepTimer:
 class RealTime:
     """Advances `robot` in real time, in a thread of its own, between `open` and `close`; a `RobotLink` to it.
 
-    Between the two only that thread uses the robot. Other threads use `drive`, `groups` and the other proxies, or
-    `submit` and `snapshot`, at any time: they share a lock that is never held while the robot advances, so physics
-    never blocks an event loop.
+    Between the two only that thread uses the robot; one that shares its world with others is used under the lock of the
+    world. Other threads use `drive`, `groups` and the other proxies, or `submit` and `snapshot`, at any time: they
+    share a lock that is never held while the robot advances, so physics never blocks an event loop.
 
     `heartbeat_timeout`: seconds without a call of `alive` after which the robot is stopped, so that the robot does not
     go on driving when the program hangs; infinite by default.
@@ -216,6 +217,9 @@ class RealTime:
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._robot = robot
+        self._world: AbstractContextManager[object] = (
+            robot.world_lock if isinstance(robot, SharesWorld) else nullcontext()
+        )
         self._step = step
         self._max_delay = max_delay
         self._heartbeat_timeout = heartbeat_timeout
@@ -232,7 +236,8 @@ class RealTime:
         self._steps_ended = self._steps_seen = 0
         self._stood, self._patience = 0.0, STALL_TIME
         self._is_to_stop = False
-        self._snapshot = Snapshot.of(robot)
+        with self._world:
+            self._snapshot = Snapshot.of(robot)
         self._closing = threading.Event()
         self._executor: ThreadPoolExecutor | None = None
         self._ended: Future[None] = Future()
@@ -398,6 +403,10 @@ class RealTime:
                 self._enabling[1].cancel()
 
     def _make_step(self) -> None:
+        with self._world:
+            self._step_in_world()
+
+    def _step_in_world(self) -> None:
         with self._lock:
             commands, self._pending = self._pending, {}
             retried, self._retried = self._retried, set()
@@ -410,13 +419,13 @@ class RealTime:
         for part in retried:
             self._try(part, partial(_stop_part, self._robot, part))
         for command in commands.values():
-            if command.part not in self._faults:
+            if self._is_usable(command.part):
                 self._try(command.part, partial(command.apply, self._robot))
         if self._is_to_stop:
             self._is_to_stop = False
             self._stop_all()
         self._stop_if_abandoned()
-        if WHOLE_ROBOT not in self._faults:
+        if self._is_usable(WHOLE_ROBOT):
             self._try(WHOLE_ROBOT, self._advance)
         if (duration := self._clock() - began) > SLOW_STEP:
             self._timer.counters["slow"] += 1
@@ -426,6 +435,11 @@ class RealTime:
         elif enabling is not None:
             enabling[1].set_result(None)
         self._steps_ended += 1
+
+    def _is_usable(self, part: PartId) -> bool:
+        """True unless it has failed, or waits since a `retry` during this step until the next one stops it first."""
+        with self._lock:
+            return part not in self._faults and part not in self._retried
 
     def _enable(self, enable: Callable[[], None], done: Future[None]) -> ConfigError | None:
         """Enable the motors; return the error of a robot that cannot be used."""
@@ -475,7 +489,8 @@ class RealTime:
         joints = (PartId(JointGroup, name) for name in self.groups)
         for part in (CHASSIS, *joints, *(optional_part.id for optional_part in self.optional_parts)):
             try:
-                _stop_part(self._robot, part)
+                with self._world:
+                    _stop_part(self._robot, part)
             except Exception as error:  # noqa: BLE001 - whatever a backend raises
                 self._fail(part, error)
 

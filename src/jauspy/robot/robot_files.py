@@ -25,6 +25,7 @@ from jauspy.robot.audit_files import own_path
 from jauspy.robot.can_drives import can_setup
 from jauspy.robot.config import GroupConfig, JointConfig, JointLimitsConfig, RobotConfig
 from jauspy.robot.missing_parts import MissingPolicy
+from jauspy.robot.poses import named_poses
 from jauspy.robot.urdf_files import read_urdf
 from jauspy.robot.urdf_paths import PackagePaths
 from jauspy.user_files import read_file, read_toml
@@ -38,6 +39,10 @@ FILES: Final = ("urdf", "operators")
 """Keys with the path of a file; relative ones start at the TOML file."""
 PATHS: Final = ("package_path", "model_path")
 """Keys with lists of directories; relative ones start at the TOML file."""
+OWN_PATHS: Final = {"audit_log": "--audit-log FILE", "record_to": "--record-to DIR"}
+"""Keys for what a robot writes, below the folder of its file; with the options of `jauspy up` for other places."""
+OWN_JOINTS: Final = frozenset({"urdf", "groups"})
+"""Keys with which a file has joints of its own, so that it does not inherit poses."""
 MAX_EXTENSIONS: Final = 8
 """Maximal length of a chain of files that extend each other."""
 
@@ -74,6 +79,28 @@ def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
     return [p for p in problems if not any(q != p["loc"] and q[: len(p["loc"])] == p["loc"] for q in places)]
 
 
+def _own_path(folder: Path, given: object, key: str, hint: str) -> object:
+    """The path of a file that the robot writes, absolute; a value that is no path is returned as it is."""
+    return str(own_path(folder, given, key, hint)) if isinstance(given, str) and given else given
+
+
+def _place_own_files(data: dict[str, Any], folder: Path) -> None:
+    """Make the paths of files that the robot writes absolute. Raises `ConfigError` for one elsewhere."""
+    for key, option in OWN_PATHS.items():
+        if key in data:
+            data[key] = _own_path(folder, data[key], key, f"to write elsewhere, start it with jauspy up {option}")
+    health = data.get("health")
+    if isinstance(health, dict) and "hour_meter" in health:
+        health["hour_meter"] = _own_path(
+            folder, health["hour_meter"], "health.hour_meter", "name a file beside the robot's"
+        )
+    loudspeakers = data.get("loudspeakers")
+    for loudspeaker in loudspeakers if isinstance(loudspeakers, list) else ():
+        if isinstance(loudspeaker, dict) and "folder" in loudspeaker:
+            hint = "to write elsewhere, start it with jauspy up --announcements FOLDER"
+            loudspeaker["folder"] = _own_path(folder, loudspeaker["folder"], "loudspeakers.folder", hint)
+
+
 def _read(source: Traversable, extensions: int) -> dict[str, Any]:
     """Return the keys of a file and of those that it extends; paths are relative to the file that sets them."""
     with as_file(source) as file:
@@ -81,11 +108,10 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
     for key in FILES:
         if isinstance(data.get(key), str) and data[key]:
             data[key] = str(folder / data[key])
-    if isinstance(log := data.get("audit_log"), str) and log:
-        try:
-            data["audit_log"] = str(own_path(folder, log))
-        except ConfigError as error:
-            raise ConfigError(f"{source}: {error}") from error
+    try:
+        _place_own_files(data, folder)
+    except ConfigError as error:
+        raise ConfigError(f"{source}: {error}") from error
     if isinstance(world := data.get("world"), str) and is_world_file(world):
         data["world"] = str(folder / Path(world).expanduser())
     for key in PATHS:
@@ -98,7 +124,10 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
         return data
     if not isinstance(other, str) or not extensions:
         raise ConfigError(f"{source}: extends = {other!r}: it must name another robot, and not lead back to this one")
-    return _read(_find(other, folder), extensions - 1) | data
+    inherited = _read(_find(other, folder), extensions - 1)
+    if data.keys() & OWN_JOINTS:
+        inherited.pop("poses", None)
+    return inherited | data
 
 
 def _read_part_types(cell: object, folder: Path) -> None:
@@ -179,7 +208,11 @@ def _robot_model(config: RobotConfig) -> RobotModel:
         _check_link("cell.gripper", cell.gripper, description)
     for number, lamp in enumerate(config.lights):
         _check_link(f"lights[{number}].link", lamp.link, description)
-    return RobotModel(
+    for number, microphone in enumerate(config.microphones):
+        _check_link(f"microphones[{number}].link", microphone.link, description)
+    for number, loudspeaker in enumerate(config.loudspeakers):
+        _check_link(f"loudspeakers[{number}].link", loudspeaker.link, description)
+    model = RobotModel(
         description,
         config.tracks,
         groups,
@@ -190,12 +223,21 @@ def _robot_model(config: RobotConfig) -> RobotModel:
         can=_can_setup(config, description, groups),
         wheels=wheel_setup(description, config.wheels) if config.wheels else None,
         tilt_guard=config.tilt_guard,
+        self_collision=config.self_collision,
+        guarded_teleop=config.guarded_teleop,
+        depth_cameras=tuple(camera.name for camera in config.cameras if camera.depth is not None),
         lamps=config.lights,
         time_of_day=config.time_of_day,
         localization=config.localization.with_receiver(has_origin=config.origin is not None),
         quality=config.quality,
+        battery=config.battery,
+        stability=config.stability,
         model_path=config.model_path,
+        microphones=config.microphones,
+        loudspeakers=config.loudspeakers,
+        tones=config.tones,
     )
+    return replace(model, poses=named_poses(config, model))
 
 
 def _with_limits(description: RobotDescription, limits: Mapping[str, JointLimitsConfig]) -> RobotDescription:

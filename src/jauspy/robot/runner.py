@@ -5,37 +5,58 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AsyncExitStack, suppress
-from datetime import UTC, datetime
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import Final, Self
 
 from jauspy import backends
+from jauspy.audio.device_processes import LoudspeakerProcess, MicrophoneProcess
+from jauspy.audio.worker_messages import SoundPlayed
 from jauspy.backends import check_robot
-from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time, until_signalled
+from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time, until_signalled, wall_clock
 from jauspy.errors import ConfigError, JausError, TransportError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.platform.backend import Backend, EnablesLast
+from jauspy.platform.battery import Battery
 from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import Counting, Robot, Snapshot, Viewable
 from jauspy.platform.description import RobotModel
+from jauspy.platform.guarded_robot import GuardedRobot
+from jauspy.platform.guards import ObstacleGuard
 from jauspy.platform.ranging import RangeFinder
+from jauspy.platform.sound_scene import MachineState, SoundScene
+from jauspy.platform.stability import StabilityMonitor, stability_of
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.robot.audit import AuditLog
 from jauspy.robot.audit_heads import HeadSender
 from jauspy.robot.config import ModuleConfig, RobotConfig
 from jauspy.robot.hosts import Announcement, check_parts, host_of
-from jauspy.robot.monitors import FaultMonitor, LoadMonitor, overloads, reason, tilt_problem
+from jauspy.robot.hour_meter import HourMeterFile
+from jauspy.robot.kinds import Shared
+from jauspy.robot.monitors import (
+    BatteryMonitor,
+    FaultMonitor,
+    LoadMonitor,
+    guard_problems,
+    overloads,
+    reason,
+    supply_problem,
+    tilt_problem,
+)
 from jauspy.robot.operators import command_seals
 from jauspy.robot.realtime import RealTime
 from jauspy.robot.robot_files import robot_model, with_place
-from jauspy.services.core import Discovery, FailureRecovery, Identity
-from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.robot.sightings import follow_guard, sightings
+from jauspy.robot.traffic_log import TrafficLog
+from jauspy.services.core import Discovery, FailureRecovery
+from jauspy.services.core.discovery import vehicle_identities
 from jauspy.services.environment_sensing import DigitalResourceDiscovery
 from jauspy.services.host import Host
+from jauspy.services.iop import HoursInMemory
 from jauspy.services.service import Service
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
@@ -139,8 +160,6 @@ def _list_each_other(new: Host, others: Iterable[Host]) -> None:
 HEARTBEAT_TIMEOUT: Final = 1.0
 """Seconds without a heartbeat of the event loop after which the robot is stopped."""
 
-_VEHICLE, _NODE, _COMPONENT = 10001, 40001, 60001  # the types that Discovery reports (AS5710)
-
 
 def _in_real_time(robot: Robot) -> RealTime:
     return RealTime(robot, heartbeat_timeout=HEARTBEAT_TIMEOUT)
@@ -152,7 +171,8 @@ class RobotRunner:
     `transports` makes the transport of each component, by its id. `backend`, the name of an installed one or a
     `Backend`, and `world` override `config`; `realtime` makes the object that advances the robot's time; `view` opens
     the window of the backend's simulator. `audit_log` is a file of the user's choice in place of the configured one,
-    and `audit_heads_to` the URL of a machine that gets its heads.
+    and `audit_heads_to` the URL of a machine that gets its heads. `traffic_log` is what DataLogging switches. `utc_now`
+    is the wall clock of its components.
     Opening raises `ConfigError` for an unknown backend, model or world, and `TransportError` for a transport that
     cannot be opened. Closing ends the components first, and then the robot, which then stands still.
     """
@@ -168,7 +188,10 @@ class RobotRunner:
         view: bool = False,
         audit_log: Path | None = None,
         audit_heads_to: str | None = None,
+        traffic_log: TrafficLog | None = None,
+        utc_now: Callable[[], datetime] = wall_clock,
     ) -> None:
+        self._utc_now = utc_now
         self._backend = None if isinstance(backend, str) else backend
         self._backend_file = config.file if backend is None else ""
         name = backend if isinstance(backend, str) or backend is None else backend.name
@@ -179,9 +202,13 @@ class RobotRunner:
         self._modules: RunningModules | None = None
         self._following: asyncio.Task[None] | None = None
         self._videos: Mapping[str, CameraProcess] = {}
+        self._microphones: Sequence[MicrophoneProcess] = ()
+        self._loudspeakers: Sequence[LoudspeakerProcess] = ()
         self._audit: AuditLog | None = None
         self._audit_log, self._audit_heads_to = audit_log, audit_heads_to
         self._heads: HeadSender | None = None
+        self._traffic_log = traffic_log
+        self._stability: StabilityMonitor | None = None
         self._counting: Counting | None = None
         self._stack = AsyncExitStack()
         self._is_closing = False
@@ -227,16 +254,20 @@ class RobotRunner:
     @property
     def faults(self) -> Mapping[str, str]:
         """Descriptions of faults, by the id of the component that is in Failure because of it."""
-        if self._realtime is None or not self._realtime.faults:
+        if (robot := self._realtime) is None:
             return {}
-        found = {str(component.id): reason(module, self._realtime.faults) for component, module in self.running}
+        found = {
+            str(component.id): reason(module, robot.faults) or supply_problem(module, robot)
+            for component, module in self.running
+        }
         return {id: why for id, why in found.items() if why}
 
     @property
     def overloads(self) -> Mapping[str, str]:
         """Descriptions of loads that joints cannot carry, by the id of the component and the joint's name.
 
-        Also of the tilt at which the robot was stopped.
+        Also of the tilt at which the robot was stopped, of a robot that is near to tipping over, of a low battery, and
+        of contacts before which guards have stopped the robot.
         """
         if self._realtime is None:
             return {}
@@ -248,7 +279,11 @@ class RobotRunner:
             for name, text in overloads(module, joints, snapshot).items()
         }
         tilts = {f"{component.id} tilt": tilt_problem(component.host) for component, _ in self.running}
-        return loads | {where: text for where, text in tilts.items() if text}
+        battery = Battery.of(self._realtime)
+        supply = {"battery": battery.problem if battery is not None and not battery.cuts_motors else ""}
+        stability = {"stability": self._stability.warning if self._stability is not None else ""}
+        found = loads | {where: text for where, text in (tilts | supply | stability).items() if text}
+        return found | guard_problems(snapshot)
 
     @property
     def counters(self) -> Mapping[str, int]:
@@ -260,6 +295,12 @@ class RobotRunner:
             counts |= {f"{component.id}.{name}": n for name, n in component.counters.items()}
         for camera, video in self._videos.items():
             counts |= {f"camera.{camera}.{name}": n for name, n in video.counters.items()}
+        sound = {item.setup.name: item.counters for item in self._microphones}
+        sound |= {item.setup.name: item.counters for item in self._loudspeakers}
+        for device, counters in sound.items():
+            counts |= {f"sound.{device}.{name}": n for name, n in counters.items()}
+        if self._traffic_log is not None:
+            counts |= {f"traffic_log.{name}": n for name, n in self._traffic_log.counters.items()}
         if self._audit is not None:
             counts |= {f"audit.{name}": n for name, n in dict(self._audit.counters).items()}
         if self._heads is not None:
@@ -277,13 +318,17 @@ class RobotRunner:
             heartbeats = asyncio.create_task(self._send_heartbeats(realtime), name="heartbeats")
             self._supervise(stack, heartbeats, realtime)
             videos = await self._open_cameras(stack, realtime)
+            await self._open_sound(stack, realtime, model)
             audit = self._open_audit_log(stack)
+            if self._traffic_log is not None:
+                await stack.enter_async_context(self._traffic_log)
             make = partial(
                 self._make_component,
                 model,
                 realtime,
                 videos,
-                command_seals(self.config, audit.record if audit else None),
+                self._shared(stack, model, realtime),
+                seals=command_seals(self.config, audit.record if audit else None),
             )
             for module in self.config.modules:
                 if not module.kind.is_present(module, model.cell, realtime.snapshot):
@@ -299,9 +344,29 @@ class RobotRunner:
             if model.cell is not None:
                 self._following = asyncio.create_task(modules.follow(), name="modules of the cell")
                 self._supervise(stack, self._following, realtime)
+            if (guard := ObstacleGuard.of(realtime)) is not None and (processes := sightings(self.config, realtime)):
+                seeing = asyncio.create_task(follow_guard(guard, processes), name="depth cameras of the guard")
+                self._supervise(stack, seeing, realtime)
             if enable is not None:
                 await asyncio.wrap_future(realtime.enable(enable))
             self._stack = stack.pop_all()
+
+    def _shared(self, stack: AsyncExitStack, model: RobotModel, realtime: RealTime) -> Shared:
+        """Values that the modules share besides the robot's parts."""
+        health, hours = self.config.health, None
+        if health.hour_meter is not None:
+            hours = HourMeterFile(Path(health.hour_meter))
+            stack.callback(hours.close)
+        self._stability = stability_of(model, realtime)
+        return Shared(
+            faults=lambda: realtime.faults,
+            hours=hours or HoursInMemory(),
+            reminders=health.reminders,
+            stability=self._stability,
+            traffic_logger=self._traffic_log,
+            microphones=self._microphones,
+            loudspeakers=self._loudspeakers,
+        )
 
     def _open_audit_log(self, stack: AsyncExitStack) -> AuditLog | None:
         path = self._audit_log or (Path(self.config.audit_log) if self.config.audit_log is not None else None)
@@ -326,10 +391,21 @@ class RobotRunner:
         model: RobotModel,
         realtime: RealTime,
         videos: Mapping[str, CameraProcess],
-        seals: Callable[[], Sequence[Service]],
+        shared: Shared,
         module: ModuleConfig,
+        *,
+        seals: Callable[[], Sequence[Service]],
     ) -> Component:
-        host = _host(self.config, module, model, realtime, videos, more=seals())
+        host = _host(
+            self.config,
+            module,
+            model,
+            realtime,
+            videos,
+            utc_now=self._utc_now,
+            more=seals(),
+            shared=shared,
+        )
         if (video := host.service(DigitalResourceDiscovery)) is not None:  # whoever controls a module comes first
             video.operators = lambda: [host.controller for host in self._modules.hosts()] if self._modules else []
         delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
@@ -386,6 +462,22 @@ class RobotRunner:
             video = CameraProcess(source, camera.settings(), stamped=camera.stamped)
             videos[camera.name] = await stack.enter_async_context(video)
         return videos
+
+    async def _open_sound(self, stack: AsyncExitStack, realtime: RealTime, model: RobotModel) -> None:
+        """Microphones hear the robot, and what its loudspeakers play."""
+
+        def state() -> MachineState:
+            return MachineState.of(model, realtime.snapshot)
+
+        def on_played(played: SoundPlayed) -> None:
+            for microphone in microphones:
+                microphone.hear(played)
+
+        microphones = [MicrophoneProcess(SoundScene.of(model, setup), state) for setup in model.microphones]
+        loudspeakers = [LoudspeakerProcess(setup, on_played) for setup in model.loudspeakers]
+        for device in (*microphones, *loudspeakers):
+            await stack.enter_async_context(device)
+        self._microphones, self._loudspeakers = microphones, loudspeakers
 
     async def _send_heartbeats(self, realtime: RealTime) -> None:
         clock = asyncio.get_running_loop().time
@@ -444,7 +536,7 @@ class RobotRunner:
                 raise ConfigError(f"the backend {self.config.backend!r} has no window to view; 'sim' has one")
             robot.view()
         self._counting = robot if isinstance(robot, Counting) else None
-        return stack.enter_context(self._make_realtime(robot)), enable
+        return stack.enter_context(self._make_realtime(GuardedRobot(robot, model))), enable
 
 
 def _host(
@@ -454,14 +546,12 @@ def _host(
     robot: RealTime,
     videos: Mapping[str, CameraProcess],
     *,
+    shared: Shared,
+    utc_now: Callable[[], datetime],
     more: Sequence[Service],
 ) -> Host:
-    identities = {
-        SYSTEM: Identity(config.name, _VEHICLE),
-        SUBSYSTEM: Identity(config.name, _VEHICLE),
-        NODE: Identity(f"{config.name} node {module.node or config.node}", _NODE),
-        COMPONENT: Identity(f"{module.type} {module.part}" if module.part else module.type, _COMPONENT),
-    }
+    node = f"{config.name} node {module.node or config.node}"
+    identities = vehicle_identities(config.name, node, " ".join(filter(None, (module.type, module.part))))
     recovery = FailureRecovery()
     host = host_of(
         config,
@@ -470,12 +560,15 @@ def _host(
         robot,
         identities,
         videos=videos,
-        utc_now=lambda: datetime.now(UTC),
+        utc_now=utc_now,
         now=loop_time(),
         more=(*more, recovery),
+        shared=shared,
     )
     FaultMonitor(host, recovery, module, robot)
     LoadMonitor(host, module, robot)
+    if module is config.modules[0]:
+        BatteryMonitor(host, robot)
     return host
 
 

@@ -221,7 +221,8 @@ class Binder:
     def _key(self, owner: model.ServiceDefinition, transition: model.Transition, where: str) -> TriggerKey:
         event = short_name(transition.trigger)
         if event != "Receive":
-            return event
+            service = self._services[owner.id]
+            return service.own_event(event) if event in service.own_events else event
         if not transition.parameters:
             return ANY_MESSAGE
         wanted = transition.parameters[0].type

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from datetime import datetime
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 from jauspy.messages.core import ReportStatus
 from jauspy.schema.model import Schema
 from jauspy.services.binding import bind_services
@@ -85,11 +85,15 @@ class Host(ServiceHost):
         due = self._timers.next()
         if due is not None and due < now:
             self._run_timers(self._timers, now)
+        if len(payload) >= 2 and (expected := self._answers.get(message_id(payload))) is not None:
+            self._take_answer(payload, source, *expected)
+            return
         message = self._decoder.decode(payload, source)
         if message is None:
             return
         self.counters["received"] += 1
-        self.on_heard(source)
+        for heard in self.heard_by:
+            heard(source)
         if self.admission is None:
             self._handle(message, source)
         elif (admitted := self.admission.admit(message, payload, source)) is not None:
@@ -160,6 +164,20 @@ class Host(ServiceHost):
         self.now = now
         self.id, self.requested_id = id, None
         self._call_each(Trigger("joined"), lambda service: service.joined())
+
+    def _take_answer(
+        self, payload: bytes, source: JausID, kind: type[Message], takers: Sequence[Callable[[Any, JausID], None]]
+    ) -> None:
+        message = self._decoder.decode_answer(kind, payload, source)
+        if message is None:
+            return
+        self.counters["answers"] += 1
+        for take in takers:
+            try:
+                take(message, source)
+            except Exception as error:  # noqa: BLE001 - any bug of a service
+                name = f"answer {getattr(take, '__qualname__', take)}"
+                self._errors.record(name, Trigger(message.CODE, message, source), error)
 
     def _handle(self, message: Message, source: JausID) -> TriggerOutcome:
         outcome = self._triggers.handle(Trigger(message.CODE, message, source))

@@ -13,6 +13,7 @@ from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
 from jauspy.ids import JausID, message_id
+from jauspy.protocol.addressing import ID_REQUESTS
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.services.deferred import Deferred, PendingReply
@@ -38,7 +39,7 @@ class InputDecoder:
 
     def decode(self, payload: bytes, source: JausID) -> Message | None:
         """Decode a received message; None, and counted, when the component does not take it."""
-        if source.is_wildcard:
+        if source.is_wildcard and message_id(payload) not in ID_REQUESTS:  # these are answered by broadcast
             self._count("bad_source", str(source))
         elif len(payload) < 2:
             self._count("too_short", payload.hex())
@@ -50,6 +51,17 @@ class InputDecoder:
             except DecodeError as error:
                 return self._decode_lenient(kind, payload, f"from {source}: {error}")
         return None
+
+    def decode_answer(self, kind: type[Message], payload: bytes, source: JausID) -> Message | None:
+        """Decode an answer that a service expects as a client of another component; None, and counted, if malformed."""
+        if source.is_wildcard:
+            self._count("bad_source", str(source))
+            return None
+        try:
+            return self._registry.decode_as(kind, payload)
+        except DecodeError as error:
+            self._count(f"malformed_{kind.NAME}", f"from {source}: {error}")
+            return None
 
     def read(self, content: Message | bytes) -> Message | None:
         """Decode a message inside another one; None when the component does not take it."""

@@ -30,16 +30,17 @@ def apply_presence_vectors(report: Message, query: Message) -> Message:
     """The report without the optional fields that the query does not request.
 
     A query's `presence_vector` applies to the report's body, or, when nothing in that is optional, to the first record
-    in it that has optional fields. A vector named after a part of the body, as `VelocityVarPresenceVector` is after
-    `VelocityVar` and `LocalPosePresenceVector` after `ReportLocalPoseExtRec`, applies to the record in that part, and
-    to all records in it when it requests nothing; one of a sensor applies to the records of that sensor.
+    in it that has optional fields, or, in a report that is a list, to its records. A vector named after a part of the
+    body, as `VelocityVarPresenceVector` is after `VelocityVar` and `LocalPosePresenceVector` after
+    `ReportLocalPoseExtRec`, applies to the record in that part, and to all records in it when it requests nothing; one
+    of a sensor applies to the records of that sensor.
     """
     for vector, part in _vectors(type(query)):
         requested = getattr(query, vector)
         if not part and _optional(type(report)):
             report = requested_fields(report, requested)
         else:
-            report = _requested_in(report, part, requested) or report
+            report = _requested_in(report, part, requested) or _requested_in_list(report, requested)
     for name in _sensor_lists(type(query)):
         report = _sensors_requested(report, getattr(query, name))
     return report
@@ -63,6 +64,17 @@ def _requested_in(whole: S, part: str, requested: int) -> S | None:
                 setattr(whole, slot.name, changed)
                 return whole
     return None
+
+
+def _requested_in_list(report: S, requested: int) -> S:
+    """The report with the vector applied to the records of its lists, for a report that has nothing else."""
+    slots = _slots(type(report))
+    if not all(isinstance(slot.item, Repeat) and isinstance(slot.item.item, Composite) for slot in slots):
+        return report
+    report = copy(report)
+    for slot in slots:
+        setattr(report, slot.name, [requested_fields(record, requested) for record in getattr(report, slot.name)])
+    return report
 
 
 def _requested_inside(whole: S, part: str, requested: int) -> S | None:

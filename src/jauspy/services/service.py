@@ -137,6 +137,9 @@ class Service:
     omits: ClassVar[frozenset[str]] = frozenset()
     """Methods for actions that are never called, since a predicate of this class excludes them."""
 
+    own_events: ClassVar[frozenset[str]] = frozenset()
+    """Internal events that another service of the component may have under the same name: fire `own_event(name)`."""
+
     host: ServiceHost
     """The component this service runs in; set before `attached`."""
 
@@ -184,6 +187,11 @@ class Service:
 
         self.host.set_timer(call, due, tick)
 
+    @classmethod
+    def own_event(cls, name: str) -> str:
+        """The name of one of `own_events` for `host.fire`, which only transitions of this service take."""
+        return f"{name} of {cls.urn}"
+
     def attached(self) -> None:
         """Called once, when `host` is set and before anything is received."""
 
@@ -192,6 +200,9 @@ class Service:
 
     def control_lost(self) -> None:
         """Called when the controlling client lost or released control, or another took it. Stop all motion."""
+
+    def control_taken(self) -> None:
+        """Called when a client has taken control of a component that nobody controlled."""
 
     def leaving(self) -> None:
         """Called before the component gives up its id or is closed. Clients can still be sent messages."""
@@ -258,8 +269,8 @@ class ServiceHost:
         """Called when a timer is set from outside of the host; set by the component that runs it."""
         self.locate: Callable[[JausID, Callable[[Location], None]], None] = lambda _, found: found(HERE)
         """Calls back, now or later, with the machine of another component; set by the component that runs it."""
-        self.on_heard: Callable[[JausID], None] = lambda _: None
-        """Called with the source of each message that is handled; set by Events."""
+        self.heard_by: list[Callable[[JausID], None]] = []
+        """Functions that are called with the source of each message, before it is handled; services add theirs."""
         self.counters = Counters(_LOG)
         self._output = OutputQueue(max_output, self.counters)
         self._timers = Timers()
@@ -270,6 +281,8 @@ class ServiceHost:
         self._deferred = DeferredReplies(self, self._errors)
         self._sender = MessageSender(self._dispatch, self._errors, self.counters)
         self._by_class: dict[type[Service], Service | None] = {}
+        self._answers: dict[int, tuple[type[Message], list[Callable[[Any, JausID], None]]]] = {}
+        """Messages that services expect as clients of other components, by code."""
 
     @property
     def first_error(self) -> tuple[str, Exception] | None:
@@ -360,6 +373,16 @@ class ServiceHost:
         """True for an input that is no command and is answered, whatever its code: messages of users have any."""
         return message.CODE in self._bound.queries and not message.IS_COMMAND
 
+    def expect(self, kind: type[Message], take: Callable[[Any, JausID], None]) -> None:
+        """Call `take` with each message of this kind and its sender: an answer to a service that is itself a client.
+
+        Several services may expect one kind, and each looks at the sender. Raises `ConfigError` for an input of the
+        component.
+        """
+        if kind.CODE in self._bound.inputs:
+            raise ConfigError(f"{kind.NAME} is an input of {self.id}, and so cannot be an answer to it")
+        self._answers.setdefault(kind.CODE, (kind, []))[1].append(take)
+
     # --- events, commands, timers -----------------------------------------------------------------------------------
 
     def fire(self, event: str, msg: Any = None, source: JausID | None = None) -> None:
@@ -410,6 +433,10 @@ class ServiceHost:
     def control_lost(self) -> None:
         """Notify all services that the controlling client lost control, or has changed."""
         self._call_each(Trigger("control_lost"), lambda service: service.control_lost())
+
+    def control_taken(self) -> None:
+        """Notify all services that a client has taken control, which nobody had."""
+        self._call_each(Trigger("control_taken"), lambda service: service.control_taken())
 
     def count(self, reason: str, detail: str) -> None:
         """Count a dropped message or another event under this name; logged at DEBUG the first time."""

@@ -12,29 +12,38 @@ from jauspy.messages.core import ReportStatus
 from jauspy.messages.manipulator import SetJointPositions
 from jauspy.ocu.camera import SILENCE
 from jauspy.ocu.cell import PartObservation
+from jauspy.ocu.comms_lost import CommsLostSettings, WayBack
 from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import DEFAULT_AUTHORITY
+from jauspy.ocu.courses import CoursePoint
 from jauspy.ocu.discovery import News
 from jauspy.ocu.driving import Progress, TOLERANCE
+from jauspy.ocu.following import Following
+from jauspy.ocu.guards import Guard
 from jauspy.ocu.joints import JointTable
 from jauspy.ocu.lidar import MAX_WAITING, Scan
 from jauspy.ocu.lists import ELEMENT_TIMEOUT, Element
 from jauspy.ocu.motion_limits import MotionLimits
+from jauspy.ocu.planner import ANY_ATTITUDE, MotionPlan, PlannerState
 from jauspy.ocu.robot import DEFAULT_SPEED
-from jauspy.ocu.state import ForceTorque, Joints, RobotPose
+from jauspy.ocu.sound import PACKET_SILENCE
+from jauspy.ocu.state import BatteryReport, ForceTorque, HealthReport, Joints, LinkHealth, RobotPose
 from jauspy.ocu.stills import Photo
 from jauspy.ocu.subscription import EventRequest, R
-from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
+from jauspy.ocu.subsystems import ComponentInfo, MAX_COMPONENTS, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.platform.modular.arm import ArmController, ModularArmState, MotionResult, TrajectoryPoint
 from jauspy.platform.modular.cell import ConveyorState, PowerState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.protocol.delivery import Delivery
+from jauspy.services.iop.handoff import DecideHandoff, Decision, leave_open
 from jauspy.sync.portal import Facade, OpensPortal, Portal
 from jauspy.transport import Transport
 from jauspy.video.h264_payload import Picture
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Generic, Self, TYPE_CHECKING, overload
+if TYPE_CHECKING:
+    from jauspy.audio.coding import Sound
 if TYPE_CHECKING:
     from jauspy.video.frames import Frame
 from jauspy.ocu.arm import Arm as _Arm
@@ -46,14 +55,19 @@ from jauspy.ocu.cell import PartStation as _PartStation
 from jauspy.ocu.cell import ServoModule as _ServoModule
 from jauspy.ocu.client import OCU as _OCU
 from jauspy.ocu.commands import CommandStream as _CommandStream
+from jauspy.ocu.comms_lost import CommsLost as _CommsLost
 from jauspy.ocu.control import Control as _Control
 from jauspy.ocu.gripper import Gripper as _Gripper
+from jauspy.ocu.guards import Guards as _Guards
 from jauspy.ocu.lidar import Lidar as _Lidar
 from jauspy.ocu.lists import Elements as _Elements
+from jauspy.ocu.planner import Planner as _Planner
 from jauspy.ocu.robot import ComponentClient as _ComponentClient
 from jauspy.ocu.robot import Robot as _Robot
 from jauspy.ocu.robot import RobotControl as _RobotControl
 from jauspy.ocu.service import ServiceClient as _ServiceClient
+from jauspy.ocu.sound import Announcer as _Announcer
+from jauspy.ocu.sound import Microphone as _Microphone
 from jauspy.ocu.subscription import Subscription as _Subscription
 
 
@@ -588,6 +602,23 @@ class Arm(Facade[_Arm]):
         """
         return self._portal.run(self._async.move(joints, speed=speed, duration=duration, tolerance=tolerance, timeout=timeout))
 
+    def poses(self) -> tuple[str, ...]:
+        """Names of the poses that the robot knows for these joints; empty for an arm without the service PresetPose."""
+        return self._portal.run(self._async.poses())
+
+    def pose(self) -> str | None:
+        """The name of the pose in which the joints are; None if they are in none."""
+        return self._portal.run(self._async.pose())
+
+    def move_to(self, name: str, *, timeout: float = 60.0) -> Joints:
+        """Move to a pose that the robot knows, as in `arm.move_to("stow")`, and wait until the joints are there.
+
+        The robot chooses a route on which its links touch neither each other nor the ground on which it stands.
+        Raises `ConfigError` for an unknown pose, and `RequestError`, with the reason, when the pose is not reached
+        within `timeout` seconds. If the call is cancelled, the arm stops.
+        """
+        return self._portal.run(self._async.move_to(name, timeout=timeout))
+
     def move_tool_at(
         self,
         linear: Sequence[float] = (0.0, 0.0, 0.0),
@@ -607,6 +638,7 @@ class Arm(Facade[_Arm]):
         self,
         rows: Sequence[tuple[float, Mapping[str, float]]],
         *,
+        straight: bool = False,
         progress: Callable[[int], None] | None = None,
         timeout: float = 60.0,
     ) -> Joints:
@@ -615,11 +647,13 @@ class Arm(Facade[_Arm]):
         A row consists of the duration of its motion in seconds and of positions by name, as in `(2.0, {"elbow": 0.6})`;
         a duration of 0 means as fast as the robot's motion profile allows. All rows are checked before anything moves.
         They are uploaded as a list if the component supports lists and each row moves a joint; otherwise they are sent
-        one after another. `progress` is called with the index of each row that begins. Raises `ConfigError` with the
-        number of a row that is not possible, and `RequestError` when the arm stops before the end. If the call is
-        cancelled, the arm stops.
+        one after another. With `straight` all joints keep the same part of their ways of a row behind them, as motions
+        that were planned around something need; the rows are then sent one after another, since a list goes on before
+        the arm rests. `progress` is called with the index of each row that begins. Raises `ConfigError` with the number
+        of a row that is not possible, and `RequestError` when the arm stops before the end. If the call is cancelled,
+        the arm stops.
         """
-        return self._portal.run(self._async.follow(rows, progress=progress, timeout=timeout))
+        return self._portal.run(self._async.follow(rows, straight=straight, progress=progress, timeout=timeout))
 
     def move_tool(
         self,
@@ -646,6 +680,13 @@ class Arm(Facade[_Arm]):
     def stop(self) -> None:
         """Hold the present positions."""
         self._portal.run(self._async.stop())
+
+    def blocked(self) -> str:
+        """What kept the last command from being carried out, as in "Blocked: elbow, 41 N m, 0.07 rad short; ...".
+
+        Joints that met something, or stood still short of their positions, with effort and way left; empty without any.
+        """
+        return self._portal.run(self._async.blocked())
 
 
 class Gripper(Facade[_Gripper]):
@@ -939,6 +980,226 @@ class Lidar(Facade[_Lidar]):
         return self._portal.run(self._async.pose())
 
 
+class Guards(Facade[_Guards]):
+    """The guards of one robot; `components` are all of its components."""
+
+    def observe(self) -> list[Guard]:
+        """The present states. Raises `ConfigError` for a robot that reports none."""
+        return self._portal.run(self._async.observe())
+
+    def switch(
+        self,
+        *,
+        self_collision: bool | None = None,
+        obstacle: bool | None = None,
+        authority: int = DEFAULT_AUTHORITY,
+    ) -> None:
+        """Switch guards on or off, and wait until they are; None leaves one as it is.
+
+        A policy stays until it is set again. Takes control of the component with the policies for this call, unless
+        this OCU controls it. Raises `ControlRejected` when another client does, and `RequestError` when the robot
+        refuses, or reports the former state for 2 s.
+        """
+        self._portal.run(self._async.switch(self_collision=self_collision, obstacle=obstacle, authority=authority))
+
+
+class Planner(Facade[_Planner]):
+    """A planner of the motions of one arm. Planning and motions need control of it, and not of the arm.
+
+    Only one plan is kept; it begins where the joints are when it is made. Metres and radians; poses are those of the
+    tool link in the frame of a link of the robot's description, by default in that of the robot.
+    """
+
+    @property
+    def info(self) -> ComponentInfo:
+        """Id and services of the component."""
+        return self._async.info
+
+    def arm(self) -> JausID:
+        """The component of the arm for which it plans."""
+        return self._portal.run(self._async.arm())
+
+    def joints(self) -> tuple[str, ...]:
+        """Names of the joints that it moves, base to tip."""
+        return self._portal.run(self._async.joints())
+
+    def plan_joints(self, joints: Mapping[str, float], *, time_limit: float = 0.0) -> MotionPlan:
+        """Plan a motion of joints to positions, as in `{"elbow": 0.6}`; the others stay.
+
+        Nothing moves. `time_limit`: seconds of search, 0 for the planner's own. Raises `PlanningFailed` with the
+        reason if there is no way.
+        """
+        return self._portal.run(self._async.plan_joints(joints, time_limit=time_limit))
+
+    def plan_pose(
+        self,
+        position: Sequence[float],
+        rpy: Sequence[float] | None = None,
+        *,
+        frame: str = '',
+        time_limit: float = 0.0,
+    ) -> MotionPlan:
+        """Plan a motion of the tool to a pose; without `rpy` (roll, pitch, yaw) any attitude will do.
+
+        `frame` is a link of the robot's description, where it is now. Otherwise as `plan_joints`.
+        """
+        return self._portal.run(self._async.plan_pose(position, rpy, frame=frame, time_limit=time_limit))
+
+    def plan_region(
+        self,
+        position: Sequence[float],
+        rpy: Sequence[float] = (0.0, 0.0, 0.0),
+        *,
+        size: Sequence[float],
+        angle: float = ANY_ATTITUDE,
+        frame: str = '',
+        time_limit: float = 0.0,
+    ) -> MotionPlan:
+        """Plan a motion of the tool into a box around a point, its sides along the axes of `rpy`.
+
+        The attitude of the tool may differ from `rpy` by `angle`. Otherwise as `plan_pose`.
+        """
+        return self._portal.run(self._async.plan_region(position, rpy, size=size, angle=angle, frame=frame, time_limit=time_limit))
+
+    def preview(self) -> MotionPlan | None:
+        """The plan that can be carried out, or is; None if there is none."""
+        return self._portal.run(self._async.preview())
+
+    def execute(
+        self,
+        plan: MotionPlan,
+        *,
+        max_replans: int = 3,
+        progress: Callable[[PlannerState], None] | None = None,
+        timeout: float = 120.0,
+    ) -> PlannerState:
+        """Have the arm carry out the plan, and wait until it is there.
+
+        When the arm leaves the way, or an obstacle comes near what is left of it, it stops and plans again, at most
+        `max_replans` times. `progress` is called with each state that differs from the one before. Raises
+        `PlanningFailed` with the reason when the motion ends early, `RequestError` when it has not ended after
+        `timeout` seconds. Then, and if the call is cancelled, the arm stops.
+        """
+        return self._portal.run(self._async.execute(plan, max_replans=max_replans, progress=progress, timeout=timeout))
+
+    def cancel(self) -> None:
+        """End planning, or stop the arm; the plan is forgotten."""
+        self._portal.run(self._async.cancel())
+
+    def state(self) -> PlannerState:
+        """The present state."""
+        return self._portal.run(self._async.state())
+
+    def watch(self) -> Generator[PlannerState, None, None]:
+        """Each change of the state, as in `for state in planner.watch()`, by a subscription."""
+        return self._portal.iterate(self._async.watch())
+
+
+class CommsLost(Facade[_CommsLost]):
+    """The reaction of one robot to a lost link to its client in control.
+
+    The robot stops in any case when control ends by silence, and stops again when a client takes control. What is set
+    holds for this OCU only, until it sets something else.
+    """
+
+    def supported(self) -> tuple[str, ...]:
+        """Reactions that the robot has."""
+        return self._portal.run(self._async.supported())
+
+    def set(
+        self,
+        reaction: str,
+        *,
+        timeout: int = 0,
+        distance: float | None = None,
+        speed: float | None = None,
+        point: tuple[float, float] | None = None,
+        regained: str = 'stop',
+        regained_timeout: int = 0,
+    ) -> None:
+        """Set the reaction to a lost link; needs control, and holds for this OCU.
+
+        "stop" stays where the robot has stopped, "continue" goes on to its waypoint or along its list, "move_to" drives
+        straight to a `point` (latitude and longitude in degrees) at `speed` m/s and halts after `distance` metres
+        (0: unlimited), "retrotraverse" drives `distance` metres back along its path, or to where the path comes nearest
+        to a `point`; without `speed` as fast as it came. The reaction begins after `timeout` seconds of silence, 0: as
+        soon as control has ended. When the robot has heard this OCU for `regained_timeout` seconds again, it stops, or
+        goes on (`regained="continue"`) until a client takes control. Raises `RequestError` when the robot refuses.
+        """
+        self._portal.run(self._async.set(reaction, timeout=timeout, distance=distance, speed=speed, point=point, regained=regained, regained_timeout=regained_timeout))
+
+    def read(self) -> CommsLostSettings:
+        """The present setting."""
+        return self._portal.run(self._async.read())
+
+    def status(self) -> str:
+        """Whether the robot watches a client ("enabled"), reacts to a lost link ("active"), or neither ("disabled")."""
+        return self._portal.run(self._async.status())
+
+
+class Microphone(Facade[_Microphone]):
+    """A microphone of a robot; `number` counts those of its component, from 1."""
+
+    @property
+    def info(self) -> ComponentInfo:
+        """The component that streams it."""
+        return self._async.info
+
+    @property
+    def number(self) -> int:
+        """Its number there."""
+        return self._async.number
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """Counters of the last `sound` or `record`: `packets`, `lost` ones, those that were `concealed`, ..."""
+        return self._async.counters
+
+    def record(self, path: str | Path, *, seconds: float, address: str | None = None) -> float:
+        """Record so many seconds as a WAV file of 48 kHz; an existing file is replaced. Returns the seconds in it.
+
+        Otherwise as `sound`. Raises `ConfigError` for a file that cannot be written.
+        """
+        return self._portal.run(self._async.record(path, seconds=seconds, address=address))
+
+    def sound(
+        self,
+        *,
+        address: str | None = None,
+        timeout: float = 20.0,
+        silence: float = PACKET_SILENCE,
+    ) -> Generator[Sound, None, None]:
+        """The sound as it arrives: NumPy arrays of float32 at 48 kHz, full scale -1..1; extra `video`.
+
+        Lost packets are concealed, and counted. `address` is the IP address of this machine to which the robot sends;
+        by default the one from which the robot is reached. Raises `ResponseTimeout` when nothing arrives within
+        `timeout` seconds, or for `silence` seconds later. The robot stops sending when the loop is left.
+        """
+        return self._portal.iterate(self._async.sound(address=address, timeout=timeout, silence=silence))
+
+
+class Announcer(Facade[_Announcer]):
+    """A loudspeaker of a robot; by default the first one of its component."""
+
+    @property
+    def info(self) -> ComponentInfo:
+        """The component that plays."""
+        return self._async.info
+
+    @property
+    def number(self) -> int | None:
+        """Number of the loudspeaker there; None is the first one."""
+        return self._async.number
+
+    def play(self, path: str | Path, *, authority: int = DEFAULT_AUTHORITY) -> float:
+        """Play a WAV file at the robot, in real time; returns its length in seconds.
+
+        Takes control of the component meanwhile. Raises `ConfigError` for a file that cannot be read, and
+        `RequestError` when the robot does not play. If the call is cancelled, the robot stops playing.
+        """
+        return self._portal.run(self._async.play(path, authority=authority))
+
+
 class RobotControl(Facade[_RobotControl]):
     """Controls components of a robot in the block: takes control and resumes them; Standby and release at the end.
 
@@ -1026,6 +1287,14 @@ class ComponentClient(Facade[_ComponentClient]):
         """Camera of the component, if it has one only."""
         return Camera(self._portal, self._async.camera)
 
+    def microphone(self, number: int = 1) -> Microphone:
+        """One of its microphones, by number from 1."""
+        return Microphone(self._portal, self._async.microphone(number))
+
+    def announcer(self, number: int | None = None) -> Announcer:
+        """One of its loudspeakers by number; without a number the first one. Microphones are counted before them."""
+        return Announcer(self._portal, self._async.announcer(number))
+
     @property
     def modular_arm(self) -> ModularArm:
         """The arm of servo modules that it moves."""
@@ -1096,8 +1365,8 @@ class Robot(Facade[_Robot]):
     def control(self, *parts: str | int, authority: int = DEFAULT_AUTHORITY) -> RobotControl:
         """Control for a `with` block of all components that move the robot, or of some; it resumes them.
 
-        `parts` are "drive", "arm", "gripper", or components by number (102) or id ("101.1.102"). At the end of the
-        block they are put in Standby and released.
+        `parts` are "drive", "arm", "gripper", "planner", or components by number (102) or id ("101.1.102"). At the end
+        of the block they are put in Standby and released.
         """
         return RobotControl(self._portal, self._async.control(*parts, authority=authority))
 
@@ -1145,6 +1414,86 @@ class Robot(Facade[_Robot]):
         """
         return self._portal.run(self._async.go_to(x, y, yaw, frame=frame, speed=speed, tolerance=tolerance, accept=accept, timeout=timeout, progress=progress))
 
+    def drive_course(
+        self,
+        points: Iterable[CoursePoint | tuple[float, float]],
+        *,
+        speed: float = DEFAULT_SPEED,
+        timeout: float = 300.0,
+    ) -> RobotPose:
+        """Drive along points (metres of the local frame) and wait until the robot is at the last; returns its pose.
+
+        A point is a pair (x, y), or `CoursePoint(x, y, reverse=True, wait=5.0)` to drive there backward and stand there
+        for some seconds; these need EnhancedLocalWaypointListDriver (IOP). At other points the robot drives on at
+        `speed` m/s, negative backward. The list of the component is replaced. Raises `RequestError` when the robot is
+        not there within `timeout` seconds; then, and if the call is cancelled, it stops.
+        """
+        return self._portal.run(self._async.drive_course(points, speed=speed, timeout=timeout))
+
+    def follow(
+        self,
+        leader: int | str | JausID,
+        *,
+        gap: float = 3.0,
+        lag: float = 0.0,
+        max_gap: float = 30.0,
+        offset: float = 0.0,
+        may_slow: bool = False,
+        may_stop: bool = False,
+    ) -> None:
+        """Begin to follow another robot along its path, `gap` metres and, if given, `lag` seconds behind it.
+
+        `leader` is the component with its GlobalPoseSensor, as in "101.1.102", or a subsystem: then the one with the
+        numbers of this robot's driver. `offset` is in metres to the left of the leader's path. The robot stops for good
+        when its leader is more than `max_gap` metres ahead along the path or silent for 3 s, when another command is
+        sent to it, and when its control is lost. With `may_slow` and `may_stop` it asks the leader to wait for it,
+        which the leader does if its `set_convoy` names this robot. Raises `RequestError` if it does not begin.
+        """
+        self._portal.run(self._async.follow(leader, gap=gap, lag=lag, max_gap=max_gap, offset=offset, may_slow=may_slow, may_stop=may_stop))
+
+    def stop_following(self) -> None:
+        """Stop the robot, which then follows nobody."""
+        self._portal.run(self._async.stop_following())
+
+    def following(self) -> Following:
+        """Whether the robot follows another one now, and how."""
+        return self._portal.run(self._async.following())
+
+    def set_convoy(self, *followers: int) -> None:
+        """Set the convoy that this robot leads: subsystems, each behind the one before it; none ends the convoy.
+
+        The robot waits for the first of them only, if that asks for it; it needs `control()`.
+        """
+        self._portal.run(self._async.set_convoy(*followers))
+
+    def retrotraverse(
+        self,
+        distance: float | None = None,
+        *,
+        speed: float | None = None,
+        point: tuple[float, float] | None = None,
+        nose_first: bool = False,
+        standoff: float = 0.0,
+        timeout: float = 300.0,
+        progress: Callable[[float], None] | None = None,
+    ) -> WayBack:
+        """Drive back along the path by which the robot came, and wait until it has arrived.
+
+        The result tells how far that was, and why it ended there: a path that is shorter than `distance` is no error.
+
+        `distance` metres, or to where the path comes nearest to a `point`, latitude and longitude in degrees, and then
+        at most `distance`; it stops `standoff` metres before. It drives with the headings of the way out, or turns
+        about (`nose_first`), at most at `speed` m/s, by default as fast as it came. `progress` is called twice a second
+        with the share that is driven, 0..1. Raises `RequestError` when the robot gives up, or does not arrive within
+        `timeout` seconds. If the call is cancelled, it stops.
+        """
+        return self._portal.run(self._async.retrotraverse(distance, speed=speed, point=point, nose_first=nose_first, standoff=standoff, timeout=timeout, progress=progress))
+
+    @property
+    def comms_lost(self) -> CommsLost:
+        """The reaction of the robot to a lost link to this OCU."""
+        return CommsLost(self._portal, self._async.comms_lost)
+
     def pose(self) -> RobotPose:
         """The present pose in the robot's local frame, metres and radians."""
         return self._portal.run(self._async.pose())
@@ -1153,9 +1502,33 @@ class Robot(Facade[_Robot]):
         """Positions of all joints that are reported, in radians or metres by their names in the description (URDF)."""
         return self._portal.run(self._async.joints())
 
+    def poses(self) -> dict[str, tuple[JausID, ...]]:
+        """Names of the poses that the robot knows, each with the components whose joints it names."""
+        return self._portal.run(self._async.poses())
+
+    def move_to(self, name: str, *, timeout: float = 60.0) -> Joints:
+        """Move all joints of a pose there, as in `robot.move_to("stow")`: arm and flippers. Returns all positions.
+
+        One component moves after the other. One that finds no way without contact waits until others have moved.
+        Raises as `Arm.move_to`, with `timeout` seconds for each component, which must be controlled.
+        """
+        return self._portal.run(self._async.move_to(name, timeout=timeout))
+
     def force_torque(self, sensor: int = 1) -> ForceTorque:
         """Measurement of a force-torque sensor, as between arm and gripper; `sensor` is its number from 1."""
         return self._portal.run(self._async.force_torque(sensor))
+
+    def link(self) -> LinkHealth:
+        """Health of the link to this program, which the robot measures while it is asked (Communicator of IOP)."""
+        return self._portal.run(self._async.link())
+
+    def battery(self) -> BatteryReport:
+        """Charge, voltage and current of the robot's battery, of the first one if it has several."""
+        return self._portal.run(self._async.battery())
+
+    def health(self) -> list[HealthReport]:
+        """Health of the robot's drives, cameras, computers and battery, the worst first."""
+        return self._portal.run(self._async.health())
 
     @property
     def arm(self) -> Arm:
@@ -1171,6 +1544,20 @@ class Robot(Facade[_Robot]):
         """Gripper of the robot."""
         return Gripper(self._portal, self._async.gripper)
 
+    @property
+    def planner(self) -> Planner:
+        """Planner of the motions of its arm: a component that runs beside it, as by `jauspy planner`."""
+        return Planner(self._portal, self._async.planner)
+
+    def planner_of(self, which: int | str | JausID) -> Planner:
+        """A planner of motions by number (130) or id of its component, for a robot that has several."""
+        return Planner(self._portal, self._async.planner_of(which))
+
+    @property
+    def guards(self) -> Guards:
+        """Its guards against self collision and obstacles."""
+        return Guards(self._portal, self._async.guards)
+
     def camera(self, name: str | None = None) -> Camera:
         """A camera by its name; the only one without a name."""
         return Camera(self._portal, self._async.camera(name))
@@ -1178,6 +1565,16 @@ class Robot(Facade[_Robot]):
     def lidar(self, name: str | None = None) -> Lidar:
         """A lidar by its name; the only one without a name."""
         return Lidar(self._portal, self._async.lidar(name))
+
+    @property
+    def microphone(self) -> Microphone:
+        """First microphone of the robot, if one component has them."""
+        return Microphone(self._portal, self._async.microphone)
+
+    @property
+    def announcer(self) -> Announcer:
+        """First loudspeaker of the robot, if one component has them."""
+        return Announcer(self._portal, self._async.announcer)
 
 
 class OCU(OpensPortal):
@@ -1187,7 +1584,9 @@ class OCU(OpensPortal):
     `"local:DIRECTORY"`.
     `timeout` (seconds) and `retries` are the defaults of queries; `registry` holds the known messages; `delivery` the
     settings of reliable delivery and of large messages. `operator`: the path of the file with an operator's key, which
-    seals every command (`jauspy keys new`).
+    seals every command (`jauspy keys new`). `decide_handoff` is asked when another client wants control of a component
+    that this one controls: by default such requests are left to time out. `max_components` bounds the components of all
+    robots that discovery and the addresses of UDP remember; further ones are not discovered.
     To others the OCU is a subsystem with one component, which answers discovery and heartbeat queries.
     """
 
@@ -1203,8 +1602,10 @@ class OCU(OpensPortal):
         transport: Transport | None = None,
         delivery: Delivery | None = None,
         operator: str | Path | None = None,
+        decide_handoff: DecideHandoff = leave_open,
+        max_components: int = MAX_COMPONENTS,
     ) -> None:
-        super().__init__(Portal(), _OCU(id, connect, name=name, timeout=timeout, retries=retries, registry=registry, transport=transport, delivery=delivery, operator=operator))
+        super().__init__(Portal(), _OCU(id, connect, name=name, timeout=timeout, retries=retries, registry=registry, transport=transport, delivery=delivery, operator=operator, decide_handoff=decide_handoff, max_components=max_components))
 
     @property
     def id(self) -> JausID:
@@ -1337,6 +1738,29 @@ class OCU(OpensPortal):
         With `ack` it is resent until that one component acknowledges it. If it does not, `ResponseTimeout` is raised.
         """
         self._portal.run(self._async.send(destination, message, ack=ack))
+
+    def decide_handoffs(self, decide: DecideHandoff) -> None:
+        """Have this function decide on requests for control from now on, as `decide_handoff` of the constructor."""
+        self._async.decide_handoffs(decide)
+
+    def answer_handoff(self, component: str | JausID, id: int, decision: Decision) -> None:
+        """Decide on a request that was left open; `id` is its number at the component."""
+        self._async.answer_handoff(component, id, decision)
+
+    def request_handoff(
+        self,
+        destination: str | JausID,
+        explanation: str,
+        *,
+        authority: int = DEFAULT_AUTHORITY,
+        within: float = 90.0,
+    ) -> None:
+        """Ask the client in control of a component to hand over, with the reason; wait `within` seconds at most.
+
+        Afterwards this OCU has control: take it by `control` with the same authority before the component's time-out.
+        Raises `ControlRejected` with the reason when nothing is handed over, and `ResponseTimeout` without an answer.
+        """
+        self._portal.run(self._async.request_handoff(destination, explanation, authority=authority, within=within))
 
     def explain(self, destination: str | JausID, command: Message | None = None) -> str:
         """Why a component ignores commands, or this one; see `ServiceClient.explain`."""

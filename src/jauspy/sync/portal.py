@@ -13,6 +13,7 @@ import time
 from collections.abc import AsyncGenerator, AsyncIterable, AsyncIterator, Coroutine, Generator
 from concurrent.futures import Future, wait
 from contextlib import ExitStack, suppress
+from inspect import CORO_CREATED, getcoroutinestate
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Final, Generic, NoReturn, Self, TypeVar, cast
 
@@ -98,11 +99,21 @@ class Portal:
         """The items of an asynchronous iterable; leaving the loop closes the asynchronous iterator."""
         iterator = aiter(iterable)
         try:
-            while (item := self.run(_next(iterator))) is not _END:
+            while (item := self._run_next(iterator)) is not _END:
                 yield cast("T", item)
         finally:
             if isinstance(iterator, AsyncGenerator):
                 self.leave(_end(iterator))
+
+    def _run_next(self, iterator: AsyncIterator[T]) -> T | object:
+        """The next item. A loop spends its time here, so that Ctrl-C may arrive just before `run` begins."""
+        coroutine = _next(iterator)
+        try:
+            return self.run(coroutine)
+        except BaseException:
+            if getcoroutinestate(coroutine) == CORO_CREATED:
+                coroutine.close()
+            raise
 
     def __enter__(self) -> Self:
         self.open()

@@ -11,6 +11,7 @@ from urllib.parse import urlsplit
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
+from jauspy.protocol.address_book import IdBounds
 from jauspy.transport import LocalTransport, TcpTransport, Transport, UdpTransport, local as local_socket
 
 DEFAULT_ROOT: Final = Path("/tmp")  # noqa: S108 # nosec B108 # where every JAUS node manager has its sockets
@@ -21,21 +22,25 @@ FORMS: Final = (
 )
 
 
-async def transport_for(id: JausID, connect: str | None) -> Transport:
-    """The transport for `connect`, not opened yet.
+async def transport_for(
+    id: JausID,
+    connect: str | None,
+    bounds: IdBounds = IdBounds(),  # noqa: B008 - immutable
+) -> Transport:
+    """The transport for `connect`, not opened yet; `bounds` limits the addresses that one by UDP remembers.
 
     Raises `ConfigError` that lists the forms, and `TransportError` for an unknown host.
     """
     if connect is None:
         if local_socket.is_alive(DEFAULT_ROOT / junior.SOCKET_NAME):
             return LocalTransport(id, DEFAULT_ROOT)
-        return UdpTransport(id, group=(judp.MULTICAST_GROUP, judp.PORT))
+        return UdpTransport(id, group=(judp.MULTICAST_GROUP, judp.PORT), bounds=bounds)
     if not isinstance(connect, str):
         raise ConfigError(f"connect={connect!r} is not supported; use {FORMS}")
     if connect.startswith("local:"):
         return LocalTransport(id, _directory(connect))
     if connect.startswith("udp://"):
-        return UdpTransport(id, peer=await udp_address(connect))
+        return UdpTransport(id, peer=await udp_address(connect), bounds=bounds)
     if connect.startswith("tcp://"):
         return TcpTransport(id, _address(connect))
     raise ConfigError(f"connect={connect!r} is not supported; use {FORMS}")

@@ -127,12 +127,33 @@ class Locator:
             except TransportError:  # a node manager of others, or none
                 status = {}
             local = this_machine()._replace(ports=_ports(status.get("networks", ())))
-            components = {str(component["id"]) for component in status.get("components", ())}
-            peers = {str(peer["id"]): str(peer["address"]) for peer in status.get("peers", ())}
+            components = {str(component["id"]): component for component in status.get("components", ())}
+            peers = {str(peer["id"]): peer for peer in status.get("peers", ())}
+            queues = _send_queues(status.get("networks", ()))
             for id, found, is_here in requests:
-                found(local if is_here or str(id) in components else _location(peers.get(str(id)), local))
+                if is_here or str(id) in components:
+                    found(local._replace(waiting=_number(components.get(str(id), {}).get("waiting_bytes"))))
+                    continue
+                peer = peers.get(str(id))
+                location = _location(None if peer is None else str(peer["address"]), local)
+                if peer is not None:
+                    waiting = queues.get(str(peer.get("network")))
+                    location = location._replace(sent=_number(peer.get("sent_bytes")), waiting=waiting)
+                found(location)
             await asyncio.sleep(READ_INTERVAL)
         self._task = None
+
+
+def _number(value: object) -> int | None:
+    """A count of a status; None for anything else."""
+    return value if isinstance(value, int) and not isinstance(value, bool) and value >= 0 else None
+
+
+def _send_queues(networks: object) -> dict[str, int]:
+    """Bytes that wait to be sent, by network."""
+    rows = networks if isinstance(networks, list) else []
+    found = {str(row.get("name")): _number(row.get("send_queue")) for row in rows if isinstance(row, dict)}
+    return {name: size for name, size in found.items() if size is not None}
 
 
 def this_machine() -> Location:

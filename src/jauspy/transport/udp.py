@@ -10,7 +10,7 @@ from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.protocol import addressing, judp
-from jauspy.protocol.address_book import Address, AddressBook
+from jauspy.protocol.address_book import Address, AddressBook, IdBounds
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import RawPacket
@@ -29,6 +29,7 @@ class UdpTransport:
 
     `peer` is the UDP address of a node manager, `group` a multicast address and port, which is joined as well; at least
     one of them is needed. Multicasts are sent and received by `interface`, an IPv4 address of this machine.
+    `bounds` limits the addresses that are remembered.
     """
 
     def __init__(
@@ -39,6 +40,7 @@ class UdpTransport:
         group: Address | None = None,
         bind: Address = (multicast.ANY, 0),
         interface: str = multicast.ANY,
+        bounds: IdBounds = IdBounds(),  # noqa: B008 - immutable
     ) -> None:
         self.id = id
         self.received: Receiver = ignore
@@ -48,8 +50,8 @@ class UdpTransport:
         self._peer_host = None if peer is None else peer[0]
         self._bind = bind
         self._interface = interface
-        self._book = AddressBook()
-        self._sources = SourceChecks()
+        self._book = AddressBook(bounds=bounds)
+        self._sources = SourceChecks(bounds=bounds)
         self._clashes = IdClashes()
         self._counters = Counters(_LOG)
         self._socket: socket.socket | None = None

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import secrets
-import socket
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from types import TracebackType
 from typing import Final, Self
 
-from jauspy.errors import ConfigError, TransportError
+from jauspy.errors import ConfigError
 from jauspy.video import h264_payload
 from jauspy.video.camera_protocol import Address
 from jauspy.video.h264_payload import packetise
 from jauspy.video.rtp import CLOCK_RATE, REPORT_INTERVAL, RtpPacket, requests_picture, sender_report, source_note
+from jauspy.video.rtp_sockets import RtpSockets, numeric_address
 
 _NEVER: Final = float("-inf")
 
@@ -111,9 +111,12 @@ class RtpSender:
     note: str = ""
     """Note for the receivers about the stream, with the sender reports; empty for none."""
     _receivers: dict[Address, _Receiver] = field(default_factory=dict)
-    _sockets: dict[int, socket.socket] = field(default_factory=dict)
+    _sockets: RtpSockets = field(init=False)
     _asked: bool = False
     _last_idr: float = float("-inf")
+
+    def __post_init__(self) -> None:
+        self._sockets = RtpSockets("video", self.counters, SEND_BUFFER)
 
     @property
     def receivers(self) -> list[Address]:
@@ -132,8 +135,8 @@ class RtpSender:
         """
         if address not in self._receivers and len(self._receivers) >= MAX_RECEIVERS:
             raise ConfigError(f"video: {MAX_RECEIVERS} receivers watch {self.name} already; one must leave first")
-        family, rtp = _resolve(*address)
-        self._open(family)
+        family, rtp = numeric_address(*address)
+        self._sockets.open(family)
         rtcp = (rtp[0], address[1] + 1, *rtp[2:])
         self._receivers[address] = _Receiver(rtp, rtcp, RtpStream(self.name))
 
@@ -173,14 +176,12 @@ class RtpSender:
         """Tell all that play why there is no picture yet."""
         for receiver in self._receivers.values():
             if receiver.playing:
-                self._transmit(receiver.stream.notice(note), receiver.rtcp)
+                self._sockets.send(receiver.stream.notice(note), receiver.rtcp)
 
     def close(self) -> None:
         """Remove all receivers and close the sockets; without effect when closed."""
         self._receivers.clear()
-        for opened in self._sockets.values():
-            opened.close()
-        self._sockets.clear()
+        self._sockets.close()
 
     def __enter__(self) -> Self:
         return self
@@ -190,36 +191,16 @@ class RtpSender:
     ) -> None:
         self.close()
 
-    def _open(self, family: int) -> None:
-        if family in self._sockets:
-            return
-        try:
-            opened = socket.socket(family, socket.SOCK_DGRAM)
-        except OSError as error:
-            raise TransportError(f"video: no socket to send from: {error}") from error
-        opened.setblocking(False)
-        opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
-        self._sockets[family] = opened
-
     def _send_to(self, receiver: _Receiver, packed: Sequence[bytes], *, idr: bool, now: float, utc: float) -> None:
         for packet in receiver.stream.packets(packed, idr=idr, now=now):
-            self._transmit(packet, receiver.rtp)
+            self._sockets.send(packet, receiver.rtp)
         if (report := receiver.stream.report(now, utc, self.note)) is not None:
-            self._transmit(report, receiver.rtcp)
-
-    def _transmit(self, packet: bytes, address: tuple[object, ...]) -> None:
-        family = socket.AF_INET6 if len(address) > 2 else socket.AF_INET
-        try:
-            self._sockets[family].sendto(packet, address)
-        except OSError:
-            self.counters["dropped"] += 1
-        else:
-            self.counters["packets"] += 1
+            self._sockets.send(report, receiver.rtcp)
 
     def _listen(self) -> None:
         """Read the feedback of receivers; requests of others are ignored."""
         hosts = {receiver.rtcp[0] for receiver in self._receivers.values()}
-        for opened in self._sockets.values():
+        for opened in self._sockets:
             for _ in range(MAX_FEEDBACK_PACKETS):
                 try:
                     heard, source = opened.recvfrom(2048)
@@ -230,13 +211,3 @@ class RtpSender:
                 if source[0] in hosts and requests_picture(heard):
                     self._asked = True
                     self.counters["idr_asked"] += 1
-
-
-def _resolve(host: str, port: int) -> tuple[int, tuple[object, ...]]:
-    if not 1 <= port <= 65534:
-        raise ConfigError(f"video: port {port} is not in 1..65534")
-    try:
-        found = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM, flags=socket.AI_NUMERICHOST)
-    except (OSError, UnicodeError) as error:
-        raise ConfigError(f"video: {host!r} is not an IP address; host names are not resolved here: {error}") from error
-    return found[0][0], found[0][4]

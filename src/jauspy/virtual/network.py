@@ -84,7 +84,9 @@ class VirtualNetwork(Environment):
         from jauspy.robot import robot_files  # noqa: PLC0415 - needs the extra `robot`
         from jauspy.robot.runner import RobotRunner  # noqa: PLC0415
 
-        return RobotRunner(robot_files.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
+        return RobotRunner(
+            robot_files.load(name), self.transport, backend="kinematic", realtime=VirtualTime, utc_now=self.utc_now
+        )
 
     def now(self) -> float:
         """Seconds of the event loop's clock."""

@@ -23,6 +23,10 @@ FREE: Final = 0.1
 """rad/s of the fastest joint from which on the robot moves freely, and carries all that it holds."""
 STEADY: Final = 2.0
 """rad/s^2 of the fastest changing setpoint at which deviations count twice: accelerations are not quite those."""
+KNOWN: Final = 0.2
+"""Kilograms, as standard deviation, from which on the mass of what is held counts as known."""
+SETTLED: Final = 0.3
+"""Seconds after which the controllers no longer carry a part of a load that is known."""
 MODEL_ERROR: Final = 0.001
 """Fraction of the greatest effort by which the model of the robot may be wrong in steady motion: an assumption."""
 
@@ -54,6 +58,13 @@ class HeldPayload:
         self._held = ""
         self._count, self._beyond = 0, np.zeros(len(joints))
         self.found = NOTHING
+        self._known_for = 0.0
+        """Seconds since when the mass is known."""
+
+    @property
+    def known(self) -> bool:
+        """True if nothing is held, or its mass has been fed forward long enough to tell its weight from a contact."""
+        return not self._held or self._known_for >= SETTLED
 
     def prepare(self, setpoints: Sequence[tuple[float, float]]) -> bool:
         """Set the load for the next step; `setpoints`: velocities and accelerations of the joints.
@@ -62,11 +73,12 @@ class HeldPayload:
         """
         held = self._gripper.attached_to
         if held != self._held:
-            self._held = held
+            self._held, self._known_for = held, 0.0
             self._identifier.reset()
             self._set(NOTHING)
         if not held:
             return False
+        self._known_for = self._known_for + self._dt / AVERAGED if self.found.mass_deviation < KNOWN else 0.0
         moves, found = any(abs(velocity) > FREE for velocity, _ in setpoints), self.found
         if not moves:
             self._count, self._beyond = 0, np.zeros(len(setpoints))

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Final
 
-from jauspy.platform.modular.cell import BatteryState, Consumption, ModulePower, PowerState
-from jauspy.platform.modular.parts import BatteryData, CellSetup, PartKind
+from jauspy.platform.battery import BatteryCharge
+from jauspy.platform.modular.cell import Consumption, ModulePower, PowerState
+from jauspy.platform.modular.parts import CellSetup, PartKind
 from jauspy_sim.cell.connectors import SimulatedConnector
 from jauspy_sim.cell.servos import SUPPLY_VOLTAGE, SimulatedServo
 
@@ -14,45 +15,6 @@ PERIOD: Final = 0.02
 """Seconds over which power is averaged, and after which batteries are drained."""
 PUMP_POWER: Final = 6.0
 """Watts of a connector whose pump runs: assumption, of small diaphragm pumps for 0.9 bar."""
-JOULES: Final = 3600.0
-"""Of a watt hour."""
-
-
-class Battery:
-    """One battery; `power` in watts at its terminals."""
-
-    def __init__(self, data: BatteryData) -> None:
-        self.data = data
-        self.energy = data.capacity * JOULES * data.charge
-        """Joules that are left."""
-        self._power = 0.0
-
-    @property
-    def empty(self) -> bool:
-        """True if its protection has cut it off."""
-        return self.energy <= 0.0
-
-    def drain(self, power: float, dt: float) -> None:
-        """Deliver a power for some seconds; the loss of its resistance is taken from the charge, too."""
-        current = self._current(power)
-        self.energy = max(0.0, self.energy - (power + self.data.resistance * current * current) * dt)
-        self._power = power
-
-    def state(self) -> BatteryState:
-        """Charge, and voltage and current at the last power."""
-        charge = self.energy / (self.data.capacity * JOULES)
-        if self.empty:
-            return BatteryState(0.0, 0.0, 0.0, 0.0)
-        current = self._current(self._power)
-        return BatteryState(charge, self.energy, self._open_voltage() - self.data.resistance * current, current)
-
-    def _open_voltage(self) -> float:
-        data = self.data
-        return data.empty_voltage + (data.full_voltage - data.empty_voltage) * self.energy / (data.capacity * JOULES)
-
-    def _current(self, power: float) -> float:
-        """Amperes at a power, by the voltage without load: the resistance drops a few percent of it at most."""
-        return power / self._open_voltage()
 
 
 class SimulatedPower(ModulePower):
@@ -72,7 +34,7 @@ class SimulatedPower(ModulePower):
     ) -> None:
         types = {part.name: cell.types[part.type] for part in cell.parts}
         self._mains = {name for name, type in types.items() if type.kind is PartKind.BASE and type.battery is None}
-        self.batteries = {name: Battery(type.battery) for name, type in types.items() if type.battery is not None}
+        self.batteries = {name: BatteryCharge(type.battery) for name, type in types.items() if type.battery is not None}
         self._switches = {name: True for name, type in types.items() if type.is_module}
         self._attachments = attachments
         self._follow = follow

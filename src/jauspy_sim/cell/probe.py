@@ -130,6 +130,7 @@ class Probe:
         """The largest loads, by connector and kind of connection."""
         self._model, self._data, self._attachments = cell.model, data, attachments
         self._groups = tuple(groups.values())
+        self._stops = -self._contacts_found()
         self._before = mujoco.MjData(cell.model)
         self._things = _things(cell.model)
         self._names = _names(cell.model)
@@ -149,6 +150,14 @@ class Probe:
         self._robot = int(self._things[gripper.body]) if gripper is not None else -1
         self._find_carried(-APART)
         self._keep()
+
+    @property
+    def stops(self) -> int:
+        """Motions of the robot that its own detection of contact has ended."""
+        return self._stops + self._contacts_found()
+
+    def _contacts_found(self) -> int:
+        return sum(group.contact.number for group in self._groups if group.contact is not None)
 
     def step(self, time: float) -> None:
         """Measure the step that has just been made; `time` is that after it."""

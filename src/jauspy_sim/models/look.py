@@ -54,8 +54,11 @@ def without_visuals(description: RobotDescription) -> RobotDescription:
     return replace(description, urdf=etree.tostring(root, encoding="unicode"))
 
 
-def polish(spec: mujoco.MjSpec, robot: RobotModel) -> None:
-    """Give the visual shapes of a robot the gloss of their materials, and mark treads and antennas to move."""
+def polish(spec: mujoco.MjSpec, robot: RobotModel, first_side: int = 0) -> None:
+    """Give the visual shapes of a robot the gloss of their materials, and mark treads and antennas to move.
+
+    `first_side` is where in `userdata` the runs of its belts begin.
+    """
     description = robot.description
     belts = belted_links(description, robot.tracks) if robot.tracks else {}
     root = parse_tree(description.urdf)
@@ -70,7 +73,7 @@ def polish(spec: mujoco.MjSpec, robot: RobotModel) -> None:
         for geom, visual in zip(drawn, visuals, strict=True):
             material = _material(visual)
             if (side := belts.get(str(link.get("name")))) is not None:
-                mark(geom, visual, side)
+                mark(geom, visual, first_side + side)
             mark_whip(geom, visual)
             if material in GLOSS and not geom.material:
                 geom.material = material

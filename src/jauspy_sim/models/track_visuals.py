@@ -25,7 +25,7 @@ from jauspy.geometry.urdf import Element, RobotDescription, numbers, origin, pla
 from jauspy.platform.description import TrackSetup
 
 SIDES: Final = 2
-"""Numbers in `userdata`: metres that the belts of the left and right side have run, positive forward."""
+"""Numbers in `userdata` for each robot: metres that the belts of the left and right side have run, positive forward."""
 
 WAYS: Final = {"forward": 1.0, "backward": -1.0}
 

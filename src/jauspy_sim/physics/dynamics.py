@@ -73,6 +73,7 @@ class Dynamics:
         """Dry friction of the group's joints, N m or N."""
         self._efforts = view(np.zeros(world.nv))
         self._found = np.zeros(model.nv)
+        self._full = np.zeros((model.nv, model.nv))
         self._found_view = view(self._found)
 
     def carry(self, mass: float, center: Vector) -> None:
@@ -99,6 +100,16 @@ class Dynamics:
             rows[:, column] = self._inverse_dynamics() - without
         data.cinert[load] = carried
         return rows, self._inverse_dynamics() - without
+
+    def inertia(self) -> NDArray[np.float64]:
+        """Inertia matrix of the joints in the state of the last call of `efforts`, with rotors; shape (joints, joints).
+
+        Without joints that follow others.
+        """
+        mujoco.mj_crb(self._model, self._data)
+        mujoco.mj_fullM(self._model, self._data, self._full)
+        found: NDArray[np.float64] = self._full[self._dofs][:, self._dofs].copy()
+        return found
 
     def _inverse_dynamics(self) -> NDArray[np.float64]:
         mujoco.mj_rne(self._model, self._data, 1, self._found)

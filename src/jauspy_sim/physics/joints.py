@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Protocol
 
 import mujoco
@@ -12,8 +12,10 @@ from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint, RobotDescription
 from jauspy.platform.description import GroupSetup
 from jauspy.platform.joint_control import FedForwardController, JointController, JointSetpoint
-from jauspy.platform.joints import JointSensors, JointState, Target
+from jauspy.platform.joints import ContactReaction, JointContact, JointSensors, JointState, Target
+from jauspy.platform.motors import MotorLoad
 from jauspy_sim.assembly import TIMESTEP, view
+from jauspy_sim.physics.contact_guard import ContactGuard
 from jauspy_sim.physics.dynamics import Dynamics
 from jauspy_sim.physics.encoders import Encoder, Noise
 from jauspy_sim.physics.load_brake import LoadBrake
@@ -21,6 +23,11 @@ from jauspy_sim.physics.load_brake import LoadBrake
 
 class Held(Protocol):
     """What a group's tip holds, as its controllers know it."""
+
+    @property
+    def known(self) -> bool:
+        """True if nothing is held, or its weight is known."""
+        ...
 
     def prepare(self, setpoints: Sequence[tuple[float, float]]) -> bool:
         """Set the load for the next step; `setpoints`: velocities and accelerations of the joints.
@@ -81,6 +88,14 @@ class SimulatedJoints:
         ]
         self.held: Held | None = None
         """What the group's tip holds, which needs `dynamics`."""
+        self._guard = (
+            ContactGuard(setup.contact, self._joints, fed_forward, dynamics, self._dt)
+            if dynamics is not None and setup.contact is not ContactReaction.IGNORE
+            else None
+        )
+        self._needed: Sequence[float] = ()
+        self._applied: Sequence[float] = ()
+        """Efforts of the last control cycle: by the model, and as measured."""
         sensors = setup.sensors
         self._encoders = _encoders(self._joints, sensors, seed, self._dt) if sensors is not None else ()
         self._noises = _effort_noises(self._joints, sensors, seed) if sensors is not None else ()
@@ -110,6 +125,8 @@ class SimulatedJoints:
     def command(self, targets: Sequence[Target | None]) -> None:
         """Set the targets of the joints, base to tip; None keeps a joint's target."""
         state = self.state()
+        if self._guard is not None and any(target is not None for target in targets):
+            self._guard.command()
         rows = zip(self._controllers, self._brakes, targets, state.positions, state.velocities, strict=True)
         for controller, brake, target, position, velocity in rows:
             if target is not None:
@@ -128,20 +145,40 @@ class SimulatedJoints:
         return JointState(
             tuple([encoder.position for encoder in self._encoders]),
             tuple([encoder.rate for encoder in self._encoders]),
-            tuple([effort + noise() for effort, noise in zip(true.efforts, self._noises, strict=True)]),
+            self._measured_efforts(true.efforts),
             true.overloads,
+            self.contact,
         )
+
+    def _measured_efforts(self, true: tuple[float, ...]) -> tuple[float, ...]:
+        """Efforts as the currents tell them."""
+        if not self._noises:
+            return true
+        return tuple([effort + noise() for effort, noise in zip(true, self._noises, strict=True)])
 
     def true_state(self) -> JointState:
         """Positions, velocities and efforts after the last step, for measurements only."""
         return JointState(
             tuple([self._qpos[address] for address in self._positions]),
             tuple([self._qvel[address] for address in self._dofs]),
-            tuple(
-                [self._ctrl[address] + brake.torque for address, brake in zip(self._motors, self._brakes, strict=True)]
-            ),
+            self._true_efforts(),
             self._overloads(),
+            self.contact,
         )
+
+    def _true_efforts(self) -> tuple[float, ...]:
+        rows = zip(self._motors, self._brakes, strict=True)
+        return tuple([self._ctrl[address] + brake.torque for address, brake in rows])
+
+    def motor_loads(self) -> Iterator[MotorLoad]:
+        """Efforts of the motors, without those of brakes, and velocities."""
+        for joint, motor, dof in zip(self._joints, self._motors, self._dofs, strict=True):
+            yield MotorLoad(joint.name, self._ctrl[motor], self._qvel[dof])
+
+    @property
+    def contact(self) -> JointContact | None:
+        """The last contact that has ended a motion; None without one, and without a watch for it."""
+        return self._guard.contact if self._guard is not None else None
 
     def setpoints(self) -> tuple[JointSetpoint, ...]:
         """The setpoints of the controllers, base to tip."""
@@ -159,9 +196,13 @@ class SimulatedJoints:
         bias, ctrl, dt = self._bias, self._ctrl, self._dt
         measured = self._measure()
         setpoints, learns = self._setpoints, False
+        held, guard = self.held, self._guard
+        known = held is None or held.known
+        if guard is not None and self._needed:
+            guard.step(measured, setpoints, self._applied, self._needed, load_known=known)
         if self._dynamics is not None:
             self._setpoints = setpoints = [controller.begin(dt) for controller in self._fed_forward]
-            learns = self.held is not None and self.held.prepare(setpoints)
+            learns = held is not None and held.prepare(setpoints)
             bias = self._dynamics.efforts(setpoints)
         for (controller, dof, motor, followers, brake), (value, velocity) in zip(self._rows, measured, strict=True):
             needed = bias[dof]
@@ -171,8 +212,12 @@ class SimulatedJoints:
             if brake.watches or not -brake.saturation < effort < brake.saturation:
                 effort = brake.effort(controller, value, velocity, effort, needed)
             ctrl[motor] = effort
-        if learns and self.held is not None:
-            self.held.learn(setpoints, self.state().efforts, [bias[dof] for dof in self._dofs])
+        if guard is None and not learns:
+            return
+        self._needed = [bias[dof] for dof in self._dofs]
+        self._applied = self._measured_efforts(self._true_efforts())
+        if learns and held is not None and not (guard is not None and guard.suspects(load_known=known)):
+            held.learn(setpoints, self._applied, self._needed)
 
     def _measure(self) -> list[tuple[float, float]]:
         """Positions and velocities, base to tip; by the encoders where there are some."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, Final
 
 import mujoco
@@ -14,11 +14,13 @@ from jauspy.geometry.vectors import Vector
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.ranging import LidarSetup, RangeScan, Scanner, ScanSettings, nearest_layer
 from jauspy_sim.assembly import view
-from jauspy_sim.models.groups import COLLISION, HEIGHT_FIELDS, VISUAL
+from jauspy_sim.models.groups import COLLISION, HEIGHT_FIELDS, SOLID, VISUAL
 
 _IGNORED: Final = (VISUAL, COLLISION, HEIGHT_FIELDS)
 _GROUPS: Final = np.array([group not in _IGNORED for group in range(mujoco.mjNGROUP)], np.uint8)
 """Geometry groups that rays hit: all but robots, and height fields, which have ray meshes."""
+
+_NO_SHAPES: Final = np.empty(0, np.int64)
 
 RAYS_AT_ONCE: Final = 512
 """Rays of one part: 0.2 to 1 ms on a small machine."""
@@ -53,6 +55,13 @@ def cast_rays(
     return np.where(distances < 0.0, math.inf, distances)
 
 
+def shapes_of(model: mujoco.MjModel, prefixes: Sequence[str]) -> NDArray[np.int64]:
+    """The shapes that collide of the robots with these prefixes of names."""
+    names = [str(model.body(number).name) for number in range(model.nbody)]
+    theirs = np.array([name.startswith(tuple(prefixes)) for name in names], np.bool_)
+    return np.flatnonzero(theirs[model.geom_bodyid] & ((model.geom_contype | model.geom_conaffinity) != 0))
+
+
 class SimulatedLidar(Scanner):
     """A `RangeFinder` of one layer or several, with normally distributed errors.
 
@@ -61,8 +70,17 @@ class SimulatedLidar(Scanner):
     motion. A scan of one layer is complete at once.
     """
 
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, body: Any, setup: LidarSetup) -> None:
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        data: mujoco.MjData,
+        body: Any,
+        setup: LidarSetup,
+        others: NDArray[np.int64] = _NO_SHAPES,
+    ) -> None:
+        """`others` are shapes of other robots, which it sees though it does not see its own."""
         super().__init__(setup)
+        self._others = others
         self._model, self._data, self._body = model, data, body
         self._random = np.random.default_rng(setup.seed)
         self._inclinations = setup.inclinations()
@@ -95,12 +113,23 @@ class SimulatedLidar(Scanner):
             return
         rays = pending.rays[pending.done : pending.done + count]
         if len(rays):
-            found = cast_rays(self._model, self._data, pending.start, rays)
+            found = self._distances(pending.start, rays)
             pending.distances[pending.done : pending.done + count] = found
         pending.done += count
         if pending.done >= len(pending.rays):
             self._pending = None
             self._scan = self._completed(pending)
+
+    def _distances(self, start: NDArray[np.float64], rays: NDArray[np.float64]) -> NDArray[np.float64]:
+        groups, others = self._model.geom_group, self._others
+        if not others.size:
+            return cast_rays(self._model, self._data, start, rays)
+        own = groups[others]
+        groups[others] = SOLID
+        try:
+            return cast_rays(self._model, self._data, start, rays)
+        finally:
+            groups[others] = own
 
     def _completed(self, pending: _Pending) -> RangeScan:
         settings, setup = self._settings, self._setup

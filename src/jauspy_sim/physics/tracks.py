@@ -5,7 +5,7 @@ At each contact, a belt moves along the surface of its shape (`Belts`).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
 import mujoco
@@ -14,6 +14,7 @@ import numpy as np
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.platform.description import TrackSetup
 from jauspy.platform.drives import SkidSteerDrive
+from jauspy.platform.motors import MotorLoad
 from jauspy_sim.assembly import view
 from jauspy_sim.physics.joints import FloatingBase
 
@@ -112,7 +113,10 @@ class Belts:
 class SimulatedTracks(SkidSteerDrive):
     """A `DriveBase`: free joint `base`, joints and motors of the belts, their names after `prefix`."""
 
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, tracks: TrackSetup) -> None:
+    def __init__(
+        self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, tracks: TrackSetup, first_side: int = 0
+    ) -> None:
+        """`first_side` is where in `userdata` the runs of its belts begin."""
         super().__init__()
         self._model = model
         self._data = data
@@ -123,9 +127,11 @@ class SimulatedTracks(SkidSteerDrive):
         self._belts = Belts(model, data, names)
         self._run = view(data.userdata)
         positions = [int(model.joint(name).qposadr[0]) for name in names]
-        self._driven_positions = list(enumerate((positions[0], positions[len(tracks.left)])))
+        self._driven_positions = list(enumerate((positions[0], positions[len(tracks.left)]), first_side))
         self._belt_positions = positions
         driven = [f"{prefix}{side[0]}" for side in (tracks.left, tracks.right)]
+        self._names = (tracks.left[0], tracks.right[0])
+        self._forces = view(data.actuator_force)
         self._dofs = [int(model.joint(name).dofadr[0]) for name in driven]
         self._motors = [int(model.actuator(name).id) for name in driven]
         self._speeds = [float(model.actuator_ctrlrange[motor][1]) for motor in self._motors]
@@ -141,11 +147,12 @@ class SimulatedTracks(SkidSteerDrive):
             self._data.ctrl[motor] = -speed * effort  # on the ground a belt runs backward when the robot drives forward
             self._model.dof_frictionloss[dof] = brake if braking else friction
 
-    def step(self) -> None:
-        """Advance the physics by one step, in which the belts run around their shapes."""
-        mujoco.mj_step1(self._model, self._data)
+    def run_belts_around(self) -> None:
+        """Let the belts run around their shapes, between the two halves of a step of the physics."""
         self._belts.run_around()
-        mujoco.mj_step2(self._model, self._data)
+
+    def take_run(self) -> None:
+        """Add what the belts have run in a step of the physics, after which their joints are at zero again."""
         for side, position in self._driven_positions:
             self._run[side] -= self._qpos[position]
         for position in self._belt_positions:
@@ -163,3 +170,9 @@ class SimulatedTracks(SkidSteerDrive):
         """Same as `SkidSteerDrive.track_speeds`, of the first belt of each side."""
         left, right = self._dofs
         return -self._qvel[left], -self._qvel[right]
+
+    def motor_loads(self) -> Iterator[MotorLoad]:
+        """Forces of the motors and speeds of the belts that they drive; none while their brakes hold."""
+        rows = zip(self._names, self._motors, self._dofs, self._data.ctrl[self._motors].tolist(), strict=True)
+        for name, motor, dof, voltage in rows:
+            yield MotorLoad(name, self._forces[motor] if voltage else 0.0, self._qvel[dof])

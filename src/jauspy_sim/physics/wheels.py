@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import mujoco
 
 from jauspy.geometry.poses import Pose, Twist
+from jauspy.platform.motors import MotorLoad
 from jauspy.platform.wheels import WheelDrive, WheelKind, WheelSetup
 from jauspy_sim.assembly import view
 from jauspy_sim.physics.joints import FloatingBase
@@ -46,6 +47,12 @@ class SimulatedWheels(WheelDrive):
         """m/s, positive forward."""
         rows = zip(self.wheels.wheels, self._dofs, strict=True)
         return [wheel.sign * wheel.radius * float(self._data.qvel[dof]) for wheel, dof in rows]
+
+    def motor_loads(self) -> Iterator[MotorLoad]:
+        """Torques of the motors, less what their speed takes (damping), and rates; none while they brake."""
+        for wheel, motor, dof in zip(self.wheels.wheels, self._motors, self._dofs, strict=True):
+            rate, wanted = float(self._data.qvel[dof]), float(self._data.ctrl[motor])
+            yield MotorLoad(wheel.joint.name, wanted - wheel.joint.damping * rate if wanted else 0.0, rate)
 
     @property
     def steering(self) -> float:

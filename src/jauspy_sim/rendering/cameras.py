@@ -67,7 +67,7 @@ def state_size(model: mujoco.MjModel, lamps: int = 0) -> int:
 
 @dataclass(frozen=True, slots=True)
 class SimulatedCamera:
-    """A `Camera`; `number` is its number in the model, `prefix` that of the robot's names.
+    """A `Camera`; `number` is its number in the model.
 
     GL shows `drawn`, if there is one; rays are cast at the simple shapes of the model for physics. Both are in memory
     that the processes of all cameras share (`ModelMemory`).
@@ -81,8 +81,8 @@ class SimulatedCamera:
     """Descriptor of the model for physics."""
     drawing: int
     """Descriptor of the model that is drawn, which the first camera makes."""
-    prefix: str = ""
-    lamps: tuple[LampSetup, ...] = ()
+    lamps: tuple[tuple[str, LampSetup], ...] = ()
+    """Those of all robots of the world, each with the prefix of its robot's names."""
     time_of_day: TimeOfDay = TimeOfDay.DAY
     quality: Quality = Quality.LOW
     base: int = 0
@@ -115,7 +115,7 @@ class SimulatedCameraSession:
         if camera.time_of_day is not TimeOfDay.DAY:
             from jauspy_sim.rendering.lamps import Darkness, light_evenly  # noqa: PLC0415 - OpenCV is for the cameras' processes
 
-            self._darkness = Darkness(self._model, camera.prefix, camera.lamps, camera.time_of_day)
+            self._darkness = Darkness(self._model, camera.lamps, camera.time_of_day)
             light_evenly(self._model)
         self._base = camera.base
         self._sun: SunShadow | None = None
@@ -290,7 +290,10 @@ def _missing() -> mujoco.MjModel:
 
 
 class SimulatedCameras:
-    """The cameras of a robot with one shared memory; `prefix` is that of their names in the model."""
+    """The cameras of a robot with one shared memory; `prefix` is that of their names in the model.
+
+    `others` are the lamps of other robots in the world, each with the prefix of its robot's names.
+    """
 
     def __init__(
         self,
@@ -300,16 +303,18 @@ class SimulatedCameras:
         robot: RobotModel,
         lamps: Sequence[Lamp] = (),
         *,
+        others: Sequence[tuple[str, Lamp]] = (),
         drawn: DrawnModel | None = None,
     ) -> None:
-        self._data, self._lamps = data, lamps
-        self._shared = StateWriter(state_size(model, len(lamps))) if robot.cameras else None
+        named = [*((prefix, lamp) for lamp in lamps), *others]
+        self._data, self._lamps = data, [lamp for _, lamp in named]
+        self._shared = StateWriter(state_size(model, len(named))) if robot.cameras else None
         self._models = (ModelMemory(), ModelMemory()) if robot.cameras else ()
         state = -1 if self._shared is None else self._shared.descriptor
         physics, drawing = (memory.descriptor for memory in self._models) if self._models else (-1, -1)
         if self._models:
             shared_model(physics, lambda: model)
-        shining = tuple(lamp.setup for lamp in lamps)
+        shining = tuple((owner, lamp.setup) for owner, lamp in named)
         self.cameras: Mapping[str, SimulatedCamera] = {
             setup.name: SimulatedCamera(
                 setup=setup,
@@ -317,7 +322,6 @@ class SimulatedCameras:
                 state=state,
                 physics=physics,
                 drawing=drawing,
-                prefix=prefix,
                 lamps=shining,
                 time_of_day=robot.time_of_day,
                 quality=robot.quality,

@@ -68,11 +68,14 @@ class _Beam:
 
 
 class Darkness:
-    """The light of a world by dusk or night: of the sky, of the world's own lamps, and of those of the robot."""
+    """The light of a world by dusk or night: of the sky, of the world's own lamps, and of those of its robots.
 
-    def __init__(self, model: mujoco.MjModel, prefix: str, lamps: Sequence[LampSetup], time_of_day: TimeOfDay) -> None:
+    `lamps` are those of the robots, each with the prefix of its robot's names.
+    """
+
+    def __init__(self, model: mujoco.MjModel, lamps: Sequence[tuple[str, LampSetup]], time_of_day: TimeOfDay) -> None:
         self._sky = time_of_day.sky
-        self._beams = [_beam(model, prefix, lamp) for lamp in lamps]
+        self._beams = [_beam(model, prefix, lamp) for prefix, lamp in lamps]
         self._fixed = _lights_of_world(model)
 
     def light(
@@ -86,7 +89,7 @@ class Darkness:
         source: Renderer,
         coarse: bool,
     ) -> Floats:
-        """The light on each pixel as a fraction of daylight; `levels` are those of the robot's lamps.
+        """The light on each pixel as a fraction of daylight; `levels` are those of the robots' lamps.
 
         `spread` is half of the picture's width at a distance of one. Coarsely the light is computed for each fourth
         pixel, and interpolated between them.

@@ -53,6 +53,7 @@ def test_a_joint_that_is_commanded_to_its_end_by_effort_stays_within_its_limits(
     assert arm.joints[WRIST].upper - 0.05 < arm.state().positions[WRIST] <= arm.joints[WRIST].upper + 0.01
 
 
+@pytest.mark.slow
 def test_a_load_that_a_motor_cannot_carry_is_reported_as_by_other_backends(open_can: OpenCan) -> None:
     pytest.importorskip("mujoco")
     robot = open_can(bus="virtual:sim")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -52,15 +53,20 @@ def designed(cell: CellSetup, task: DesignTask, load: float) -> Design:
     return found
 
 
+def loaded(cell: CellSetup, elements: Sequence[Element], mass: float) -> LoadedChain:
+    """A chain on a connector at the world's origin."""
+    return LoadedChain.of(Transform(), placed(elements, cell.types), mass, cell.limits)
+
+
 # --- loads --------------------------------------------------------------------------------------------------------
 
 
 def test_slow_loads_are_those_at_rest(cell: CellSetup) -> None:
     """A chain on its side: gravity about the elbow, and what its base's latch bears."""
-    mass, lie = 1.0, Transform()
-    chain = LoadedChain.of(lie, placed(ELBOW, cell.types), mass)
+    mass = 1.0
+    chain = loaded(cell, ELBOW, mass)
     level = np.array([math.pi / 2.0])
-    at_rest = posture(lie, ELBOW, cell.types, level.tolist(), mass)
+    at_rest = posture(Transform(), ELBOW, cell.types, level.tolist(), mass)
     servo = cell.types["x8_9_elbow"].servo
     assert servo is not None
     found = chain.timed(level, level + 0.001, 60.0)
@@ -73,18 +79,18 @@ def test_slow_loads_are_those_at_rest(cell: CellSetup) -> None:
 
 def test_motions_are_slowed_until_modules_and_connectors_bear_them(cell: CellSetup) -> None:
     start, goal = np.array([-1.2]), np.array([1.2])
-    light = LoadedChain.of(Transform(), placed(ELBOW, cell.types), 0.0).shortest(start, goal)
-    heavy = LoadedChain.of(Transform(), placed(ELBOW, cell.types), 3.6).shortest(start, goal)
+    light = loaded(cell, ELBOW, 0.0).shortest(start, goal)
+    heavy = loaded(cell, ELBOW, 3.6).shortest(start, goal)
     assert light.bearable
     assert heavy.bearable
     assert heavy.duration > light.duration
     with pytest.raises(NoPath, match="of a torque"):
-        LoadedChain.of(Transform(), placed(ELBOW, cell.types), 12.0).shortest(start, goal)
+        loaded(cell, ELBOW, 12.0).shortest(start, goal)
 
 
 def test_the_cup_at_the_tip_bears_the_load_and_its_acceleration(cell: CellSetup) -> None:
     """Turning about the vertical axis, nothing but the load's own lever and speed act."""
-    chain = LoadedChain.of(Transform(), placed((Element("x5_1_inline"), Element("bracket_angled")), cell.types), 0.5)
+    chain = loaded(cell, (Element("x5_1_inline"), Element("bracket_angled")), 0.5)
     still = chain._loads(np.zeros(1), np.zeros(1), np.zeros(1))[1]
     turning = chain._loads(np.zeros(1), np.array([20.0]), np.zeros(1))[1]
     weight = 0.5 * GRAVITY
@@ -99,7 +105,7 @@ def test_effort_and_energy_are_cobras(cell: CellSetup) -> None:
     elements = (Element("x5_4_inline"), Element("bracket_straight"))
     servo = cell.types["x5_4_inline"].servo
     assert servo is not None
-    slow = LoadedChain.of(Transform(), placed(elements, cell.types), 0.0).timed(np.zeros(1), np.ones(1), 20.0)
+    slow = loaded(cell, elements, 0.0).timed(np.zeros(1), np.ones(1), 20.0)
     assert slow.effort == pytest.approx(servo.friction * 20.0, rel=0.1)
     assert slow.energy == pytest.approx(servo.friction * 1.0 + servo.damping * 1.0 / 20.0, rel=0.05)
 
@@ -145,6 +151,7 @@ def test_half_a_turn_of_an_elbow_is_as_good_and_reverses_its_joint(cell: CellSet
     assert build._senses(ChainKinematics(Transform(), half).axes(), at) == pytest.approx([1.0, -1.0])
 
 
+@pytest.mark.slow
 def test_what_cannot_be_built_is_named(model: RobotModel, cell: CellSetup, wall: DesignTask) -> None:
     design = designed(cell, wall, 0.0)
     layout = Layout(replace(model, cell=furnished(cell, [wall], BASE, 0.0)))

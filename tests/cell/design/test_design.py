@@ -68,6 +68,7 @@ def test_costs_are_cobras(cell: CellSetup) -> None:
     assert (costs["cyc"], costs["effort"], costs["mechEnergy"]) == (2.0, 3.0, 3.5)
 
 
+@pytest.mark.slow
 def test_the_search_finds_a_chain_that_the_checker_passes_and_again_with_the_same_seed(
     cell: CellSetup, task: DesignTask, found: Design
 ) -> None:

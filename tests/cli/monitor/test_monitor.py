@@ -115,6 +115,7 @@ async def test_names_of_peers_are_no_markup() -> None:
         assert labels == [f"● 102 {SHOWN} ◂ 42.1.1"]
 
 
+@pytest.mark.slow
 async def test_keys_move_in_time() -> None:
     async with screen() as (app, pilot):
         source = app.source
@@ -171,6 +172,7 @@ async def choose(app: MonitorApp, pilot: Pilot[None], message: str) -> None:
     await pilot.pause()
 
 
+@pytest.mark.slow
 async def test_a_message_is_opened() -> None:
     async with screen() as (app, pilot):
         await choose(app, pilot, "ReportLocalPose")
@@ -193,7 +195,7 @@ async def test_a_field_is_plotted(size: tuple[int, int]) -> None:
         await wait(pilot, lambda: app.source.series is not None)
         series = app.source.series
         assert series is not None
-        assert (series.path, len(series.points)) == (("x",), 20)
+        assert (series.path, len(series.points)) == ("x", 20)
         await wait(pilot, lambda: app.query_one("#plot").content_size.width > 0)
         await wait(pilot, lambda: plain(app, "#plot").startswith("x"))
         assert "▲" in plain(app, "#plot")
@@ -209,6 +211,7 @@ async def test_messages_are_sorted() -> None:
         assert [row[0] for row in shown_rows(app)] == sorted(row[0] for row in shown_rows(app))
 
 
+@pytest.mark.slow
 async def test_the_chosen_message_stays_chosen_when_rows_move() -> None:
     async with screen() as (app, pilot):
         await choose(app, pilot, "ReportStatus")
@@ -325,3 +328,27 @@ def test_short_forms() -> None:
     assert texts.clock(1e30) == "1000000000000000019884624838656.0"
     assert texts.clock(time.time()).count(":") == 2
     assert texts.bars([0, 1, 8]) == " ▁█"
+
+
+async def test_what_is_known_of_an_implementation_is_said_of_its_components_and_subsystem() -> None:
+    priority_0 = bytes.fromhex("02001200ff0101650009016400000102030100")  # of the JAUS Toolset, 100.1.9 to 101.1.1
+    other = said(100.5, ROBOT, OCU, "QueryHeartbeatPulse", 1, {})._replace(source=("10.0.0.7", 3794))
+    found = [Datagram(1, 100.0, *ADDRESSES, priority_0), other]
+    app = MonitorApp(CaptureSource(Timeline(found, registry)), registry, "run.pcap", None)
+    async with app.run_test(size=(160, 50)) as pilot:
+        await pilot.press("end")
+        ids = [str(id) for id in app.source.ids]
+        for scope in ("100", "100.1", "100.1.9"):
+            app._scope = scope
+            app.update_screen()
+            assert "10.0.0.1 looks like JTS: a control byte of FF" in plain(app, "#about"), ids
+        app._scope = "100.1.9"
+        app.action_about()
+        await pilot.pause()
+        page = str(app.screen.query_one("TextDialog Static", Static).content)
+        assert "known of JTS" in page
+        assert "priority 0 is sent with a control byte of FF (J7)" in page
+        await pilot.press("escape")
+        app._scope = str(ROBOT)
+        app.update_screen()
+        assert "looks like" not in plain(app, "#about")

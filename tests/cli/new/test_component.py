@@ -172,6 +172,7 @@ TYPES = """<?xml version="1.0" encoding="UTF-8"?>
 """
 
 
+@pytest.mark.slow
 def test_definitions_with_types_in_files_of_their_own():
     """As vendors write them: a folder with services, and type sets beside them."""
     run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"])

@@ -71,12 +71,12 @@ def test_existing_file_is_not_overwritten():
         (["", "a:one"], "NAME:UNITS"),
         (
             ["a:one", "--first-id", "2202"],
-            "2202 is QueryHeartbeatPulse of urn:jaus:jss:core:Liveness; D000 to D737 are free",
+            "2202 is QueryHeartbeatPulse of urn:jaus:jss:core:Liveness; D000 to D700 are free",
         ),
         (["a:one", "--first-id", "D737"], "D738 is "),
         (["a:one", "--first-id", "D739"], "; D73A to D73F are free"),
-        (["a:one", "--first-id", "F933"], "; F937 to FA4F are free"),
-        (["a:one", "--first-id", "FF39"], "; FF3A to FFFE are free"),
+        (["a:one", "--first-id", "F933"], "; F937 to F998 are free"),
+        (["a:one", "--first-id", "FF39"], "; FF3A to FFD0 are free"),
     ],
 )
 def test_invalid_arguments_are_rejected(arguments: list[str], problem: str):

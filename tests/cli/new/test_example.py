@@ -15,6 +15,7 @@ def new_example(*arguments: str) -> tuple[int, str]:
     return result.exit_code, result.output + str(result.exception or "")
 
 
+@pytest.mark.slow
 def test_every_file_is_listed_in_the_readme_and_can_be_written(tmp_path: Path) -> None:
     status, listed = new_example()
     assert status == 0

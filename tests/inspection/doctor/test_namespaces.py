@@ -5,45 +5,21 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
-PEER = """
-import sys
-from tests.helpers import udp_peer
-with udp_peer.UdpPeer(3794, udp_peer.Faults(), host="10.77.0.2") as peer:
-    print("ready", flush=True)
-    sys.stdin.read()
-"""
-ROOT = Path(__file__).parents[3]
+from tests.helpers.namespaces import peer, run_verb
+from tests.helpers.udp_peer import GROUP
 
-
-@contextmanager
-def peer(namespace: str) -> Iterator[None]:
-    command = ("ip", "netns", "exec", namespace, sys.executable, "-c", PEER)
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=ROOT) as process:
-        assert process.stdout is not None
-        assert process.stdout.readline() == b"ready\n"
-        yield
-        process.communicate(timeout=20)
+PEER_HOST = "10.77.0.2"
 
 
 def examine(namespace: str, root: Path, *arguments: str) -> dict[str, dict[str, str]]:
     """The findings that are not well, by the name of the check."""
-    program = "from jauspy.cli import main; main()"
-    command = ("ip", "netns", "exec", namespace, sys.executable, "-c", program, "doctor", *arguments, "--json")
-    done = subprocess.run(
-        [*command, "--local-root", str(root), "--multicast-group", "239.255.77.1"],
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-    )
+    where = ("--local-root", str(root), "--multicast-group", GROUP)
+    done = run_verb(namespace, "doctor", *arguments, "--json", *where)
     found = [json.loads(line) for line in done.stdout.splitlines()]
     assert found, done.stderr
-    assert done.returncode == any(finding["severity"] == "fail" for finding in found)
+    assert done.status == any(finding["severity"] == "fail" for finding in found)
     return {finding["check"]: finding for finding in found if finding["severity"] != "ok"}
 
 
@@ -52,7 +28,7 @@ def ip(namespace: str, *words: str) -> None:
 
 
 def test_healthy_network(cable: tuple[str, str], root: Path) -> None:
-    with peer(cable[1]):
+    with peer(cable[1], PEER_HOST):
         found = examine(cable[0], root, "101.1.1")
     assert found.keys() == {"port", "sockets", "group"}
     assert {finding["severity"] for finding in found.values()} == {"warn"}  # no node manager here
@@ -60,11 +36,11 @@ def test_healthy_network(cable: tuple[str, str], root: Path) -> None:
 
 def test_an_mtu_that_differs(cable: tuple[str, str], root: Path) -> None:
     ip(cable[1], "link", "set", f"jv{os.getpid()}b", "mtu", "600")
-    with peer(cable[1]):
+    with peer(cable[1], PEER_HOST):
         found = examine(cable[0], root, "101.1.1")
     assert found["fragments"]["what"] == "large datagrams do not reach 101.1.1"
     ip(cable[0], "link", "set", f"jv{os.getpid()}a", "mtu", "600")
-    with peer(cable[1]):
+    with peer(cable[1], PEER_HOST):
         found = examine(cable[0], root, "101.1.1")
     assert "fragments" not in found
     assert found["MTU"]["what"].endswith("has an MTU of 600 bytes only")
@@ -72,7 +48,7 @@ def test_an_mtu_that_differs(cable: tuple[str, str], root: Path) -> None:
 
 def test_peer_to_which_nothing_may_be_sent(cable: tuple[str, str], root: Path) -> None:
     ip(cable[0], "route", "add", "prohibit", "10.77.0.2")
-    with peer(cable[1]):
+    with peer(cable[1], PEER_HOST):
         found = examine(cable[0], root, "101.1.1")
     assert found["firewall"]["what"] == "nothing can be sent to 10.77.0.2:3794: Permission denied"
 
@@ -91,7 +67,7 @@ def test_interface_without_multicasts(cable: tuple[str, str], root: Path) -> Non
 
 
 def test_host_that_is_not_there(cable: tuple[str, str], root: Path) -> None:
-    with peer(cable[1]):
+    with peer(cable[1], PEER_HOST):
         found = examine(cable[0], root, "101.1.1", "--connect", "udp://10.77.0.2:3795")
         assert found["peer"]["what"] == "no program has UDP port 3795 on 10.77.0.2"
         ip(cable[1], "route", "add", "prohibit", "10.77.0.1")

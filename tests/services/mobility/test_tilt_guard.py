@@ -22,6 +22,8 @@ from jauspy.messages.mobility import (
 )
 from jauspy.platform.chassis import Chassis, chassis_of
 from jauspy.platform.description import TiltSetup
+from jauspy.platform.stability import Margin, StabilityMonitor
+from jauspy.platform.stability_setup import StabilitySetup
 from jauspy.robot.monitors import tilt_problem
 from jauspy.robot.robot_files import load, robot_model
 from jauspy.services.core import AccessControl, Events, Management, Time
@@ -211,3 +213,73 @@ def test_limits_without_sense_are_refused(tmp_path, limit) -> None:
 
 def test_inc1_has_limits_that_its_chassis_knows() -> None:
     assert chassis_of(robot_model(load("inc1"))).tilt_guard == TiltSetup(math.radians(60.0), math.radians(45.0))
+
+
+class FakeStability:
+    """A robot whose margin of tipping the test sets, in degrees."""
+
+    def __init__(self, margin: float = 60.0) -> None:
+        self.setup = StabilitySetup()
+        self.degrees = margin
+        self.limits = True
+
+    def limiting(self) -> Margin:
+        return Margin(math.radians(self.degrees), "rear")
+
+    def factor(self, margin: Margin) -> float:
+        return StabilityMonitor.factor(self, margin)
+
+    def text(self, margin: Margin) -> str:
+        return f"{math.degrees(margin.angle):.0f} degrees from tipping backward"
+
+
+def test_a_small_margin_of_tipping_stops_the_robot_as_a_tilt_does():
+    stability = FakeStability()
+    guard = TiltGuard(None, stability)
+    assert guard.problem(tilted()) == ""
+    assert guard.factor == 1.0
+    assert guard.allows(9.9)
+    stability.degrees = 9.0
+    assert guard.problem(tilted()) == ""
+    assert guard.factor == pytest.approx(0.5), "it drives more slowly, the nearer it is to tipping"
+    stability.degrees = 5.0
+    assert guard.problem(tilted()).startswith("5 degrees from tipping backward: the tracks or wheels stop")
+    assert guard.factor == 0.25
+    assert not guard.allows(10.0)
+    guard.let_go()
+    assert guard.allows(10.1), "to drive back"
+    stability.degrees = 4.0
+    assert guard.problem(tilted()) == ""
+    stability.degrees = 2.5
+    assert "2 degrees from tipping" in guard.problem(tilted())
+    guard.let_go()
+    stability.degrees = 30.0
+    assert guard.problem(tilted()) == ""
+    stability.degrees = 5.9
+    assert guard.problem(tilted()), "level again, its limits are the first ones"
+
+
+def test_an_aid_that_is_off_stops_and_slows_nothing():
+    stability = FakeStability(-10.0)
+    stability.limits = False
+    guard = TiltGuard(None, stability)
+    assert guard.problem(tilted()) == ""
+    assert guard.factor == 1.0
+    assert guard.problem(tilted(pitch=100.0)) == "", "nor has it limits of the tilt"
+
+
+def test_efforts_and_velocities_are_reduced_near_tipping(make, drive):
+    stability = FakeStability(9.0)
+    vehicle = Vehicle(drive, stability=stability)
+    rig = make(PrimitiveDriver(vehicle), AccessControl(default_authority=1, timeout=5), Management(), Events())
+    for message in (RequestControl(200), Resume(), FORWARD):
+        rig.tell(A, message)
+    rig.run(0.2)
+    assert drive.effort[0] == pytest.approx(0.2, abs=1e-4)
+    stability.degrees = 60.0
+    rig.run(0.2)
+    assert drive.effort[0] == pytest.approx(0.4, abs=1e-4), "and are what was commanded when it is safe again"
+    stability.degrees = 3.0
+    rig.run(0.2)
+    assert drive.effort == (0.0, 0.0)
+    assert "tipping" in vehicle.pilot.tilt_problem

@@ -57,6 +57,7 @@ def test_scattered_parts_come_to_rest_in_their_bins(seed: int) -> None:
                 assert cell.truth.pose(part.name).z == pytest.approx(before[part.name].z, abs=1e-4)
 
 
+@pytest.mark.slow
 def test_scattered_parts_are_turned_by_the_seed() -> None:
     first, same, other = (open_cell(scatter=True, seed=seed).truth.pose("servo_1") for seed in (1, 1, 2))
     assert first == same

@@ -13,9 +13,10 @@ pytest.importorskip("ruckig", reason="the extra 'cell' is not installed")
 from tests.helpers.cells import ARM, build_arm, small_cell
 
 from jauspy.geometry.poses import Pose
+from jauspy.platform.joints import ContactReaction
 from jauspy.platform.modular import contact
 from jauspy.platform.modular.arm import ModularArm, MotionResult
-from jauspy.platform.modular.parts import ContactReaction, Fixture, PartSolid, Shape
+from jauspy.platform.modular.parts import Fixture, PartSolid, Shape
 from jauspy_sim.assembly import TIMESTEP
 from jauspy_sim.cell.robot import SimulatedCell
 

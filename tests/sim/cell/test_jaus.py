@@ -81,6 +81,7 @@ async def simulated() -> AsyncIterator[Simulated]:
             yield Simulated(runner, backend.robot, ocu, network)
 
 
+@pytest.mark.slow
 async def test_the_modules_of_an_arm_are_components_and_move_together():
     async with simulated() as cell:
         assert {IDS[name] for name in ARM} <= cell.ids
@@ -155,6 +156,7 @@ def _velocity(speed: float) -> JointVelocityRec:
     return kind(joint_velocity=kind.JointVelocity(kind.JointVelocityChoice(1), speed))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lost", ["the client is gone", "control is released"])
 async def test_everything_stands_within_200_ms_of_the_loss_of_control(lost):
     async with simulated() as cell:

@@ -45,6 +45,7 @@ def test_moves_and_knows_where_its_tip_is(cell: SimulatedCell) -> None:
     assert float(np.linalg.norm(off)) < 4e-3
 
 
+@pytest.mark.slow
 def test_estimates_a_box_and_lets_it_go_without_a_jump(cell: SimulatedCell) -> None:
     arm = arm_of(cell)
     arm.move(TARGET, 0.0)

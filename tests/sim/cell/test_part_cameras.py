@@ -91,6 +91,7 @@ def spreads(height: float) -> tuple[float, float]:
     return pstdev(x), pstdev(z)
 
 
+@pytest.mark.slow
 def test_errors_grow_with_the_distance() -> None:
     """Across the view with the distance, along it with its square."""
     near, far = spreads(1.0), spreads(3.0)

@@ -13,12 +13,14 @@ pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", e
 
 from tests.helpers.cells import cell_model, put_on, small_cell
 
+from jauspy.cell.judge import Judge
+from jauspy.cell.measurements import figure_text
 from jauspy.geometry.poses import Pose
 from jauspy.geometry.vectors import GRAVITY
+from jauspy.platform.battery import BatteryCharge, BatteryData
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.cell import ModulePower, PowerState
-from jauspy.platform.modular.parts import BatteryData, PlacedPart
-from jauspy_sim.cell.power import Battery
+from jauspy.platform.modular.parts import PlacedPart
 from jauspy_sim.cell.robot import SimulatedCell
 from jauspy_sim.cell.servos import SimulatedServo
 from jauspy_sim.cell.start import wait_attached
@@ -141,7 +143,7 @@ def test_a_wrong_integral_is_found(
 
 
 def test_a_battery_loses_what_it_delivers_and_what_its_resistance_takes() -> None:
-    battery = Battery(BatteryData(capacity=1.0, full_voltage=40.0, empty_voltage=30.0, resistance=0.2))
+    battery = BatteryCharge(BatteryData(capacity=1.0, full_voltage=40.0, empty_voltage=30.0, resistance=0.2))
     assert battery.state().voltage == 40.0
     battery.drain(80.0, 1.0)
     assert battery.energy == pytest.approx(3600.0 - 80.0 - 0.2 * 2.0**2)
@@ -222,3 +224,21 @@ def test_a_battery_module_powers_what_is_on_it_unless_the_mains_do() -> None:
     assert cell.servos["servo_5"].powered
     assert power_of(cell).batteries["battery_1"].energy == left
     assert math.isclose(power_of(cell).consumption["servo_5"].power, 2.4, rel_tol=0.01)
+
+
+def test_the_judge_tells_what_modules_and_their_battery_gave() -> None:
+    cell = small_cell(["platform_1", "car", "servo_6"], car="car")
+    put_on(cell, "car/front_left", "servo_6")
+    wait_attached(cell, "car/front_left", "servo_6")
+    judge = Judge(cell)
+    before, left, begun = judge.power(), cell._power.batteries["car"].energy, cell.time
+    cell.advance(10.0)
+    found = judge.drawn_since(before)
+    power = cell.servos["servo_6"].setup.idle_power
+    assert found["energy"] == pytest.approx(power * (cell.time - begun), rel=0.1)
+    assert found["battery energy of car"] == pytest.approx(left - cell._power.batteries["car"].energy)
+    assert found["battery energy of car"] >= found["energy"] * 0.999, "its own resistance takes some, too"
+    assert 0.99 < found["battery charge of car"] < 1.0
+    assert 41.0 < found["battery voltage of car"] < 42.0
+    assert figure_text("battery energy of car", 7200.0) == "2 Wh"
+    assert figure_text("battery charge of car", 0.5) == "50 %"

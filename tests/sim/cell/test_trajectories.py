@@ -39,6 +39,7 @@ def arm_of(cell: SimulatedCell) -> ModularArm:
     return arm
 
 
+@pytest.mark.slow
 def test_joints_follow_a_spline_and_do_not_stop_at_its_points(cell: SimulatedCell) -> None:
     arm = arm_of(cell)
     names, start = arm.state().joints, arm.state().targets

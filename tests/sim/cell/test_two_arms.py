@@ -44,6 +44,7 @@ def test_arms_have_names_of_their_own() -> None:
         replace(config.cell, second_arm="arm")
 
 
+@pytest.mark.slow
 async def test_two_arms_on_one_base_move_at_the_same_time_and_keep_their_joints() -> None:
     backend, config = WatchedBackend(MujocoBackend()), two_arms()
     async with VirtualNetwork() as network:

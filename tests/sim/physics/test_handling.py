@@ -30,6 +30,7 @@ def put(robot: SimulatedRobot, x: float, y: float, yaw: float) -> None:
     robot._data.qpos[address : address + 7] = (x, y, 0.0, math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2))
 
 
+@pytest.mark.slow
 def test_grasps_a_can_of_a_kilogram_and_lifts_it() -> None:
     robot = SimulatedRobot.open(INC1, "yard")
     put(robot, 2.0, 0.0, math.pi / 2)

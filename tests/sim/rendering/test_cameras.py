@@ -165,6 +165,7 @@ def test_rendering_does_not_change_the_trajectory():
     assert trajectory() == trajectory(FRONT, ARM)
 
 
+@pytest.mark.slow
 def test_images_are_not_rendered_in_the_robot_process():
     """Importing and running the backend loads neither GL nor the packages of the extra `video`."""
     code = (
@@ -190,6 +191,7 @@ def eyes(robot, name, monkeypatch):
     return robot.cameras[name].open(), by_gl
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "world"), sampled([(n, w) for w in ("yard", "empty", "rough") for n in ("front", "arm")], 2, several=True)
 )

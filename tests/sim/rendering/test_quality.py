@@ -52,6 +52,7 @@ def picture(robot):
         return seen(robot, eye)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("quality", sampled([Quality.HIGH, Quality.MEDIUM], 1))
 def test_shadows_are_darker_and_nothing_else_changes(robots, quality):
     plain, shaded = (picture(robots[each]).mean(axis=2) for each in (Quality.LOW, quality))
@@ -61,6 +62,7 @@ def test_shadows_are_darker_and_nothing_else_changes(robots, quality):
     assert (darker | same).mean() > 0.9
 
 
+@pytest.mark.slow
 def test_both_ways_to_make_shadows_agree(robots):
     """MuJoCo's own, and those that are computed from depths."""
     plain, computed, drawn = (picture(robot).mean(axis=2) for robot in robots.values())
@@ -70,6 +72,7 @@ def test_both_ways_to_make_shadows_agree(robots):
     assert computed[both].mean() == pytest.approx(drawn[both].mean(), rel=0.15)
 
 
+@pytest.mark.slow
 def test_a_camera_that_is_too_slow_leaves_shadows_out_and_says_so(robots):
     plain = picture(robots[Quality.LOW])
     with opened(robots[Quality.MEDIUM]) as eye:

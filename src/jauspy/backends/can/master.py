@@ -22,6 +22,7 @@ from jauspy.backends.can.drive import LIMIT_MARGIN, OPERATIONAL, Drive
 from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.inbox import FrameInbox
 from jauspy.backends.can.other_senders import OtherMasters
+from jauspy.backends.can.readings import DriveReadings
 from jauspy.geometry.urdf import JointKind
 from jauspy.logs import get_logger
 from jauspy.platform.servo_drives import CanSetup
@@ -107,6 +108,7 @@ class Master:
         self._second = (0.0, 0)
         """The time of the last full second, and the frames that had been ignored then."""
         self._ignored_rate = 0.0
+        self.readings = DriveReadings(drives)
         self.inbox = FrameInbox()
         for drive in drives.values():
             self._expect_frames_of(drive)
@@ -122,9 +124,12 @@ class Master:
         expect(pdo.SPEED.cob_id + node, pdo.SPEED_LAYOUT.size, drive.receive_speed)
         expect(pdo.EMCY + node, pdo.EMCY_SIZE, drive.receive_emergency)
         expect(pdo.HEARTBEAT + node, 1, lambda data: drive.receive_heartbeat(data, clock()))
-        expect(pdo.SDO_ANSWER + node, pdo.SDO_SIZE, lambda data: self._configurator.receive_answer(node, data))
+        expect(pdo.SDO_ANSWER + node, pdo.SDO_SIZE, lambda data: self._take_answer(node, data))
         for mode, layout in pdo.COMMAND_LAYOUTS.items():
             expect(pdo.COMMANDS[mode].cob_id + node, layout.size, self._others.receive_command)
+
+    def _take_answer(self, node: int, data: bytes) -> bool:
+        return self._configurator.receive_answer(node, data) or self.readings.receive(node, data)
 
     def bus_failed(self, why: str) -> None:
         """Note that the bus has failed, as by bus-off; any thread may call this."""
@@ -157,6 +162,8 @@ class Master:
                         self._send(*self._command(drive, now))
                         self._others.sent_command()
                 self._send_sync()
+                if self._phase is Phase.RUNNING and (question := self.readings.ask(now)) is not None:
+                    self._send(*question)
                 self.counters["syncs"] += 1
                 self._send_errors = 0
             except (can.CanError, OSError):

@@ -16,6 +16,7 @@ from jauspy.backends.can.drive import Drive
 from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.master import Master
 from jauspy.backends.can.motion import TRACK_ACCELERATION, JointMotion, TrackMotion
+from jauspy.backends.can.readings import CanMotors
 from jauspy.backends.can.simulated.fleet import DriveFleet, plant_of
 from jauspy.backends.kinematic_camera import KinematicCameras
 from jauspy.errors import ConfigError
@@ -23,6 +24,7 @@ from jauspy.geometry.frames import HoldingEfforts
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
+from jauspy.platform.battery import Battery
 from jauspy.platform.camera import CameraSource
 from jauspy.platform.contacts import Contacts
 from jauspy.platform.contract import DriveBase, OptionalPart, Robot, Viewable
@@ -183,6 +185,7 @@ class CanRobot:
             wait_cycle=self._ticker.wait_cycle,
             echoes=interface in buses.ECHOING,
         )
+        self._motors = CanMotors(self.master.readings.readings)
         self._tracked = self._tracks()
         self._drive_base: CanTracks | FixedBase = self._tracked or FixedBase()
         self._groups = {
@@ -300,10 +303,10 @@ class CanRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis, and the localisation and the contacts of the simulation."""
+        """The optional parts of the chassis, the motors, and localisation, contacts and battery of the simulation."""
         robot = self._ticker.plant_robot
-        simulated = () if robot is None else (Localization.of(robot), Contacts.of(robot))
-        return (*self._drive_base.optional_parts, *(part for part in simulated if part is not None))
+        simulated = () if robot is None else (Localization.of(robot), Contacts.of(robot), Battery.of(robot))
+        return (*self._drive_base.optional_parts, self._motors, *(part for part in simulated if part is not None))
 
     @property
     def time(self) -> float:

@@ -22,7 +22,7 @@ from jauspy.cell.ariac.workcell import PLACES, QUALITY_CONTROL, TrayPlace
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.carrying import INSERT_SPEED
 from jauspy.cell.client import SILENT, CellClient
-from jauspy.cell.frames import se3, se3_of_pose, shifted, turned
+from jauspy.cell.frames import se3_of_pose, shifted, turned
 from jauspy.cell.handling import APPROACH, CONDITION, TURNS
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.scene import Layout, connector_frame
@@ -83,7 +83,7 @@ class Packer(Assembler):
         self.log = PackerLog()
         self.trays: dict[int, dict[int, str]] = {number: {} for number in PLACES}
         """Parts on each tray, by quadrant."""
-        self.belt = BeltPicker(self, cell, lambda part, state: self._hold(part, se3(state.offset).inverse()))
+        self.belt = BeltPicker(self, cell, self._hold_as_reported)
         self._failures: Counter[tuple[str, int, str]] = Counter()
         self._dropped: dict[str, float] = {}
         self._base = f"{QUALITY_CONTROL}/{next(iter(layout.type_of(QUALITY_CONTROL).connectors))}"

@@ -173,11 +173,12 @@ class DesignRun:
     async def _loaded(self, arm: ArmOperator) -> LoadedChain:
         """The arm as its connectors report it, with its load in the scene, which has what the sensor sees."""
         await arm.look(LOAD)
+        limits = self._session.layout.setup.limits
         if not self._load:
-            return LoadedChain(arm.base, arm.chain)
+            return LoadedChain(arm.base, arm.chain, limits)
         type = self._session.layout.type_of(LOAD)
         arm.scene.hold(LOAD, pieces_of_part(type), se3((await self._cell.connector(arm.tip)).offset))
-        return LoadedChain(arm.base, arm.chain, self._load, type.solids[0].size[2] / 2.0)
+        return LoadedChain(arm.base, arm.chain, limits, self._load, type.solids[0].size[2] / 2.0)
 
     def _wanted(self, kinematics: ChainKinematics) -> list[Array]:
         """The designed postures for the arm as it was built, in which elbows may be turned by half a turn."""

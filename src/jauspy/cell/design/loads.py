@@ -12,6 +12,7 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
+from jauspy.cell.arm_loads import strengths
 from jauspy.cell.frames import Array, se3
 from jauspy.cell.modular_arm import Chain, Member
 from jauspy.cell.motion import NoPath
@@ -20,8 +21,8 @@ from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.assembly import TORQUE_RESERVE, motion_limits
 from jauspy.platform.modular.dynamics import solid_inertia
-from jauspy.platform.modular.holding import CUP, LATCH, SAFETY
-from jauspy.platform.modular.parts import PartType
+from jauspy.platform.modular.holding import SAFETY
+from jauspy.platform.modular.parts import ConnectorLimits, PartType
 
 STRETCH: Final = 1.3
 """Factor by which a motion is made slower while its loads are too large."""
@@ -52,11 +53,21 @@ class TimedMotion:
 class LoadedChain:
     """A chain with a load at its tip, by the rigid-body dynamics of both."""
 
-    def __init__(self, mount: pin.SE3, chain: Chain, mass: float = 0.0, height: float = 0.0) -> None:
+    def __init__(
+        self, mount: pin.SE3, chain: Chain, limits: ConnectorLimits, mass: float = 0.0, height: float = 0.0
+    ) -> None:
         """The chain on a connector at `mount`; `mass` in kilograms, its middle `height` metres beyond the tip."""
         self._chain, self._mass, self._arm = chain, mass, np.array([0.0, 0.0, height])
-        self._feet = [mount, *(frame for _, joint, frame in chain.mounts if joint == 0)]
-        """Frames in the world of the connectors before the first joint."""
+        self._suction = limits.strength(latched=False)
+        holding = zip(
+            [(0, mount), *((joint, frame) for _, joint, frame in chain.mounts[:-1])],
+            strengths(chain, limits),
+            strict=True,
+        )
+        held = [(joint, frame, strength) for (joint, frame), strength in holding]
+        self._carried = [(joint, frame, strength) for joint, frame, strength in held if joint]
+        self._feet = [(frame, strength) for joint, frame, strength in held if not joint]
+        """Frames in the world of the connectors before the first joint, and their strengths."""
         self._foot = _foot_of(mount, chain)
         """Weight of the parts before the first joint, and its moment about the world's origin."""
         self._servos = [member.type.servo for member in chain.members if member.type.servo is not None]
@@ -73,13 +84,24 @@ class LoadedChain:
         self._most = np.array([servo.max_torque for servo in self._servos])
 
     @classmethod
-    def of(cls, mount: Transform, parts: Iterable[tuple[Transform, PartType]], mass: float) -> LoadedChain:
-        """A chain that is not built; with each part, its frame in that of the connector that carries it."""
+    def of(
+        cls,
+        mount: Transform,
+        parts: Iterable[tuple[Transform, PartType]],
+        mass: float,
+        limits: ConnectorLimits,
+        *,
+        base_latch: bool = True,
+    ) -> LoadedChain:
+        """A chain that is not built; with each part, its frame in that of the connector that carries it.
+
+        `base_latch`: the part that it stands on has a latch.
+        """
         members = [
             Member(f"{number} {type.name}", type, se3(offset), next(iter(type.connectors)))
             for number, (offset, type) in enumerate(parts)
         ]
-        return cls(se3(mount), Chain(se3(mount), members), mass)
+        return cls(se3(mount), Chain(se3(mount), members, base_latch=base_latch), limits, mass)
 
     def shortest(self, start: Array, goal: Array) -> TimedMotion:
         """The shortest motion that is bearable; raises `NoPath` when even a slow one is not."""
@@ -115,10 +137,10 @@ class LoadedChain:
         model, data = self._model, self._data
         torques = pin.rnea(model, data, q, v, a)
         torques = torques + self._rotor * a + self._damping * v + self._friction * np.sign(v)
-        wrenches = [frame.actInv(data.f[joint]) for _, joint, frame in self._chain.mounts[:-1] if joint]
+        wrenches = [(frame.actInv(data.f[joint]), strength) for joint, frame, strength in self._carried]
         carried = data.liMi[1].act(data.f[1]) + self._foot
-        wrenches += [frame.actInv(carried) for frame in self._feet]
-        connector = max(LATCH.utilisation(w.linear.tolist(), w.angular.tolist()) for w in wrenches)
+        wrenches += [(frame.actInv(carried), strength) for frame, strength in self._feet]
+        connector = max(strength.utilisation(w.linear.tolist(), w.angular.tolist()) for w, strength in wrenches)
         if self._mass:
             connector = max(connector, self._cup(q, v, a))
         return torques, connector
@@ -133,7 +155,7 @@ class LoadedChain:
         middle = pin.getFrameClassicalAcceleration(model, data, tool, pin.LOCAL).linear
         middle = middle + np.cross(turning, self._arm) + np.cross(rotation, np.cross(rotation, self._arm))
         force = self._mass * (middle + tip.rotation.T @ np.array([0.0, 0.0, GRAVITY]))
-        return CUP.utilisation(force.tolist(), np.cross(self._arm, force).tolist())
+        return self._suction.utilisation(force.tolist(), np.cross(self._arm, force).tolist())
 
 
 def _foot_of(mount: pin.SE3, chain: Chain) -> pin.Force:

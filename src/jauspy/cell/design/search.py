@@ -24,7 +24,7 @@ from jauspy.cell.motion import NoPath
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY
-from jauspy.platform.modular.holding import CUP, LATCH, SAFETY
+from jauspy.platform.modular.holding import SAFETY, Holding
 from jauspy.platform.modular.parts import CellSetup, PartKind, PartType
 from jauspy.platform.modular.trajectory import MotionError
 
@@ -118,7 +118,7 @@ class Search:
         self, cell: CellSetup, task: DesignTask, base: str, *, load: float, weights: Mapping[str, float], seed: int
     ) -> None:
         """`base` is the connector that carries the chain, as in `platform_1/top`; `load` in kilograms at the tip."""
-        self._types, self._task = cell.types, task
+        self._cell, self._base, self._types, self._task = cell, base, cell.types, task
         self._load, self._weights = load, weights
         self.mount = mount_of(cell, base)
         self.stock = stock_of(cell)
@@ -196,7 +196,8 @@ class Search:
             if math.dist(goal.pose.position, self.mount.position) > reach + slack:
                 return "too short"
         weight = (total_mass(elements, self._types) + self._load) * GRAVITY
-        held = LATCH.utilisation(self.mount.inverse().rotate((0.0, 0.0, weight)), (0.0, 0.0, 0.0))
+        foot = strengths_of(self._cell, self._base, elements)[0]
+        held = foot.utilisation(self.mount.inverse().rotate((0.0, 0.0, weight)), (0.0, 0.0, 0.0))
         return "too heavy for the base's connector" if held > 1.0 / SAFETY else ""
 
     def _solve(self, elements: tuple[Element, ...]) -> Design | str:
@@ -243,7 +244,7 @@ class Search:
 
     def _motions(self, elements: Sequence[Element], rows: Sequence[Sequence[float]]) -> list[TimedMotion]:
         """The shortest bearable motions from upright to each posture in turn; raises `NoPath` when there is none."""
-        chain = LoadedChain.of(self.mount, placed(elements, self._types), self._load)
+        chain = loaded_chain(self._cell, self._base, elements, self._load)
         return [chain.shortest(start, goal) for start, goal in _pairs(rows)]
 
     def _cost(self, costs: Mapping[str, float]) -> float:
@@ -254,14 +255,28 @@ class Search:
 
     def _margins(self, elements: Sequence[Element], positions: Sequence[float]) -> tuple[float, float, float]:
         found = posture(self.mount, elements, self._types, positions, self._load)
-        return (*utilisation(found, elements, self._types), found.clearance(self._task.obstacles))
+        return (*utilisation(found, elements, self._cell, self._base), found.clearance(self._task.obstacles))
 
 
-def utilisation(chain: ChainPosture, elements: Sequence[Element], types: Mapping[str, PartType]) -> tuple[float, float]:
-    """Largest torque and largest connector load at rest, as fractions of the limits. The tip holds by suction alone."""
-    torque = max(abs(t) / servo.max_torque for t, servo in zip(chain.torques(), servos(elements, types), strict=True))
-    *latched, tip = chain.loads()
-    return torque, max(CUP.utilisation(*tip), *(LATCH.utilisation(*load) for load in latched))
+def utilisation(chain: ChainPosture, elements: Sequence[Element], cell: CellSetup, base: str) -> tuple[float, float]:
+    """Largest torque and largest connector load at rest, as fractions of the limits; `base` carries the chain."""
+    modules = servos(elements, cell.types)
+    torque = max(abs(t) / servo.max_torque for t, servo in zip(chain.torques(), modules, strict=True))
+    holding = strengths_of(cell, base, elements)
+    return torque, max(held.utilisation(*load) for held, load in zip(holding, chain.loads(), strict=True))
+
+
+def strengths_of(cell: CellSetup, base: str, elements: Sequence[Element]) -> list[Holding]:
+    """Strengths of the connectors, base to tip: latches where both sides have one. The tip holds by suction alone."""
+    latches = [cell.type_of(base.partition("/")[0]).latch, *(cell.types[element.type].latch for element in elements)]
+    pairs = itertools.pairwise([*latches, False])
+    return [cell.limits.strength(latched=own and other) for own, other in pairs]
+
+
+def loaded_chain(cell: CellSetup, base: str, elements: Sequence[Element], load: float) -> LoadedChain:
+    """The dynamics of a design on a base's connector, with a load in kilograms."""
+    latch = cell.type_of(base.partition("/")[0]).latch
+    return LoadedChain.of(mount_of(cell, base), placed(elements, cell.types), load, cell.limits, base_latch=latch)
 
 
 def mount_of(cell: CellSetup, connector: str) -> Transform:
@@ -301,14 +316,14 @@ def check(
         if len(row) != len(servos(elements, cell.types)) or not all(map(math.isfinite, row)):
             return [f"goal {goal.name}: its positions do not match the joints"]
         chain = posture(mount_of(cell, base), elements, cell.types, row, load)
-        torque, moment = utilisation(chain, elements, cell.types)
+        torque, moment = utilisation(chain, elements, cell, base)
         if not goal.met(chain.tip):
             wrong.append(f"goal {goal.name}: missed")
         if max(torque, moment) > 1.0 / SAFETY:
             wrong.append(f"goal {goal.name}: torque {torque:.2f}, connector {moment:.2f} of the limits")
         if chain.clearance(task.obstacles) <= 0.0:
             wrong.append(f"goal {goal.name}: collision")
-    moving = LoadedChain.of(mount_of(cell, base), placed(elements, cell.types), load)
+    moving = loaded_chain(cell, base, elements, load)
     for goal, (start, end), duration in zip(task.goals, _pairs(positions), durations, strict=True):
         try:
             loads = moving.timed(start, end, duration)

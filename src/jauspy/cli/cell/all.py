@@ -56,17 +56,23 @@ def all_tasks(
       jauspy cell all --output cell_out
     """
     check_extra()
-    from jauspy.cell.report import page
+    from jauspy.cell.physics_tables import energy_table
+    from jauspy.cell.report import Section, page
 
     out.mkdir(parents=True, exist_ok=True)
     found: list[tuple[list[Promise], Section]] = []
     told = stories or (out / STORIES if (out / STORIES).exists() else None)
     if told is not None:
         found.append(_stories(told, out))
+    filmed: list[Measured] = []
     for task, title in FILMED.items():
         result = _filmed(task, seed, out / f"{task}.mp4" if films else None)
         (out / f"{task}.json").write_text(json.dumps(asdict(result), indent=1))
         found.append(_task(result, title, out / f"{task}.mp4"))
+        filmed.append(result)
+    if (energy := energy_table(filmed)) is not None:
+        text = "What the modules of the cell drew, and what their batteries have left."
+        found.append(([], Section("Energy", text, [energy])))
     for task, count, need in (("assemble", seeds, 0.95), ("lift", max(1, seeds // 2), 0.5)):
         found.append(_trials(task, count, need, jobs, out))
     found += [_swing(seed, out), _accuracy(seed, out), _kitting(out, min(20, seeds), jobs)]

@@ -256,7 +256,7 @@ class MonitorApp(App[None]):
         for scope in (str(id.subsystem), f"{id.subsystem}.{id.node}", str(id)):
             if scope not in self._branches:
                 number = int(scope.rpartition(".")[2])
-                before = sum(int((each.data or "").rpartition(".")[2]) < number for each in parent.children)
+                before = sum(int((node.data or "").rpartition(".")[2]) < number for node in parent.children)
                 place = before if before < len(parent.children) else None
                 is_leaf = scope == str(id)
                 self._branches[scope] = parent.add(
@@ -281,10 +281,10 @@ class MonitorApp(App[None]):
         if not self._scope:
             about.update(Text("no messages yet", style=texts.FAINT))
         elif id is None:
-            about.update(texts.about_group(self._scope, self.observed, self.source.now, width))
+            about.update(texts.about_group(self._scope, self.observed, self.source.peers, self.source.now, width))
         else:
             component = self.observed.components.get(id) or ObservedComponent(id)
-            about.update(texts.about_component(component, self.observed, self.source.now, width))
+            about.update(texts.about_component(component, self.observed, self.source.peers, self.source.now, width))
 
     def _show_messages(self) -> None:
         table = self.query_one("#messages", DataTable)
@@ -318,10 +318,10 @@ class MonitorApp(App[None]):
         for key, (_, cells) in self._rows.items():
             table.add_row(*self._row(table, cells), key=key)
         keys = list(self._rows)
-        at = keys.index("\0".join(chosen)) if chosen is not None and "\0".join(chosen) in keys else 0
-        self._route = self._rows[keys[at]][0] if keys else None
+        row = keys.index("\0".join(chosen)) if chosen is not None and "\0".join(chosen) in keys else 0
+        self._route = self._rows[keys[row]][0] if keys else None
         if keys:
-            table.move_cursor(row=at)
+            table.move_cursor(row=row)
 
     def _row(self, table: DataTable[Text], cells: tuple[str, ...]) -> list[Text]:
         columns = zip(table.ordered_columns, cells, self._widths, strict=True)
@@ -425,7 +425,7 @@ class MonitorApp(App[None]):
         id = texts.id_of(self._scope)
         component = None if id is None else self.observed.components.get(id)
         if component is not None:
-            text = texts.component_page(component, self.observed, self.source.now)
+            text = texts.component_page(component, self.observed, self.source.peers, self.source.now)
             self.push_screen(TextDialog(str(id), text))
 
     def action_filter(self) -> None:
@@ -463,7 +463,7 @@ class MonitorApp(App[None]):
             if number is not None:
                 self.source.plot(Series(route, paths[number]))
 
-        self.push_screen(ChoiceDialog(f"plot a field of {route.message}", [".".join(path) for path in paths]), chosen)
+        self.push_screen(ChoiceDialog(f"plot a field of {route.message}", paths), chosen)
 
     def action_ask(self) -> None:
         """Type a query to the chosen component and send it."""

@@ -16,6 +16,7 @@ from jauspy.errors import JausError
 from jauspy.ids import JausID
 from jauspy.inspection.live import LiveCapture
 from jauspy.inspection.observed import Observed
+from jauspy.inspection.peers import PeerRecogniser
 from jauspy.inspection.series import Series
 from jauspy.inspection.timeline import Timeline
 from jauspy.inspection.traffic import SeenMessage, seen_messages
@@ -45,6 +46,7 @@ class LiveSource:
         self._frozen: tuple[Observed, float] | None = None
         self._fits: Filter | None = None
         self._all = Observed()
+        self.peers = PeerRecogniser()
         self.series: Series | None = None
         self.dropped = 0
         self.problem = ""
@@ -119,7 +121,7 @@ class LiveSource:
                 capture = self._capture or LiveCapture(self.root)
                 self._capture, self.problem = capture, ""
                 with closing(capture):
-                    for seen in seen_messages(capture, self._registry):
+                    for seen in seen_messages(capture, self._registry, peers=self.peers):
                         try:
                             self._waiting.put_nowait(seen)
                         except queue.Full:
@@ -137,7 +139,7 @@ class CaptureSource:
     """A capture with a position in time; decoding is done by `work`, in another thread."""
 
     def __init__(self, timeline: Timeline) -> None:
-        self.timeline = timeline
+        self.timeline, self.peers = timeline, timeline.peers
         self.position = timeline.end  # all that the capture tells
         self.playing = False
         self.speed = 1.0

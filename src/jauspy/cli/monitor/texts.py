@@ -12,6 +12,7 @@ from jauspy.cli.render import styled_fields
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.inspection.observed import Control, Observed, ObservedComponent, State, Stream, within
+from jauspy.inspection.peers import PeerRecogniser
 from jauspy.inspection.rates import Route
 from jauspy.inspection.series import Series, curve
 from jauspy.inspection.traffic import SeenMessage
@@ -101,8 +102,10 @@ def component_label(component: ObservedComponent, now: float) -> Text:
     return text
 
 
-def about_component(component: ObservedComponent, observed: Observed, now: float, width: int) -> Text:
-    """Four lines about a component."""
+def about_component(
+    component: ObservedComponent, observed: Observed, peers: PeerRecogniser, now: float, width: int
+) -> Text:
+    """Four lines about a component, and one for its implementation if it is a known one."""
     name = ("name unknown", FAINT) if component.name is None else (printable(component.name), "bold")
     text = Text.assemble((f"{component.id} ", f"bold {BLUE}"), name)
     if component.type is not None:
@@ -127,17 +130,27 @@ def about_component(component: ObservedComponent, observed: Observed, now: float
     if client_of:
         text.append("\ncontrols ", FAINT)
         text.append(", ".join(map(str, client_of)), PURPLE)
+    _append_kinds(text, {component.host}, peers)
     text.append("\nservices ", FAINT)
     if component.services is None:
         text.append(*UNKNOWN)
     else:
-        text.append(printable(", ".join(short_service(each) for each in component.services)) or "none")
+        text.append(printable(", ".join(map(short_service, component.services))) or "none")
     return _cut(text, width)
 
 
-def about_group(scope: str, observed: Observed, now: float, width: int) -> Text:
+def _append_kinds(text: Text, hosts: set[str], peers: PeerRecogniser) -> None:
+    """A line for each known implementation at these addresses, with the sign by which it was recognised."""
+    for host in sorted(hosts):
+        for kind, sign in peers.kinds_of(host):
+            text.append(f"\n{printable(host)} ", FAINT)
+            text.append(f"looks like {kind.name.upper()}", YELLOW)
+            text.append(f": {printable(sign)}", FAINT)
+
+
+def about_group(scope: str, observed: Observed, peers: PeerRecogniser, now: float, width: int) -> Text:
     """Lines about a subsystem or node."""
-    inside = [each for id, each in observed.components.items() if within(str(id), scope)]
+    inside = [component for id, component in observed.components.items() if within(str(id), scope)]
     subsystem, _, node = scope.partition(".")
     name = observed.names.get((int(subsystem), int(node) if node else None))
     text = Text.assemble(
@@ -146,27 +159,32 @@ def about_group(scope: str, observed: Observed, now: float, width: int) -> Text:
     )
     text.append(f"\n{len(inside)} component{'s' * (len(inside) != 1)}: ", FAINT)
     states: dict[str, int] = {}
-    for each in inside:
-        state = "unknown" if each.state is None else each.state.name
+    for component in inside:
+        state = "unknown" if component.state is None else component.state.name
         states[state] = states.get(state, 0) + 1
     for number, (state, count) in enumerate(sorted(states.items())):
         text.append("  " if number else "")
         text.append(f"{count} {state}", STATE_STYLES.get(state, FAINT))
     text.append("\nsent ", FAINT)
-    text.append(f"{amount(sum(each.sent for each in inside))}  ")
-    text.append(f"{rate(sum(each.history.rate(now) for each in inside))}/s")
-    clients = {each.control.controller for each in inside if each.control is not None} - {None}
+    text.append(f"{amount(sum(component.sent for component in inside))}  ")
+    text.append(f"{rate(sum(component.history.rate(now) for component in inside))}/s")
+    clients = {component.control.controller for component in inside if component.control is not None} - {None}
     if clients:
         text.append("\ncontrolled by ", FAINT)
         text.append(", ".join(sorted(map(str, clients))), PURPLE)
+    _append_kinds(text, {component.host for component in inside}, peers)
     return _cut(text, width)
 
 
-def component_page(component: ObservedComponent, observed: Observed, now: float) -> Text:
+def component_page(component: ObservedComponent, observed: Observed, peers: PeerRecogniser, now: float) -> Text:
     """Everything that is known about a component."""
-    text = about_component(component, observed, now, 1000)
-    for each in component.services or ():
-        text.append(f"\n  {printable(each)}")
+    text = about_component(component, observed, peers, now, 1000)
+    for service in component.services or ():
+        text.append(f"\n  {printable(service)}")
+    for kind, _ in peers.kinds_of(component.host):
+        text.append(f"\nknown of {kind.name.upper()}, {kind.title} (docs/peers.md)", FAINT)
+        for deviation in kind.deviations:
+            text.append(f"\n  {deviation.what} ({deviation.reference})")
     waiting = sorted(component.requests.items())
     if waiting:
         text.append("\nrequests for control that were not answered", FAINT)
@@ -224,10 +242,10 @@ def message_text(seen: SeenMessage, *, head: bool = False) -> Text:
     if head:
         text.append("\n")
         payload = part.content.payload
-        for at in range(0, min(len(payload), MAX_DUMP), 16):
-            row = payload[at : at + 16]
+        for offset in range(0, min(len(payload), MAX_DUMP), 16):
+            row = payload[offset : offset + 16]
             shown = "".join(chr(byte) if 32 <= byte < 127 else "·" for byte in row)
-            text.append(f"{at:04x}  ", FAINT)
+            text.append(f"{offset:04x}  ", FAINT)
             text.append(f"{row.hex(' '):<47}  ")
             text.append(f"{shown}\n", FAINT)
         if len(payload) > MAX_DUMP:
@@ -247,7 +265,7 @@ def plot(series: Series, start: float, end: float, size: tuple[int, int], *, cur
     """The curve of a field with its limits; `cursor` is a time to mark below it."""
     width, height = size
     points = [point for point in series.points if start <= point[0] <= end]
-    title = Text.assemble((".".join(series.path), "bold"), (f"  {series.route.source}", FAINT))
+    title = Text.assemble((series.path, "bold"), (f"  {series.route.source}", FAINT))
     if not points:
         return title.append("\nno values yet", FAINT)
     low, high = min(value for _, value in points), max(value for _, value in points)
@@ -266,8 +284,9 @@ def plot(series: Series, start: float, end: float, size: tuple[int, int], *, cur
     axis = f"{left}{right:>{max(0, inner - len(left))}}"[:inner]
     title.append("\n" + " " * margin)
     if cursor is not None and end > start:
-        at = min(inner - 1, max(0, round((cursor - start) / (end - start) * (inner - 1))))
-        title.append(f"{axis:<{inner}}"[:at], FAINT).append("▲", YELLOW).append(f"{axis:<{inner}}"[at + 1 :], FAINT)
+        column = min(inner - 1, max(0, round((cursor - start) / (end - start) * (inner - 1))))
+        padded = f"{axis:<{inner}}"
+        title.append(padded[:column], FAINT).append("▲", YELLOW).append(padded[column + 1 :], FAINT)
     else:
         title.append(axis, FAINT)
     return title
@@ -278,9 +297,14 @@ def slider(start: float, end: float, position: float, *, playing: bool, speed: f
     head = f"{'▶' if playing else '⏸'} {clock(position)}  +{position - start:.1f} s "
     tail = f" {end - start:.1f} s  {speed:g}x"
     inner = max(4, width - len(head) - len(tail))
-    at = round((position - start) / (end - start) * (inner - 1)) if end > start else inner - 1
+    column = round((position - start) / (end - start) * (inner - 1)) if end > start else inner - 1
     text = Text.assemble((head, f"bold {YELLOW}" if playing else "bold"))
-    return text.append("━" * at, BLUE).append("●", YELLOW).append("─" * (inner - 1 - at), FAINT).append(tail, FAINT)
+    return (
+        text.append("━" * column, BLUE)
+        .append("●", YELLOW)
+        .append("─" * (inner - 1 - column), FAINT)
+        .append(tail, FAINT)
+    )
 
 
 def _append_state(text: Text, state: State | None, now: float) -> None:

@@ -17,7 +17,9 @@ import typer
 from jauspy.cli import console
 from jauspy.cli.new import write_new_folder
 from jauspy.codec.codegen import indent
+from jauspy.codec.layout import Composite, Repeat
 from jauspy.codec.names import class_name, unique
+from jauspy.codec.registry import MessageEntry
 from jauspy.codec.source import docstring, quote
 from jauspy.codec.stubs import MessageKey, make_stubs
 from jauspy.errors import ConfigError
@@ -56,7 +58,8 @@ def component(
 ) -> None:
     """Write a package with a component that offers a service: methods, a program, tests and a README.
 
-    The program runs and the tests pass without changes; complete the methods.
+    The program runs and the tests pass without changes; complete the methods. Reports that may be empty are; any other
+    method is marked TODO, and each call of it is counted as host.to_do.
 
     Examples:
       jauspy new component brake --service ugv:ParkingBrakeDriver
@@ -136,6 +139,8 @@ MESSAGES: Final = "messages"
 """The module of the package with the messages of a user's definitions."""
 _ENDS: Final = {"action": "", "predicate": "", "report": "; None sends nothing"}
 _RESULTS: Final[dict[str, list[str]]] = {"action": [], "predicate": ["return True"], "report": ["return None"]}
+TO_DO: Final = "to_do"
+"""Counter of calls of a method that is not written yet."""
 
 
 def package(
@@ -231,7 +236,7 @@ class _Writer:
             self._method(definition, need) for need in reversed(needs.values()) if not self._inherits(definition, need)
         ]
         lines = [
-            f"class {self._names[definition.id]}(jauspy.Service, urn={quote(definition.id)}, {more}):",
+            *_class_statement(self._names[definition.id], f"jauspy.Service, urn={quote(definition.id)}, {more}"),
             *indent(docstring(f"{definition.name} {definition.version}.")),
         ]
         return "\n".join([*lines, *methods, ""])
@@ -261,8 +266,27 @@ class _Writer:
         result = {"action": "None", "predicate": "bool"}.get(kind) or self._optional(definition, need.reports)
         when = ", ".join([*need.messages, *need.events, *(f"state {state}" for state in need.in_states)])
         purpose = {"action": "Action on", "predicate": "Guard of", "report": "The answer to"}[kind]
-        body = [*docstring(f"{purpose} {_short(when)}{_ENDS[kind]}."), *_RESULTS[kind]]
+        empty = self._empty_report(definition, need.reports) if kind == "report" else ""
+        body = docstring(f"{purpose} {_short(when)}{_ENDS[kind]}.")
+        if empty:
+            body += ["# TODO: what it reports", *_returned(empty)]
+        else:
+            body += [f'self.host.count("{TO_DO}", "{need.method}")  # TODO', *_RESULTS[kind]]
         return "\n".join(["", _signature(need.method, ", ".join(parameters), result), *indent(body, 2)])
+
+    def _empty_report(self, definition: Definition, name: str) -> str:
+        """An expression that makes a report without any value; empty if its fields need values."""
+        line = self._line[self._line.index(definition) :]
+        owner = next((service for service in line if any(m.name == name for m in service.messages)), None)
+        if owner is None or MessageKey(owner.id, owner.version, name) in self._own.messages:
+            return ""
+        layout = _built_in(owner, name).load().layout()
+        if not isinstance(layout, Composite):
+            return ""
+        required = [slot for slot in layout.slots if not slot.optional]
+        if not all(isinstance(slot.item, Repeat) and slot.item.count.minimum == 0 for slot in required):
+            return ""
+        return f"{self._type(definition, name)}({', '.join(f'{slot.name}=[]' for slot in required)})"
 
     def _optional(self, definition: Definition, name: str) -> str:
         return f"{self._type(definition, name) if name else 'jauspy.Message'} | None"
@@ -274,14 +298,19 @@ class _Writer:
         if own_name is not None:
             self._imports.setdefault(self._own.module, set()).add(own_name)
             return own_name
-        code = next(message.code for message in owner.messages if message.name == name)
-        entry = next(
-            entry
-            for entry in registry.entries_of(code)
-            if (entry.service, entry.version, entry.name) == (owner.id, owner.version, name)
-        )
+        entry = _built_in(owner, name)
         self._imports.setdefault(entry.module, set()).add(entry.cls)
         return entry.cls
+
+
+def _built_in(owner: Definition, name: str) -> MessageEntry:
+    """The message of a service that is built in."""
+    code = next(message.code for message in owner.messages if message.name == name)
+    return next(
+        entry
+        for entry in registry.entries_of(code)
+        if (entry.service, entry.version, entry.name) == (owner.id, owner.version, name)
+    )
 
 
 def _import(module: str, names: set[str]) -> str:
@@ -296,6 +325,20 @@ def _order(name: str) -> tuple[bool, str]:
 def _signature(name: str, parameters: str, result: str) -> str:
     line = f"    def {name}({parameters}) -> {result}:"
     return line if len(line) <= 120 else f"    def {name}(\n        {parameters}\n    ) -> {result}:"
+
+
+def _class_statement(name: str, arguments: str) -> list[str]:
+    line = f"class {name}({arguments}):"
+    return [line] if len(line) <= 120 else [f"class {name}(", f"    {arguments}", "):"]
+
+
+def _returned(call: str) -> list[str]:
+    """A return of a call, as ruff formats it in a method."""
+    line = f"return {call}"
+    if len(line) <= 112:
+        return [line]
+    name, _, arguments = call.partition("(")
+    return [f"return {name}(", f"    {arguments.removesuffix(')')}", ")"]
 
 
 def _short(text: str) -> str:
@@ -351,5 +394,7 @@ A JAUS component that offers {urn} {version}.
     python -m {name}        # beside a node manager: jauspy node-manager
     pytest {name}           # with pytest-asyncio: pip install pytest-asyncio
 
-The services are in `services.py`; jauspy's `docs/components.md` describes how to write them.
+The services are in `services.py`; jauspy's `docs/components.md` describes how to write them. Methods that are not
+written yet are marked TODO: each call of one is counted as `host.to_do` in the component's counters, and a query that
+needs one is not answered.
 """

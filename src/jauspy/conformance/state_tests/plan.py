@@ -235,7 +235,9 @@ def service_profile(urn: str, messages: Registry) -> Profile:
 
     Raises `ConfigError` if the service is not defined.
     """
-    keys = frozenset((entry.service, entry.version) for entry in messages.entries if entry.service == urn)
+    known_keys = {(entry.service, entry.version) for entry in messages.entries}
+    known_keys |= {service.key for service in load_builtin().services}  # some have no messages
+    keys = frozenset(key for key in known_keys if key[0] == urn)
     if not keys:
         urns = sorted({message.service for message in messages.own}) if messages.schema else []
         known = f"; the files define {', '.join(urns)}" if urns else "; `--schemas FILE` reads your own definitions"
@@ -386,7 +388,8 @@ class Planner:
             return known
         if not presence_fields(kind):
             return [Stimulus(name, lambda _: neutral(kind))]
-        return sample_messages.variants(kind, self.subject.kind(name.replace("Query", "Report", 1)))
+        report: type[Message] | None = getattr(kind, "REPORT", None)
+        return sample_messages.variants(kind, report) if report else [Stimulus(name, lambda _: neutral(kind))]
 
     def _spontaneous(self) -> Iterator[Stimulus]:
         """Internal events of these services that can be caused from outside."""

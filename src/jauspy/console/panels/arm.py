@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Final
+from collections.abc import Coroutine
+from typing import Any, Final
 
 from nicegui import ui
 
@@ -13,6 +14,7 @@ from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, man
 from jauspy.console.markup import attributes, plain_text, style_number
 from jauspy.console.motion import MAX_SPEED, MAX_TURN, Motion
 from jauspy.console.panels.gripper import GripperPanel
+from jauspy.console.panels.wanted_posture import WantedPosture
 from jauspy.console.saved_files import Pose, SavedByOther, SavedFiles
 from jauspy.errors import JausError
 from jauspy.ocu.robot import Robot
@@ -24,6 +26,10 @@ VIEWS: Final = ("joints", "tool", "poses")
 AXES: Final = (("x", "I", "K"), ("y", "J", "L"), ("z", "U", "O"))
 """Axes with the keys that move along them, and, with Shift, turn about them."""
 TURNS: Final = ("roll", "pitch", "yaw")
+MAX_ROBOT_POSES: Final = 64
+"""Poses of the robot that are shown."""
+AT_LIMIT: Final = 0.02
+"""Radians or metres from a limit at which a joint is shown as being there."""
 NEAR: Final = 0.005
 """Radians or metres by which a measured position may differ before the wanted one follows it."""
 
@@ -37,6 +43,8 @@ class ArmPanel:
         self._arms: dict[str, Manipulator] = {}
         self._arm: Manipulator | None = None
         self._joints: tuple[JointInfo, ...] = ()
+        self._robot_poses: tuple[str, ...] = ()
+        """The poses that the robot knows for the arm."""
         self._rows: dict[str, _JointRow] = {}
         self._motion = Motion(console, token)
         with ui.element("section").classes("panel arm") as self._panel:
@@ -46,6 +54,7 @@ class ArmPanel:
             self._choice = ui.select({}, on_change=self._choose).props('dense outlined options-dense aria-label="arm"')
             with ui.element("div").bind_visibility_from(self._view, "value", value="joints"):
                 self._sliders = ui.element("div").classes("joints")
+                self._wanted = WantedPosture(console, token)
                 with ui.element("div").classes("row"):
                     self._move = ui.button("move", on_click=self._move_joints).props("unelevated no-caps")
                     self._reset = ui.button("reset", on_click=self._follow_measured).props("flat no-caps dense")
@@ -67,6 +76,7 @@ class ArmPanel:
         """Show the arms of this robot; nothing if it has none."""
         self._motion.stop()
         self._robot = robot
+        self._wanted.show(robot)
         self._gripper.show(robot)
         self._take(manipulators(robot) if robot is not None else {})
 
@@ -82,16 +92,21 @@ class ArmPanel:
         chosen = self._choice.value if self._choice.value in arms else next(iter(arms), None)
         self._arms = arms
         self._panel.set_visibility(bool(arms))
-        self._choice.set_options({id: arm.title for id, arm in arms.items()}, value=chosen)
+        self._choice.set_options({id: self._title(arm) for id, arm in arms.items()}, value=chosen)
         self._choice.set_visibility(len(arms) > 1)
         self._choose()
+
+    def _title(self, arm: Manipulator) -> str:
+        """What the component moves, as `flippers`, with its name and id."""
+        part = self._console.names.of(arm.info)
+        return f"{part}  {arm.title}" if part and part != arm.info.name else arm.title
 
     def _choose(self) -> None:
         arm = self._arms.get(str(self._choice.value))
         if arm is self._arm:
             return
         self._motion.stop()
-        self._arm, self._joints = arm, ()
+        self._arm, self._joints, self._robot_poses = arm, (), ()
         self._show_joints((), {})
         has_tool = arm is not None and arm.has_tool
         attributes(self._jog, data_component=str(arm.info.id) if arm is not None and has_tool else "")
@@ -103,9 +118,10 @@ class ArmPanel:
     def _look_for_changes(self) -> None:
         """Rebuild the panel when arms have appeared or disappeared."""
         found = self._console.fleet.robots.get(self._robot.id) if self._robot is not None else None
-        if found is not None and found is not self._robot:
+        if found is not None:
             arms = manipulators(found)
-            if arms.keys() != self._arms.keys():
+            titles = {id: self._title(arm) for id, arm in arms.items()}
+            if arms.keys() != self._arms.keys() or titles != self._choice.options:
                 self._robot = found
                 self._take(arms)
 
@@ -123,8 +139,9 @@ class ArmPanel:
         try:
             positions = await arm.positions()
             if positions.keys() != {joint.name for joint in self._joints} or not self._joints:
-                joints = await arm.joints()
+                joints, poses = await arm.joints(), await arm.poses()
                 if arm is self._arm:
+                    self._robot_poses = poses
                     self._show_joints(joints, positions)
             tool = await arm.tool() if self._view.value == "tool" else ""
         except JausError as error:
@@ -136,6 +153,7 @@ class ArmPanel:
         for name, row in self._rows.items():
             if name in positions:
                 row.measured(positions[name])
+        self._wanted.update({name: row.wanted for name, row in self._rows.items() if row.touched})
 
     def _show_joints(self, joints: tuple[JointInfo, ...], positions: dict[str, float]) -> None:
         self._joints = joints
@@ -216,8 +234,12 @@ class ArmPanel:
             poses, self._motion.problem = {}, str(error)
         with self._poses:
             given = self._given_poses()
-            if not poses and not given:
+            if not poses and not given and not self._robot_poses:
                 ui.label("no poses yet").classes("hint")
+            for name in self._robot_poses[:MAX_ROBOT_POSES]:
+                self._add_robot_pose(name, arm)
+            if left_out := len(self._robot_poses[MAX_ROBOT_POSES:]):
+                ui.label(f"further poses of the robot: {left_out}").classes("hint")
             for name, positions in given.items():
                 with ui.element("div").classes("row"):
                     ui.label(name).classes("grow").tooltip("of the file that the console was started with")
@@ -230,6 +252,21 @@ class ArmPanel:
                     attributes(delete.props("flat dense"), aria_label=f"delete {name}")
             if left_out := len(self._console.poses.get(self._robot_name, {})) - len(given):
                 ui.label(f"poses of the file for other joints: {left_out}").classes("hint")
+
+    def _add_robot_pose(self, name: str, arm: Manipulator) -> None:
+        """A row of a pose that the robot knows: it chooses the way."""
+        shown = printable(name)
+
+        def begin(motion: Coroutine[Any, Any, Any], joints: str) -> None:
+            self._motion.begin(arm.robot.id, motion, f"the motion of {joints} to {shown}")
+
+        with ui.element("div").classes("row"):
+            ui.label(shown).classes("grow").tooltip("of the robot, which finds a way without contact")
+            go = ui.button("go", on_click=lambda: begin(arm.move_to(name), "the arm"))
+            attributes(go.props("outline dense no-caps"), aria_label=f"go to {shown}")
+            all_joints = ui.button("all", on_click=lambda: begin(arm.robot.move_to(name), "all joints"))
+            all_joints.props("outline dense no-caps").tooltip("with all other joints that the pose names, as flippers")
+            attributes(all_joints, aria_label=f"all to {shown}")
 
     @property
     def _robot_name(self) -> str:
@@ -306,6 +343,12 @@ class ArmPanel:
         self._show_poses()
 
 
+def limits_text(joint: JointInfo) -> str:
+    """The limits of a joint as text."""
+    ends = (f"{end:.3f}" if math.isfinite(end) else "no limit" for end in (joint.lower, joint.upper))
+    return f"limits: {' to '.join(ends)} {joint.unit}"
+
+
 class _JointRow:
     """One joint: its measured position as a mark, and a slider and a field for the wanted one."""
 
@@ -318,7 +361,7 @@ class _JointRow:
         self._at = math.nan
         limited = math.isfinite(joint.lower) and math.isfinite(joint.upper)
         ui.label(joint_label(joint.name)).classes("joint").tooltip(printable(joint.name))
-        self._now = ui.label("").classes("joint-value")
+        self._now = ui.label("").classes("joint-value").tooltip(limits_text(joint))
         self._number = (
             ui.number(value=round(position, 3) + 0.0, step=0.01, format="%.3f", on_change=self._entered)
             .props('dense borderless input-class="text-right"')
@@ -347,7 +390,9 @@ class _JointRow:
         else:
             self._at = position
             self._show_turn(position)
+            at_limit = min(position - self._joint.lower, self._joint.upper - position) < AT_LIMIT
             self._now.set_text(f"{round(position, 3) + 0.0:.3f} {self._joint.unit}")
+            self._now.classes(add="at-limit" if at_limit else "", remove="" if at_limit else "at-limit")
             share = (position - self._low) / (self._high - self._low)
             style_number(self._mark, "at", min(1.0, max(0.0, share)))
         if not self.touched and abs(self.wanted - position) > NEAR:

@@ -92,6 +92,8 @@ class ControlPanel:
             if may
             else f"observing ({self._user.role})"
         )
+        if mine or operation.operator == self._token:
+            operation.refusal(self._token)  # tells why control was lost, before the operator drives
         if operation.problem != self._shown:  # also when it is over
             self._shown = operation.problem
             self._problem.set_text(operation.problem)

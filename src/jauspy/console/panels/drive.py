@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Final
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.conventions import Conventions
 from jauspy.console.markup import plain_text
 from jauspy.console.operation import EFFORT, MAX_SPEED, VELOCITY_MODE, modes_of
 from jauspy.console.route import LIST_DRIVER
@@ -32,8 +32,14 @@ class DriveModes:
     """
 
     def __init__(
-        self, console: Console, token: str, open_map: Callable[[], None], show_limit: Callable[[], None]
+        self,
+        console: Console,
+        token: str,
+        open_map: Callable[[], None],
+        show_limit: Callable[[], None],
+        conventions: Conventions,
     ) -> None:
+        self._conventions = conventions
         self._console = console
         self._token = token
         self._open_map = open_map
@@ -58,7 +64,7 @@ class DriveModes:
         operation = self._console.operation(self._robot.id) if self._robot is not None else None
         if operation is not None and operation.mode == EFFORT:
             return f"limit {min(1.0, limit):.0%} of the effort"
-        return f"limit {limit:.1f} m/s"
+        return f"limit {self._conventions.speed(limit)}"
 
     def _update(self) -> None:
         """Show the mode that the operator chose, in every browser."""
@@ -97,7 +103,8 @@ class DrivePanel:
     `open_map` shows where waypoints are set.
     """
 
-    def __init__(self, console: Console, token: str, open_map: Callable[[], None]) -> None:
+    def __init__(self, console: Console, token: str, open_map: Callable[[], None], conventions: Conventions) -> None:
+        self._conventions = conventions
         self._console = console
         self._token = token
         self._robot: Robot | None = None
@@ -105,7 +112,7 @@ class DrivePanel:
             with ui.element("div").classes("row"):
                 ui.label("Drive").classes("heading")
                 ui.label("W A S D, arrows, stick, gamepad").classes("hint")
-            self._modes = DriveModes(console, token, open_map, self._show_limit)
+            self._modes = DriveModes(console, token, open_map, self._show_limit, conventions)
             with ui.element("div").classes("row"):
                 ui.html(
                     '<div id="stick" role="img" aria-label="stick; drive by the keys W A S D or the arrows">'
@@ -119,7 +126,11 @@ class DrivePanel:
                     self._limit = ui.slider(min=0.1, max=MAX_SPEED, step=0.1, value=0.5, on_change=self._show_limit)
                     self._limit.props('label aria-label="limit of the speed in m/s"')
                     self._limit_text = ui.label("limit 0.5 m/s").classes("hint")
+            with ui.element("details").classes("gamepads").props("hidden"):
+                ui.html("Gamepad", tag="summary", sanitize=False)
+                ui.html('<div id="gamepads"></div>', sanitize=False).classes("gamepad-cards")
             ui.html('<span id="drive-answer" class="problem" role="status"></span>', sanitize=False)
+        conventions.on_change.append(self._show_limit)
         self.show(None)
         ui.timer(POSE_INTERVAL, self._update)
 
@@ -151,9 +162,7 @@ class DrivePanel:
         self._pose.classes(add="stale" if pose is None else "", remove="" if pose is None else "stale")
         if pose is None:
             return
-        heading = round(math.degrees(-pose.yaw)) % 360
-        self._position.set_text(f"x {round(pose.x, 2) + 0.0:.2f} m, y {round(pose.y, 2) + 0.0:.2f} m")
-        self._heading.set_text(f"heading {heading}\u00b0")
-        self._attitude.set_text(
-            f"pitch {round(math.degrees(pose.pitch))}\u00b0, roll {round(math.degrees(pose.roll))}\u00b0"
-        )
+        shown = self._conventions
+        self._position.set_text(shown.position(pose.x, pose.y))
+        self._heading.set_text(shown.yaw(pose.yaw))
+        self._attitude.set_text(shown.attitude(pose.pitch, pose.roll))

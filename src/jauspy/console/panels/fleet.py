@@ -115,7 +115,9 @@ class _Row:
             attributes(self._button, aria_expanded=is_open)
             ui.label(f"{id.node}.{id.component}").classes("id")
             name = printable(component.name) or "component"
-            ui.label(name).classes("component-name").tooltip(f"{name} {id}")
+            with ui.element("span").classes("component-name").tooltip(f"{name} {id}"):
+                ui.label(name)
+                self._part = ui.label("").classes("part-name")
             self._status = ui.label("").classes("chip")
             self._controller = ui.label("").classes("controller")
         self._details = ui.element("div").classes("component-details")
@@ -157,6 +159,7 @@ class _Row:
     def update(self) -> None:
         """Show the present state."""
         fleet, id = self._console.fleet, self.component.id
+        self._part.set_text(self._console.names.of(self.component))
         state = fleet.states.get(id, NOTHING)
         silent, age = fleet.is_silent(id), fleet.age(id)
         status = "silent" if silent else state.status

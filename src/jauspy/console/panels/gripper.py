@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Awaitable, Callable
 from typing import Final
 
@@ -14,7 +15,7 @@ from jauspy.console.motion import Motion
 from jauspy.errors import ConfigError, JausError
 from jauspy.messages.cell import QueryConnectorState, ReportConnectorState, SetConnector
 from jauspy.ocu.gripper import DRIVER, Gripper
-from jauspy.ocu.robot import Robot
+from jauspy.ocu.robot import FORCE_TORQUE, Robot
 from jauspy.ocu.service import ServiceClient
 from jauspy.printable import printable
 
@@ -41,7 +42,9 @@ class GripperPanel:
                 ui.label("Gripper").classes("heading")
                 self._state = ui.label("").classes("hint grow")
                 self._open = ui.button("open", on_click=lambda: self._grip(close=False)).props("outline no-caps dense")
+                self._open.classes("grip-open")
                 self._close = ui.button("close", on_click=lambda: self._grip(close=True)).props("outline no-caps dense")
+                self._close.classes("grip-close")
             with ui.element("div").classes("row"):
                 with ui.element("div").classes("setting") as self._force_part:
                     self._force_text = ui.label("").classes("hint")
@@ -94,7 +97,8 @@ class GripperPanel:
             elif self._gripper is not None:
                 await self._show_fingers(self._gripper)
         except JausError as error:
-            self._state.set_text(printable(str(error)))
+            self._state.set_text("does not answer")
+            self._problem.set_text(printable(str(error)))
 
     async def _show_fingers(self, gripper: Gripper) -> None:
         if not self._is_known:
@@ -112,10 +116,17 @@ class GripperPanel:
             self._show_force()
             self._show_opening()
         if self._has_width:
-            self._state.set_text(f"fingers open {1000.0 * await gripper.width():.0f} mm")
+            self._state.set_text(f"fingers open {1000.0 * await gripper.width():.0f} mm{await self._wrist()}")
             return
         fingers = ", ".join(f"{value:.3f}" for value in (await gripper.joints()).positions.values())
         self._state.set_text(f"fingers at {fingers}" if fingers else "does not report its fingers")
+
+    async def _wrist(self) -> str:
+        """The force that the wrist measures, such as the weight of what is held; empty for a robot without sensor."""
+        robot = self._robot
+        if robot is None or not any(robot.info.offering(FORCE_TORQUE)):
+            return ""
+        return f", wrist {math.hypot(*(await robot.force_torque()).force):.1f} N"
 
     def _show_force(self) -> None:
         unit = "N" if self._max_force else "%"

@@ -11,6 +11,7 @@ from nicegui import events, ui
 from jauspy.console.camera_settings import LENS, LIGHTS, VIDEO, Setting, read_settings, sensor_name, write_setting
 from jauspy.console.console import Console
 from jauspy.console.markup import attributes, call
+from jauspy.console.panels.pointing import Pointing
 from jauspy.console.users import User
 from jauspy.console.video import SharedCamera
 from jauspy.errors import JausError, RequestError
@@ -37,15 +38,20 @@ class VideoPanel:
         self._chosen = ""
         self._filling = False
         with ui.element("div").classes("video-bar"):
-            self._said = ui.label("").classes("video-said")
-            ui.html('<span id="video-load" role="status"></span>', sanitize=False).classes("grow")
-            self._recorded = ui.label("").classes("recording")
+            ui.element("div").classes("space")
+            self._pointing = Pointing(console, token, self._component, self._say)
             self._still = _button("still", self._take_still, "save a picture")
             self._record = _button("record", self._toggle_recording, "record what arrives, on the console's machine")
             self._overlay = _button("overlay", self._toggle_overlay, "heading, speed, pitch and roll")
             self._open_settings = _button("settings", self._toggle_settings, "camera and lights")
+        with ui.element("div").classes("video-notes"):
+            self._recorded = ui.label("").classes("recording")
+            self._said = ui.label("").classes("video-said")
+            ui.html('<span id="video-load" role="status"></span>', sanitize=False)
         with ui.element("div").classes("video-split"):
-            self._place = ui.element("div").classes("figures")
+            self._figures_place = ui.element("div").classes("figures")
+            with self._figures_place:
+                self._place = ui.element("div").classes("pictures")
             self._side = ui.element("div").classes("video-settings")
         self._side.set_visibility(False)
         with self._side:
@@ -55,6 +61,7 @@ class VideoPanel:
     def show(self, robot: Robot | None) -> None:
         """Show the cameras of this robot."""
         self._robot = robot
+        self._pointing.show(robot)
         components = robot.components if robot is not None else ()
         cameras = [component for component in components if component.find(VIDEO)]
         self._place.clear()
@@ -76,6 +83,10 @@ class VideoPanel:
 
     def close(self) -> None:
         """Handle the end of the page; recordings continue."""
+        self._pointing.close()
+
+    def _say(self, text: str) -> None:
+        self._said.set_text(text)
 
     # --- cameras ----------------------------------------------------------------------------------------------------
 
@@ -103,6 +114,7 @@ class VideoPanel:
         for element, figure in self._figures.items():
             figure.classes(add="large" if element == id else "", remove="" if element == id else "large")
         self._update()
+        self._pointing.chose()
         if self._side.visible:
             ui.timer(0.0, self._fill_settings, once=True)
 
@@ -113,7 +125,7 @@ class VideoPanel:
                 with suppress(JausError):
                     name = await sensor_name(robot.component(id))
                     if self._robot is robot:
-                        caption.set_text(f"{id}  {printable(name)}")
+                        caption.set_text(f"{printable(name)}  {id}")
 
     def _camera(self) -> SharedCamera | None:
         component = self._component()
@@ -124,8 +136,8 @@ class VideoPanel:
         return next((component for component in components if str(component.id) == self._chosen), None)
 
     def _toggle_overlay(self) -> None:
-        plain = "plain" not in self._place.classes
-        self._place.classes(add="plain" if plain else "", remove="" if plain else "plain")
+        plain = "plain" not in self._figures_place.classes
+        self._figures_place.classes(add="plain" if plain else "", remove="" if plain else "plain")
         self._overlay.classes(add="off" if plain else "", remove="" if plain else "off")
 
     # --- still images and recordings ------------------------------------------------------------------------------

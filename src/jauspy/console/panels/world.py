@@ -8,8 +8,16 @@ from typing import TYPE_CHECKING, Any, Final
 
 from nicegui import ui
 
+from jauspy.console.geographic_frame import GeographicFrame
 from jauspy.console.markup import attributes, call
+from jauspy.console.mission import MAX_AREAS, MAX_CORNERS, PLAIN, Area, Mission, Point, Step, crossing
+from jauspy.console.mission_run import MissionRun, needs_run
+from jauspy.console.motion import Motion
+from jauspy.console.panels.mission import MissionDialog, StepDialog
+from jauspy.console.panels.planned_motion import PlannedMotionRow
 from jauspy.console.route import LIST_DRIVER, MAX_WAYPOINTS, Route, Waypoint
+from jauspy.console.saved_files import SavedFiles
+from jauspy.console.way_around import way_around
 from jauspy.console.world import is_cell
 from jauspy.errors import ConfigError, JausError
 from jauspy.ocu.robot import DEFAULT_SPEED, Robot
@@ -37,6 +45,13 @@ class MapPanel:
         self._robot: Robot | None = None
         self._draft: list[Waypoint] | None = None
         """Waypoints edited here and not sent; None while the list is the robot's."""
+        self._steps: tuple[Step, ...] = ()
+        """Speeds and actions, by waypoint; further waypoints have none."""
+        self._areas: tuple[Area, ...] = ()
+        self._corners: list[Point] | None = None
+        """Corners of the no-go area that is being drawn; None while a click sets a waypoint."""
+        self._motion = Motion(console, token)
+        self._run: MissionRun | None = None
         self._busy = False
         self._refused = ""
         self._listed: tuple[object, ...] = ()
@@ -61,9 +76,18 @@ class MapPanel:
                         "m/s", value=DEFAULT_SPEED, min=0.1, max=MAX_SPEED, step=0.1, on_change=self._on_speed
                     )
                     self._speed.props("dense outlined debounce=600").classes("short")
+                with ui.element("div").classes("row tight") as self._drawing:
+                    ui.label("click the corners").classes("hint grow")
+                    ui.button("done", on_click=self._end_area).props("unelevated no-caps")
+                    ui.button("cancel", on_click=self._cancel_area).props("outline no-caps")
                 with ui.element("div").classes("row tight"):
+                    ui.button("mission \u2026", on_click=self._open_mission).props("outline no-caps")
+                    self._around = ui.button("around obstacles", on_click=self._on_around).props("outline no-caps")
                     self._clear = ui.button("clear", on_click=self._on_clear).props("outline no-caps")
                     self._discard = ui.button("undo edits", on_click=self._on_discard).props("flat no-caps")
+        self._step_dialog = StepDialog(self._set_step)
+        self._mission_dialog = MissionDialog(self._files, self._mission, self._load, self._begin_area, self._frame)
+        self._drawing.set_visibility(False)
         ui.on("waypoint", self._edit)
         ui.timer(UPDATE_INTERVAL, self._update)
 
@@ -71,7 +95,17 @@ class MapPanel:
         """Show another robot; edits of the one before are dropped."""
         if robot is None or self._robot is None or robot.id != self._robot.id:
             self._draft, self._refused, self._listed, self._shown = None, "", (), ()
+            self._steps, self._areas, self._corners, self._run = (), (), None, None
+            self._motion.stop()
+            self._show_areas()
         self._robot = robot
+        if (source := self._console.map) is not None:
+            call("jauspy.mission.setTiles", source.min_zoom, source.max_zoom, source.attribution)
+
+    def close(self) -> None:
+        """Handle the end of the page, with which a mission ends."""
+        self.visible = False
+        self._motion.stop()
 
     # --- editing ----------------------------------------------------------------------------------------------------
 
@@ -90,6 +124,12 @@ class MapPanel:
             return
         if not (abs(x) < MAX_DISTANCE and abs(y) < MAX_DISTANCE):
             return
+        if asked.get("what") == "corner":
+            self._add_corner(round(x, 2), round(y, 2))
+            return
+        if self._motion.is_running:
+            self._refused = "a mission is running: pause it and stop it first"
+            return
         if asked.get("what") == "add" and len(points) < MAX_WAYPOINTS:
             points.append(Waypoint(round(x, 2), round(y, 2)))
         elif asked.get("what") == "move" and index in range(len(points)):
@@ -103,10 +143,89 @@ class MapPanel:
         if world is not None:
             points = list(self._draft if self._draft is not None else world.route.waypoints)
             del points[index : index + 1]
+            self._steps = self._steps[:index] + self._steps[index + 1 :]
             self._take(points)
 
     def _take(self, points: list[Waypoint]) -> None:
-        self._draft, self._refused = points, ""
+        self._draft, self._refused, self._run = points, "", None
+        self._motion.problem = ""
+        self._show_route()
+
+    # --- the mission ------------------------------------------------------------------------------------------------
+
+    def _mission(self) -> Mission:
+        """What is shown, as a mission."""
+        world = self._world()
+        points = self._draft if self._draft is not None else () if world is None else world.route.waypoints
+        places = tuple(Waypoint(point.x, point.y) for point in points if point.is_point)
+        steps = (*self._steps, *[PLAIN] * len(places))[: len(places)]
+        return Mission(places, steps, self._areas)
+
+    def _load(self, mission: Mission) -> None:
+        if self._motion.is_running:
+            self._refused = "a mission is running: pause it and stop it first"
+            return
+        self._steps, self._areas, self._corners = mission.steps, mission.areas, None
+        self._run = None
+        self._show_areas()
+        if mission.waypoints or self._draft is not None:
+            self._take(list(mission.waypoints))
+
+    def _set_step(self, index: int, step: Step) -> None:
+        mission = self._mission()
+        if index >= len(mission.steps) or self._motion.is_running:
+            return
+        self._steps = mission.with_step(index, step).steps
+        self._take(list(mission.waypoints))
+
+    def _files(self) -> SavedFiles | None:
+        return None if self._robot is None else self._console.files(self._robot)
+
+    def _frame(self) -> GeographicFrame | None:
+        return None if self._robot is None else self._console.worlds.positions.frame(self._robot.id)
+
+    def _open_mission(self) -> None:
+        if self._robot is not None:
+            self._mission_dialog.open(self._robot.name)
+
+    def _begin_area(self) -> None:
+        self._corners = []
+        self._show_areas()
+
+    def _add_corner(self, x: float, y: float) -> None:
+        if self._corners is not None and len(self._corners) < MAX_CORNERS:
+            self._corners.append((x, y))
+            self._show_areas()
+
+    def _end_area(self) -> None:
+        corners, self._corners = self._corners or [], None
+        if len(corners) >= 3 and len(self._areas) < MAX_AREAS:
+            self._areas = (*self._areas, Area(tuple(corners)))
+        else:
+            self._refused = f"an area has at least 3 corners, and a mission at most {MAX_AREAS} areas"
+        self._show_areas()
+        self._show_route()
+
+    def _cancel_area(self) -> None:
+        self._corners = None
+        self._show_areas()
+
+    def _show_areas(self) -> None:
+        self._drawing.set_visibility(self._corners is not None)
+        drawn = [{"name": area.name, "corners": area.corners} for area in self._areas]
+        call("jauspy.mission.setAreas", drawn, self._corners or [], self._corners is not None)
+
+    async def _start_mission(self, world: World, mission: Mission, speed: float) -> None:
+        """Carry out waypoints with actions, which the robot's own list cannot hold."""
+        assert self._robot is not None
+        run = MissionRun(
+            mission, world.route, self._robot, speed, folder=self._console.recordings, note=self._console.act
+        )
+        self._motion.begin(self._robot.id, run.run(), "the mission")
+        self._refused = self._motion.problem
+        if not self._refused:
+            self._run = run
+            self._console.act(f"robot {self._robot.id}: began a mission of {len(mission.waypoints)} waypoints")
         self._show_route()
 
     # --- showing ----------------------------------------------------------------------------------------------------
@@ -125,8 +244,8 @@ class MapPanel:
             return
         route, mine = world.route, self._operates()
         points = list(self._draft if self._draft is not None else route.waypoints)
-        states = [state_of(index, route, is_draft=self._draft is not None) for index in range(len(points))]
-        listed = (tuple(points), route.is_offered)
+        states = [self._state_of(index, route) for index in range(len(points))]
+        listed = (tuple(points), self._steps, route.is_offered)
         if listed != self._listed:
             self._listed = listed
             self._show_list(points)
@@ -138,17 +257,34 @@ class MapPanel:
             drawn = [{"x": p.x, "y": p.y, "state": s} for p, s in zip(points, states, strict=True) if p.is_point]
             call("jauspy.world.setRoute", drawn)
         text, fraction = progress_of(route, world.pose)
+        is_run = self._motion.is_running and self._run is not None
+        if self._run is not None:
+            text, fraction = run_progress(self._run, is_running=is_run, is_paused=route.is_paused)
         self._progress.set_text(text)
         self._bar.set_value(fraction)
-        self._bar.set_visibility(route.active is not None)
-        self._problem.set_text(self._refused or route.problem)
-        self._count.set_text("not sent yet" if self._draft is not None else "on the robot" if points else "")
+        self._bar.set_visibility(route.active is not None or is_run)
+        self._problem.set_text(self._refused or self._motion.problem or route.problem)
+        self._count.set_text(
+            "a mission" if is_run else "not sent yet" if self._draft is not None else "on the robot" if points else ""
+        )
         runs = route.active is not None and not route.is_paused
-        self._start.set_text("resume" if route.is_paused and self._draft is None else "start")
-        self._start.set_enabled(mine and not self._busy and bool(points) and (not runs or self._draft is not None))
+        paused = route.is_paused and (self._draft is None or is_run)
+        self._start.set_text("resume" if paused else "start")
+        may_start = paused if is_run else not runs or self._draft is not None
+        self._start.set_enabled(mine and not self._busy and bool(points) and may_start)
         self._pause.set_enabled(mine and not self._busy and runs)
         self._clear.set_enabled(not self._busy and (mine or self._draft is not None) and bool(points))
-        self._discard.set_visibility(self._draft is not None)
+        self._clear.set_text("stop" if is_run else "clear")
+        self._around.set_enabled(not self._busy and bool(self._draft) and not is_run)
+        self._discard.set_visibility(self._draft is not None and not is_run)
+
+    def _state_of(self, index: int, route: Route) -> str:
+        """The state of one waypoint, of a mission that runs or ran, or of the robot's list."""
+        if (run := self._run) is None:
+            return state_of(index, route, is_draft=self._draft is not None)
+        if index == run.at and self._motion.is_running:
+            return "waits" if route.is_paused and not run.doing else "active"
+        return "reached" if index < run.at else "not sent"
 
     def _show_list(self, points: Sequence[Waypoint]) -> None:
         self._list.clear()
@@ -168,9 +304,20 @@ class MapPanel:
                         else getattr(point.element, "NAME", "data")
                     )
                     ui.label(where).classes("grow")
+                    step = self._steps[index] if index < len(self._steps) else PLAIN
                     self._states.append((element, ui.label("").classes("hint")))
+                    edit = ui.button(str(step) or "drive on", on_click=lambda at=index: self._edit_step(at))
+                    attributes(
+                        edit.props("flat dense no-caps align=left").classes("step"),
+                        aria_label=f"speed and action of waypoint {index + 1}",
+                    )
                     remove = ui.button("\u00d7", on_click=lambda at=index: self._remove(at))
                     attributes(remove.props("flat dense"), aria_label=f"remove waypoint {index + 1}")
+
+    def _edit_step(self, index: int) -> None:
+        steps = self._mission().steps
+        if index < len(steps):
+            self._step_dialog.open(index, steps[index])
 
     # --- commands ---------------------------------------------------------------------------------------------------
 
@@ -203,13 +350,41 @@ class MapPanel:
         if world is None:
             return
         route, draft, speed = world.route, self._draft, float(self._speed.value or DEFAULT_SPEED)
-        if route.is_paused and draft is None:
+        if route.is_paused and (draft is None or self._motion.is_running):
             await self._command(f"go on through the waypoints at {speed:g} m/s", route.set_speed(speed))
             return
+        mission = self._mission()
+        pose = world.pose
+        begin = [] if pose is None else [(pose.x, pose.y)]
+        if problem := crossing([*begin, *((point.x, point.y) for point in mission.waypoints)], mission.areas):
+            self._refused = problem
+            self._show_route()
+            return
+        if needs_run(mission):
+            self._draft = list(mission.waypoints)
+            await self._start_mission(world, mission, speed)
+            return
+        self._run = None
         many = len(draft if draft is not None else route.waypoints)
         if await self._command(f"drive through {many} waypoints at {speed:g} m/s", route.start(draft, speed)):
             if self._draft is draft:
                 self._draft = None
+            self._show_route()
+
+    async def _on_around(self) -> None:
+        """Replace the points that were clicked by a way to them around what the map shows; it is not sent yet."""
+        world, draft = self._world(), self._draft
+        if world is None or not draft:
+            return
+        self._busy, self._refused = True, ""
+        try:
+            found = await way_around(world, draft, self._areas)
+            if self._draft is draft:
+                self._draft, self._steps = found, ()
+        except JausError as error:
+            self._refused = str(error)
+        finally:
+            self._busy = False
             self._show_route()
 
     async def _on_pause(self) -> None:
@@ -229,6 +404,10 @@ class MapPanel:
         world = self._world()
         if world is None:
             return
+        if self._motion.is_running:
+            self._motion.stop()
+            return
+        self._steps, self._run = (), None
         if (
             world.route.waypoints
             and self._operates()
@@ -239,8 +418,21 @@ class MapPanel:
         self._show_route()
 
     def _on_discard(self) -> None:
-        self._draft, self._refused = None, ""
+        self._draft, self._refused, self._run, self._steps = None, "", None, ()
         self._show_route()
+
+
+def run_progress(run: MissionRun, *, is_running: bool, is_paused: bool) -> tuple[str, float]:
+    """The progress of a mission: as text, and from 0 to 1."""
+    many = len(run.mission.waypoints)
+    if run.is_done:
+        return f"the mission ended at waypoint {many} of {many}", 1.0
+    where = f"waypoint {run.at + 1} of {many}"
+    if not is_running:
+        return f"the mission was stopped before {where}", run.at / many
+    if run.doing:
+        return f"at {where}: {run.doing}", (run.at + 0.9) / many
+    return f"{'waits on the way' if is_paused else 'drives'} to {where}", run.at / many
 
 
 def state_of(index: int, route: Route, *, is_draft: bool) -> str:
@@ -248,7 +440,7 @@ def state_of(index: int, route: Route, *, is_draft: bool) -> str:
     if is_draft:
         return "not sent"
     if route.active is None:
-        return "reached" if index <= route.ended_at else "on the robot"
+        return "reached" if index < route.ended_at + route.has_arrived else "on the robot"
     if index == route.active:
         return "waits" if route.is_paused else "active"
     return "reached" if index < route.active else "on the robot"
@@ -260,8 +452,9 @@ def progress_of(route: Route, pose: RobotPose | None) -> tuple[str, float]:
     if route.active is None:
         if route.ended_at < 0:
             return "", 0.0
-        done = route.ended_at == many - 1
-        return f"ended at waypoint {route.ended_at + 1} of {many}", 1.0 if done else 0.0
+        done = route.ended_at == many - 1 and route.has_arrived
+        where = "at" if route.has_arrived else "on the way to"
+        return f"ended {where} waypoint {route.ended_at + 1} of {many}", 1.0 if done else 0.0
     text = f"{'waits on the way' if route.is_paused else 'drives'} to waypoint {route.active + 1} of {many}"
     goal = route.waypoints[route.active]
     if pose is None or not goal.is_point:
@@ -290,6 +483,7 @@ class WorldPanel:
                 view = ui.toggle(VIEWS, value="both").props("no-caps dense unelevated")
                 self._follow = _switch("follow", value=True)
                 scan = _switch("scan", value=True)
+                costs = _switch("costs", value=False)
                 _switch("frames", value=False)
                 ui.element("div").classes("space")
                 smaller = ui.html(_SMALLER, sanitize=False)
@@ -300,12 +494,14 @@ class WorldPanel:
                     ui.element("div").props("id=world-3d")
                     ui.html('<p data-line="waiting" class="waiting" role="status"></p>', sanitize=False)
                 self.map = MapPanel(console, token)
+            self._planned = PlannedMotionRow(console, token)
             with ui.element("div").classes("row notes"):
                 ui.html('<span data-line="source" class="hint"></span>', sanitize=False)
                 ui.html('<span data-line="age" class="problem"></span>', sanitize=False)
                 ui.html('<span data-line="notes" class="hint"></span>', sanitize=False)
         self._view = view
-        self._of_map: tuple[ui.element, ...] = (view, self._follow, scan, smaller, larger)
+        self._part, self._has_map = "both", True
+        self._of_map: tuple[ui.element, ...] = (view, self._follow, scan, costs, smaller, larger)
         view.on_value_change(lambda event: attributes(views, data_view=str(event.value)))
         ui.on("world_follow", self._followed)
 
@@ -318,18 +514,25 @@ class WorldPanel:
     def visible(self, value: bool) -> None:
         self.map.visible = value
 
+    def show_part(self, part: str) -> None:
+        """Show the map (`map`), the robot in three dimensions (`three`), or both, as far as the robot has them."""
+        self._part = part
+        self._view.set_value(part if self._has_map else "three")
+
     def show(self, robot: Robot | None) -> None:
         """Show another robot; one that reports neither pose nor ranges, or stands in a cell, has no map."""
         tells = robot is None or any(component.find(name) for component in robot.components for name in ON_MAP)
-        has_map = tells and (robot is None or not is_cell(robot))
-        self._view.set_value("both" if has_map else "three")
+        self._has_map = has_map = tells and (robot is None or not is_cell(robot))
+        self.show_part(self._part)
         for button in self._of_map:
             button.set_visibility(has_map)
         self.map.show(robot)
+        self._planned.show(robot)
 
     def close(self) -> None:
         """Handle the end of the page, which also ends the socket; `Console.forget` ends what it followed."""
-        self.map.visible = False
+        self.map.close()
+        self._planned.close()
 
     def _followed(self, event: Any) -> None:
         """Handle a drag of the map away from the robot."""

@@ -37,8 +37,10 @@ jauspy.jog = {
     if (!pad) return;
     const velocity = [0, 0, 0, 0, 0, 0];
     for (const [axis, sign] of jog.held.values()) velocity[axis] += sign;
+    const shares = jauspy.gamepad?.arm() ?? [];
     for (let axis = 0; axis < 6; axis += 1) {
-      velocity[axis] = Math.sign(velocity[axis]) * Number(axis < 3 ? pad.dataset.linear : pad.dataset.angular);
+      const share = Math.max(-1, Math.min(1, Math.sign(velocity[axis]) + (shares[axis] ?? 0)));
+      velocity[axis] = share * Number(axis < 3 ? pad.dataset.linear : pad.dataset.angular);
     }
     const moving = velocity.some((each) => each !== 0);
     if ((moving || jog.moving) && jog.socket?.readyState === WebSocket.OPEN) {

@@ -11,7 +11,7 @@ const jauspy = {
     return `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws/${path}/${jauspy.token}`;
   },
 
-  // --- emergency stop: Escape, or the button --------------------------------------------------------------------
+  // --- emergency stop: F8, Escape while nothing is open, or the button --------------------------------------------------------------------
   connectStop() {
     const socket = new WebSocket(jauspy.url("stop"));
     socket.onmessage = (event) => { clearTimeout(jauspy.unconfirmed); jauspy.say(event.data); };
@@ -23,6 +23,7 @@ const jauspy = {
     stop: (target) => jauspy.stop(target),
     clear: (target) => jauspy.clear(target),
     scheme: () => jauspy.nextScheme(),
+    sound: () => jauspy.alarm.toggleSound(),
     zoom: (factor) => jauspy.map.zoom(Number(factor)),
   },
   listenToButtons() {
@@ -117,12 +118,9 @@ const jauspy = {
       forward += jauspy.bindings[code][0];
       left += jauspy.bindings[code][1];
     }
-    for (const pad of navigator.getGamepads?.() ?? []) {
-      if (!pad) continue;
-      const dead = (value) => (Math.abs(value) < 0.15 ? 0 : value);
-      forward -= dead(pad.axes[1] ?? 0);
-      left -= dead(pad.axes[0] ?? 0);
-    }
+    const [ahead, aside] = jauspy.gamepad?.drive() ?? [0, 0];
+    forward += ahead;
+    left += aside;
     const clamp = (value) => Math.max(-1, Math.min(1, value));
     return [clamp(forward), clamp(left)];
   },
@@ -142,11 +140,14 @@ const jauspy = {
     jauspy.stick = { forward: 0, left: 0, held: false };
     jauspy.tick();
   },
+  // Drop-downs and dialogues close by Escape. F8 always stops.
+  isSomethingOpen: () => document.querySelector(".q-menu, .q-dialog, dialog[open]") !== null,
   listenToKeys() {
     const typing = (event) => event.target.closest?.("input, textarea, select, [contenteditable]");
     addEventListener("keydown", (event) => {
-      if (event.code === "Escape") { jauspy.stop("all"); event.preventDefault(); return; }
-      if (event.key.startsWith("Arrow") && event.target.closest?.("[role=slider]")) return;
+      if (event.code === "Escape" && jauspy.isSomethingOpen()) return; // which Escape closes
+      if (event.code === "Escape" || event.code === "F8") { jauspy.stop("all"); event.preventDefault(); return; }
+      if (event.key.startsWith("Arrow") && event.target.closest?.("[role=slider], [role=separator]")) return;
       if (typing(event) || event.ctrlKey || event.altKey || event.metaKey) return;
       if (event.code in jauspy.bindings) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
     });

@@ -81,7 +81,7 @@ jauspy.map = {
       if (!map.pointers.delete(event.pointerId) || map.pointers.size) return;
       const [x, y] = map.toLocal(event);
       if (event.type === "pointerup" && map.dragged !== null && map.start.moved) emitEvent("waypoint", { what: "move", index: map.dragged, x, y });
-      else if (event.type === "pointerup" && map.dragged === null && !map.start.moved) emitEvent("waypoint", { what: "add", x, y });
+      else if (event.type === "pointerup" && map.dragged === null && !map.start.moved) emitEvent("waypoint", { what: jauspy.mission.drawing ? "corner" : "add", x, y });
       [map.dragged, map.place] = [null, null];
       jauspy.world.changed();
     };
@@ -114,13 +114,19 @@ jauspy.map = {
     pen.setTransform(1, 0, 0, 1, 0, 0);
     pen.fillStyle = colours.ground;
     pen.fillRect(0, 0, map.canvas.width, map.canvas.height);
+    jauspy.mission.drawTiles(pen);
     if (world.map) map.drawCells(pen, unit);
+    jauspy.way.drawCosts(pen, unit);
     map.drawGrid(pen, colours, unit);
     if (world.show.scan && world.scan && world.pose) map.drawScan(pen, colours);
     map.drawLine(pen, world.track, colours.track, 2);
+    jauspy.way.drawPath(pen, colours);
+    jauspy.mission.drawAreas(pen);
     map.drawRoute(pen, colours);
+    jauspy.mission.drawOthers(pen, colours);
     if (world.pose) map.drawRobot(pen, colours);
     map.drawScale(pen, colours, unit);
+    jauspy.mission.drawAttribution(pen);
   },
   drawCells(pen, unit) {
     const { map: cells, drift } = jauspy.world;
@@ -128,6 +134,7 @@ jauspy.map = {
     pen.translate(...jauspy.map.toScreen(drift));
     pen.rotate(-drift[2]);
     pen.imageSmoothingEnabled = false;
+    if (jauspy.mission.tiles && jauspy.world.geo) pen.globalAlpha = 0.5; // the offline map shows through
     const side = cells.side * unit;
     pen.drawImage(jauspy.world.picture(cells), cells.x * unit, -(cells.y * unit + cells.rows * side), cells.columns * side, cells.rows * side);
     pen.restore();

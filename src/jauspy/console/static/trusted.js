@@ -5,7 +5,7 @@
 if (window.trustedTypes?.createPolicy) {
   // What the panels give NiceGUI as literals: values of properties that begin with a colon, and handlers of events.
   const PROPERTIES = ["[0]"];
-  const HANDLERS = ["(event, row) => emit(row.number)", "() => jauspy.pickFile('.trajectory')"];
+  const HANDLERS = ["(event, row) => emit(row.number)", "() => jauspy.pickFile('.trajectory')", "() => jauspy.pickFile('.sound')", "() => jauspy.pickFile('.mission')"];
   // A call of a function of the console or of a method of an element, with data as its arguments.
   const CALL = /^(?:jauspy(?:\.[A-Za-z]+)+|return runMethod|\(async\(\) => \{return runMethod)\(([^]*?)\)(?:\}\)\(\))?;?$/;
 

@@ -5,7 +5,8 @@ jauspy.video = {
   QUIET_TIME: 3000, // ms without a picture after which the page says why
   STALE_TIME: 1500, // ms after which a picture that is shown is marked as old
   MAX_DECODING: 6, // pictures in the decoder; more are left out until the next key picture
-  MIN_FRAME_RATE: 30, // frames/s of the page below which it asks for fewer pictures
+  MAX_LATE: 300, // ms by which a picture may be drawn later than the quickest one of its camera, before fewer are asked for
+  MAX_LATE_LARGE: 1000, // the same of the large camera alone: its key pictures, one in 2 s, are 1 s old on average
   views: new Map(),
   level: 0, // 0: all pictures, 1: key pictures only of small cameras, 2: of all cameras
   frameRate: 60,
@@ -20,6 +21,7 @@ jauspy.video = {
       if (!views.has(canvas)) views.set(canvas, new jauspy.View(canvas));
       views.get(canvas).update();
     }
+    jauspy.video.tellAge();
   },
 
   // Why this browser decodes nothing at all, or an empty string.
@@ -30,7 +32,6 @@ jauspy.video = {
       : `no picture: browsers decode video only on pages from localhost or by TLS, and this one came from http://${location.host}; use an SSH tunnel or TLS`;
   },
 
-  // How many frames a second the page holds decides how many pictures it asks for.
   frames: 0,
   slow: 0,
   fine: 0,
@@ -41,29 +42,49 @@ jauspy.video = {
     else setTimeout(jauspy.video.countFrame, 500);
   },
   watching: () => [...jauspy.video.views.values()].filter((view) => view.wanted !== "nothing"),
+  // How late the operator sees pictures decides how many the page asks for: fewer of the small cameras first.
   judge(seconds) {
     const video = jauspy.video;
     video.frameRate = video.frames / seconds;
     video.frames = 0;
     const watching = video.watching();
     if (document.hidden || !watching.length) { video.slow = video.fine = 0; return; }
-    const leftOut = watching.some((view) => view.leftOutNow > 0);
-    for (const view of watching) view.leftOutNow = 0;
-    const tooSlow = leftOut || video.frameRate < video.MIN_FRAME_RATE;
+    const large = watching.filter((view) => jauspy.isLarge(view.figure));
+    const lag = (views) => Math.max(0, ...views.map((view) => view.lateNow));
+    const leavesOut = (views) => views.some((view) => view.leftOutNow > 0);
+    const [late, lateLarge] = [lag(watching), lag(large)];
+    const small = video.level === 0 && watching.length > large.length; // these come first
+    const tooSlow = small ? late > video.MAX_LATE || leavesOut(watching) : lateLarge > video.MAX_LATE_LARGE || leavesOut(large);
+    const isFine = late <= video.MAX_LATE && !leavesOut(watching);
+    for (const view of watching) view.leftOutNow = view.lateNow = 0;
     video.slow = tooSlow ? video.slow + 1 : 0;
-    video.fine = tooSlow ? 0 : video.fine + 1;
+    video.fine = isFine ? video.fine + 1 : 0;
     if (video.slow >= 3 && video.level < 2) {
-      video.level += 1;
+      video.level = small ? 1 : 2;
       video.slow = 0;
       video.recovery = Math.min(30, 2 * video.recovery);
     } else if (video.fine >= video.recovery && video.level > 0) {
       video.level -= 1;
       video.fine = 0;
     }
-    const rate = `this page holds ${Math.round(video.frameRate)} frames/s`;
-    const words = ["", `${rate}: small cameras show key pictures only`, `${rate}: all cameras show key pictures only`][video.level];
+    const why = tooSlow || !isFine ? `pictures are ${Math.round(late)} ms late` : "pictures were late";
+    const words = ["", `${why}: small cameras show key pictures only`, `${why}: all cameras show key pictures only`][video.level];
     const line = document.getElementById("video-load");
     if (line && line.textContent !== words) line.textContent = words;
+  },
+  // In the line below the bar: how old the large picture is; and an alarm of the page when it is too old.
+  wasOld: false,
+  tellAge() {
+    const large = jauspy.video.watching().find((view) => jauspy.isLarge(view.figure));
+    const line = document.getElementById("video-age");
+    const old = large?.figure.classList.contains("stale") ?? false;
+    if (line) {
+      const age = large?.age();
+      line.textContent = age === undefined ? "" : age < 10_000 ? `video ${Math.round(age)} ms` : `video ${Math.round(age / 1000)} s old`;
+      line.toggleAttribute("data-old", old);
+    }
+    if (old !== jauspy.video.wasOld && window.did_handshake) emitEvent("video_is_old", old);
+    jauspy.video.wasOld = old;
   },
 
   save(component, name) {
@@ -89,7 +110,8 @@ jauspy.View = class {
     this.says = this.figure.querySelector(".video-says"); // what the camera says, as that its machine is too slow
     this.overlay = new jauspy.Overlay(this.figure.querySelector(".overlay"));
     this.shown = this.leftOut = this.leftOutByServer = 0;
-    this.leftOutNow = 0; // since the page was last judged
+    this.leftOutNow = this.lateNow = 0; // pictures, and ms of the latest one, since the page was last judged
+    this.quickest = Infinity; // ms from when a picture was taken, by the robot's clock, until it was drawn
     this.times = [];
     this.reason = this.cameraNote = "";
     this.began = performance.now();
@@ -105,6 +127,7 @@ jauspy.View = class {
     this.socket = socket;
     this.told = "";
     this.leftOutByServer = 0;
+    this.quickest = Infinity;
     this.cameraNote = "";
     socket.onmessage = (event) => (typeof event.data === "string" ? this.news(JSON.parse(event.data)) : this.decode(event.data));
     socket.onclose = (event) => {
@@ -184,11 +207,28 @@ jauspy.View = class {
     this.takenAt = this.taken.get(Math.round(timestamp));
     this.taken.delete(Math.round(timestamp));
     this.drawnAt = performance.now();
+    this.measure();
     this.times.push(this.drawnAt);
     if (this.times.length > 200) this.times.shift();
     canvas.dataset.pictures = this.shown;
     this.reason = "";
     jauspy.video.onShown?.(canvas, this.takenAt);
+  }
+
+  // How late this picture was drawn. The clocks of robot and browser may differ, so the quickest picture is the measure.
+  measure() {
+    if (!(this.takenAt > 0)) return;
+    const delay = Date.now() - this.takenAt;
+    this.quickest = Math.min(this.quickest, delay);
+    this.lateNow = Math.max(this.lateNow, delay - this.quickest);
+    this.delay = delay - (this.quickest > -50 && this.quickest < 2000 ? 0 : this.quickest);
+  }
+
+  // ms since what is shown was taken, as far as the clocks agree; undefined before the first picture.
+  age() {
+    if (this.drawnAt === undefined) return undefined;
+    const since = performance.now() - this.drawnAt;
+    return since > jauspy.video.STALE_TIME ? since + (this.delay ?? 0) : Math.max(0, this.delay ?? since);
   }
 
   // Twice a second: what is wanted of the server, and what is said about the picture.
@@ -241,7 +281,7 @@ jauspy.Overlay = class {
       const x = 4 * angle;
       const long = angle % 10 === 0;
       ticks.push(`<path d="M${x} 0v${long ? 9 : 5}"/>`);
-      if (angle % 30 === 0) ticks.push(`<text x="${x}" y="22">${(angle + 360) % 360}</text>`);
+      if (angle % 30 === 0) ticks.push(`<text class="of-jaus" x="${x}" y="22">${(angle + 360) % 360}</text><text class="of-rep" x="${x}" y="22">${180 - ((angle + 540 + 720) % 360)}</text>`);
     }
     const ladder = [-20, -10, 10, 20].map((angle) => `<path d="M${angle % 20 ? -9 : -14} ${-1.4 * angle}h${angle % 20 ? 18 : 28}"/>`).join("");
     element.innerHTML = `
@@ -265,7 +305,8 @@ jauspy.Overlay = class {
     dial.style.display = known(pitch) && known(roll) ? "" : "none";
     if (known(heading)) {
       scale.setAttribute("transform", `translate(${-4 * heading})`);
-      number.textContent = `${Math.round(heading) % 360}°`;
+      const isJaus = document.body.dataset.axes === "JAUS";
+      number.textContent = `${isJaus ? Math.round(heading) % 360 : Math.round(180 - ((heading + 180) % 360))}°`.replace("-", "−");
     }
     turn.setAttribute("transform", `rotate(${-(roll ?? 0)})`);
     lift.setAttribute("transform", `translate(0 ${1.4 * Math.max(-30, Math.min(30, pitch ?? 0))})`);
@@ -277,5 +318,5 @@ jauspy.Overlay = class {
 };
 
 setInterval(jauspy.video.watchAll, 500);
-setInterval(() => jauspy.video.judge(2), 2000);
+jauspy.video.judging = setInterval(() => jauspy.video.judge(2), 2000);
 requestAnimationFrame(jauspy.video.countFrame);

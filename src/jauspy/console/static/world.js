@@ -14,7 +14,11 @@ jauspy.world = {
   scan: null,
   clouds: new Map(),
   waypoints: [],
-  show: { frames: false, scan: true, follow: true },
+  ghost: null,
+  wanted: null, // positions by joint that sliders ask for, and whether the robot would touch itself
+  geo: null, // latitude and longitude of the origin, direction of x clockwise from north, radians
+  others: [], // robots: number, name, x, y, yaw
+  show: { frames: false, scan: true, follow: true, play: true, costs: false },
 
   // --- the connection -------------------------------------------------------------------------------------------
   connect() {
@@ -41,10 +45,11 @@ jauspy.world = {
     world.socket = socket;
   },
   forget() {
-    Object.assign(jauspy.world, { model: null, pose: null, joints: [], track: [], drift: [0, 0, 0], map: null, scan: null, waypoints: [] });
+    Object.assign(jauspy.world, { model: null, pose: null, joints: [], track: [], drift: [0, 0, 0], map: null, scan: null, ghost: null, wanted: null, waypoints: [], geo: null, others: [] });
     jauspy.world.clouds.clear();
     jauspy.view.forget();
     jauspy.map.forget();
+    jauspy.way.take({ path: [], costs: null });
   },
   takeState(state) {
     const world = jauspy.world;
@@ -55,9 +60,21 @@ jauspy.world = {
       jauspy.view.build();
       return;
     }
+    if ("way" in state) {
+      jauspy.way.take(state.way);
+      return;
+    }
+    if ("ghost" in state) {
+      world.ghost = state.ghost;
+      jauspy.view.ghostChanged = true;
+      world.changed();
+      return;
+    }
     if (state.joints) world.joints = state.joints;
     if (state.pose) world.pose = state.pose;
     if (state.map) world.drift = state.map;
+    if (state.geo) world.geo = state.geo;
+    if (state.others) world.others = state.others;
     if (state.notes) world.tell("notes", state.notes.join("; "));
     world.tell("age", state.age ? `the pose is ${state.age} s old` : "");
     if (state.track) {
@@ -141,6 +158,11 @@ jauspy.world = {
   },
   set(name, value) {
     jauspy.world.show[name] = value;
+    jauspy.world.changed();
+  },
+  setWanted(wanted) {
+    jauspy.world.wanted = wanted;
+    jauspy.view.wantedChanged = true;
     jauspy.world.changed();
   },
   // The robot's waypoints and those that were not sent yet, from the server.
@@ -246,6 +268,8 @@ jauspy.view = {
     if (!view.robot) return;
     for (const child of [...view.robot.children]) if (child !== view.scan) view.robot.remove(child);
     for (const group of [view.mapped, view.route]) group.clear();
+    for (const copy of [view.ghost, view.wanted]) if (copy) view.local.remove(copy.robot);
+    view.ghost = view.wanted = null;
     view.links.clear();
     view.moving = [];
     view.wasAt = null;
@@ -282,7 +306,7 @@ jauspy.view = {
       view.pose(origin, joint.origin);
       origin.add(link(joint.child));
       link(joint.parent).add(origin);
-      if (joint.kind !== "fixed") view.moving.push({ kind: joint.kind, group: link(joint.child), axis: new THREE.Vector3(...joint.axis) });
+      if (joint.kind !== "fixed") view.moving.push({ name: joint.name, kind: joint.kind, group: link(joint.child), axis: new THREE.Vector3(...joint.axis) });
     }
     const meshes = new Map();
     view.missing = 0;
@@ -400,14 +424,7 @@ jauspy.view = {
     const place = document.getElementById("world-3d");
     if (!view.renderer || !place || place.offsetParent === null) return;
     const { THREE } = view.library;
-    view.moving.forEach(({ kind, group, axis }, at) => {
-      const value = world.joints[at] ?? 0;
-      if (kind === "free") {  // a part that a sensor sees
-        group.visible = Array.isArray(value);
-        if (group.visible) view.pose(group, value);
-      } else if (kind === "prismatic") group.position.copy(axis).multiplyScalar(value);
-      else group.quaternion.setFromAxisAngle(axis, value);
-    });
+    view.place(view.moving, world.joints);
     for (const { axes } of view.links.values()) axes.visible = world.show.frames;
     if (world.show.frames) view.spreadLabels();
     if (world.pose) {
@@ -423,6 +440,8 @@ jauspy.view = {
       }
       view.wasAt = at;
     }
+    view.updateGhost();
+    view.updateWanted();
     view.updateLines();
     if (world.scan && world.scan !== view.shownScan) {
       view.shownScan = world.scan;
@@ -442,6 +461,71 @@ jauspy.view = {
     view.renderer.render(view.scene, view.camera);
     view.labels.render(view.scene, view.camera);
     place.dataset.pictures = 1 + Number(place.dataset.pictures ?? 0);
+  },
+  place(moving, joints) {
+    moving.forEach(({ kind, group, axis }, at) => {
+      const value = joints[at] ?? 0;
+      if (kind === "free") {  // a part that a sensor sees
+        group.visible = Array.isArray(value);
+        if (group.visible) jauspy.view.pose(group, value);
+      } else if (kind === "prismatic") group.position.copy(axis).multiplyScalar(value);
+      else group.quaternion.setFromAxisAngle(axis, value);
+    });
+  },
+  // The planned motion: a transparent copy of the robot that moves along it again and again.
+  updateGhost() {
+    const view = jauspy.view;
+    const { ghost, show } = jauspy.world;
+    if (view.ghostChanged) {
+      view.ghostChanged = false;
+      if (view.ghost) view.local.remove(view.ghost.robot);
+      view.ghost = ghost && view.built ? view.copyRobot() : null;
+      document.getElementById("world-3d").dataset.ghost = view.ghost ? ghost.frames.length : 0;
+    }
+    if (!view.ghost || !ghost) return;
+    const { robot, moving } = view.ghost;
+    robot.position.copy(view.robot.position);
+    robot.quaternion.copy(view.robot.quaternion);
+    const now = performance.now() / 1000;
+    if (show.play) view.ghost.time += now - view.ghost.before;
+    view.ghost.before = now;
+    const rest = 0.8;  // seconds at the end
+    const part = Math.min(1, (view.ghost.time % (ghost.duration + rest)) / Math.max(0.001, ghost.duration));
+    view.place(moving, ghost.frames[Math.round(part * (ghost.frames.length - 1))]);
+    if (show.play) setTimeout(jauspy.world.changed, 40);
+  },
+  // What the sliders of the arm ask for: a transparent copy, red if it would touch itself or the ground.
+  updateWanted() {
+    const view = jauspy.view;
+    const { wanted, joints } = jauspy.world;
+    if (view.wantedChanged) {
+      view.wantedChanged = false;
+      if (view.wanted) view.local.remove(view.wanted.robot);
+      view.wanted = wanted && view.built ? view.copyRobot(wanted.touches ? "#e02424" : "#2fa66a") : null;
+      document.getElementById("world-3d").dataset.wanted = view.wanted ? (wanted.touches ? "touches" : "free") : "none";
+    }
+    if (!view.wanted || !wanted) return;
+    view.wanted.robot.position.copy(view.robot.position);
+    view.wanted.robot.quaternion.copy(view.robot.quaternion);
+    view.place(view.wanted.moving, view.moving.map(({ name }, at) => wanted.positions[name] ?? joints[at]));
+  },
+  copyRobot(colour = jauspy.world.colours().accent) {
+    const view = jauspy.view;
+    const { THREE } = view.library;
+    const material = new THREE.MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.28, depthWrite: false });
+    const copies = new Map();
+    const copy = (object) => {
+      const made = object.isMesh ? new THREE.Mesh(object.geometry, material) : new THREE.Group();
+      made.position.copy(object.position);
+      made.quaternion.copy(object.quaternion);
+      made.scale.copy(object.scale);
+      copies.set(object, made);
+      for (const child of object.children) if (!child.isLine && !child.isPoints && !child.isCSS2DObject) made.add(copy(child));
+      return made;
+    };
+    const robot = copy(view.robot);
+    view.local.add(robot);
+    return { robot, moving: view.moving.map((joint) => ({ ...joint, group: copies.get(joint.group) })), time: 0, before: performance.now() / 1000 };
   },
   // Names that would cover each other are left out, those of the tips of the tree last.
   spreadLabels() {

@@ -6,6 +6,7 @@ import os
 import shlex
 import signal
 import subprocess
+import sys
 import tempfile
 from typing import IO, Final
 
@@ -15,16 +16,22 @@ from jauspy.errors import ConfigError
 
 END_TIME: Final = 2.0
 """Seconds that a target has to end after SIGTERM, before SIGKILL."""
+GUARD: Final = "import os, sys; sys.stdin.readline() or os.killpg(int(sys.argv[1]), 9)"
+"""A program that kills a process group when its standard input closes without a line."""
 MAX_ERRORS: Final = 2000
 """Bytes of the standard error of a process that died which a finding quotes: the last ones."""
 
 
 class TargetProcess:
-    """The process of a target: that of `pid`, or one that `command` starts, or neither, so that little is known."""
+    """The process of a target: that of `pid`, or one that `command` starts, or neither, so that little is known.
+
+    A process that was started ends with this one, even if this one is killed, as a worker of a cluster may be.
+    """
 
     def __init__(self, command: str = "", pid: int | None = None) -> None:
         self._command = shlex.split(command)
         self._started: subprocess.Popen[bytes] | None = None
+        self._guard: subprocess.Popen[bytes] | None = None
         self._errors: IO[bytes] | None = None
         self._process = _process(pid) if pid is not None else None
 
@@ -87,6 +94,11 @@ class TargetProcess:
             )
         except OSError as error:
             raise ConfigError(f"--restart: {self._command[0]} cannot be started: {error.strerror}") from error
+        self._guard = subprocess.Popen(  # noqa: S603 # nosec B603
+            [sys.executable, "-I", "-S", "-c", GUARD, str(self._started.pid)],
+            stdin=subprocess.PIPE,
+            start_new_session=True,
+        )
         self._process = _process(self._started.pid)
 
     def close(self) -> None:
@@ -103,6 +115,9 @@ class TargetProcess:
                     continue
             self._started.wait()
             self._started = self._process = None
+        if self._guard is not None:
+            self._guard.communicate(b"ended\n")
+            self._guard = None
         if self._errors is not None:
             self._errors.close()
             self._errors = None

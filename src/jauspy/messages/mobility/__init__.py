@@ -20,9 +20,9 @@ if TYPE_CHECKING:
         SetLocalPathSegment as SetLocalPathSegment,
     )
     from jauspy.messages.mobility.v1_0.types import (
-        ExcursionRec as ExcursionRec, GlobalPoseRec as GlobalPoseRec, GlobalZPosition as GlobalZPosition,
-        LocalPoseRec as LocalPoseRec, PolygonRec as PolygonRec, RaceTrackRec as RaceTrackRec,
-        ReportAccelerationStateExtRec as ReportAccelerationStateExtRec,
+        ExcursionRec as ExcursionRec, GlobalPoseRec as GlobalPoseRec, GlobalWaypointRec as GlobalWaypointRec,
+        GlobalZPosition as GlobalZPosition, LocalPoseRec as LocalPoseRec, PolygonRec as PolygonRec,
+        RaceTrackRec as RaceTrackRec, ReportAccelerationStateExtRec as ReportAccelerationStateExtRec,
         ReportGlobalPoseExtRec as ReportGlobalPoseExtRec, ReportLocalPoseExtRec as ReportLocalPoseExtRec,
         ReportVelocityStateExtRec as ReportVelocityStateExtRec, Speed as Speed,
         VelocityLocalXYZRec as VelocityLocalXYZRec, VelocityNEDRec as VelocityNEDRec,
@@ -125,7 +125,7 @@ __all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.mobility.v1_0.global_path_segment_driver": "SetGlobalPathSegment",
     "jauspy.messages.mobility.v1_0.list_manager": "ConfirmElementRequest DeleteElement QueryElement QueryElementCount QueryElementList RejectElementRequest ReportElement ReportElementCount ReportElementList SetElement",
     "jauspy.messages.mobility.v1_0.local_path_segment_driver": "SetLocalPathSegment",
-    "jauspy.messages.mobility.v1_0.types": "ExcursionRec GlobalPoseRec GlobalZPosition LocalPoseRec PolygonRec RaceTrackRec ReportAccelerationStateExtRec ReportGlobalPoseExtRec ReportLocalPoseExtRec ReportVelocityStateExtRec Speed VelocityLocalXYZRec VelocityNEDRec VelocityVehicleXYZRec ZPosition ZoneIDRec",
+    "jauspy.messages.mobility.v1_0.types": "ExcursionRec GlobalPoseRec GlobalWaypointRec GlobalZPosition LocalPoseRec PolygonRec RaceTrackRec ReportAccelerationStateExtRec ReportGlobalPoseExtRec ReportLocalPoseExtRec ReportVelocityStateExtRec Speed VelocityLocalXYZRec VelocityNEDRec VelocityVehicleXYZRec ZPosition ZoneIDRec",
     "jauspy.messages.mobility.v1_1.acceleration_state_sensor": "QueryAccelerationState QueryAccelerationStateExt ReportAccelerationState ReportAccelerationStateExt",
     "jauspy.messages.mobility.v1_1.global_loiter_driver": "QueryGlobalLoiter QueryTravelSpeedExt ReportGlobalLoiter ReportTravelSpeedExt SetGlobalLoiter SetTravelSpeedExt",
     "jauspy.messages.mobility.v1_1.global_operating_zone": "DeleteZone QueryExcursion QueryGlobalOperatingZone ReportExcursion ReportGlobalOperatingZone SetGlobalOperatingZone",

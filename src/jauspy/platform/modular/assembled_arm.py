@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Pose
+from jauspy.platform.joints import ContactReaction
 from jauspy.platform.modular.arm import (
     CHANGED,
     ArmController,
@@ -23,7 +24,7 @@ from jauspy.platform.modular.connector import VacuumConnector
 from jauspy.platform.modular.contact import NEAR
 from jauspy.platform.modular.control_laws import JointMeasurements
 from jauspy.platform.modular.graph import ArmChain, attachments, find_chain
-from jauspy.platform.modular.parts import CellSetup, ContactReaction
+from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.modular.servo import ServoDrive, ServoReading
 from jauspy.platform.modular.splines import Knots
 from jauspy.platform.modular.torque_controller import TorqueController

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from jauspy.geometry.poses import AT_REST, ORIGIN, UNACCELERATED, Acceleration, Pose, Twist
+from jauspy.platform.battery import BatteryState
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
 
 
@@ -132,20 +133,6 @@ class Consumption:
     """Watts, averaged over the last period of measurement."""
     energy: float = 0.0
     """Joules since the start."""
-
-
-@dataclass(frozen=True, slots=True)
-class BatteryState:
-    """A battery at one moment."""
-
-    charge: float = 1.0
-    """Fraction of its capacity."""
-    energy: float = 0.0
-    """Joules that are left."""
-    voltage: float = 0.0
-    """Volts at its terminals."""
-    current: float = 0.0
-    """Amperes that it delivers."""
 
 
 @dataclass(frozen=True, slots=True)

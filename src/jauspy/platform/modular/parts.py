@@ -18,7 +18,8 @@ from annotated_types import Interval, MaxLen, MinLen
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, ORIGIN, Transform
 from jauspy.geometry.vectors import GRAVITY, Vector, add, difference, dot, product, scaled, transposed
-from jauspy.platform.joints import EncoderSetup, Gains
+from jauspy.platform.battery import BatteryData
+from jauspy.platform.joints import ContactReaction, EncoderSetup, Gains
 from jauspy.platform.modular.holding import GRIPPER_PLATE, LATCH, PLATE, Cup, Holding, Latch
 from jauspy.platform.tables import (
     Converted,
@@ -33,17 +34,6 @@ from jauspy.platform.tables import (
     Table,
     check_unique,
 )
-
-
-class ContactReaction(Enum):
-    """What a modular arm does when it meets something in its way."""
-
-    STOP = "stop"
-    """It holds where it is, and lets the torque at the contact fall."""
-    YIELD = "yield"
-    """It moves out of the way of what pushes it, and holds there."""
-    IGNORE = "ignore"
-    """It pushes on."""
 
 
 class PartKind(Enum):
@@ -176,26 +166,6 @@ class ServoData(Table):
     velocity_gains: Gains = VELOCITY_GAINS
     """Newton metres per rad/s."""
     sensors: ServoSensors = ServoSensors()
-
-
-@dataclass(frozen=True, slots=True)
-class BatteryData(Table):
-    """A battery, whose open-circuit voltage falls in a straight line with its charge."""
-
-    capacity: Positive
-    """Watt hours of a full battery."""
-    full_voltage: Positive
-    """Volts without load, fully charged."""
-    empty_voltage: Positive
-    """Volts at which its protection cuts the load off."""
-    resistance: NotNegative = 0.0
-    """Ohms inside; its losses are taken from the charge."""
-    charge: Annotated[float, Interval(ge=0.0, le=1.0)] = 1.0
-    """Fraction of the capacity at the start."""
-
-    def __post_init__(self) -> None:
-        if self.empty_voltage > self.full_voltage:
-            raise ValueError("empty_voltage: must not be above full_voltage")
 
 
 @dataclass(frozen=True, slots=True)

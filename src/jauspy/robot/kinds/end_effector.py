@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Final
 from jauspy.geometry.fingers import FingerWidth, finger_width
 from jauspy.ids import JausID
 from jauspy.platform.contract import RobotParts
-from jauspy.services import manipulator
+from jauspy.services import iop, manipulator
 from jauspy.services.service import Service
 
 from .joints import joint_description
@@ -36,6 +36,7 @@ class EndEffectorContext:
 
 
 SERVICES: Final[Mapping[str, ServiceEntry[Any]]] = {
+    "EnhancedAccessControl": ServiceEntry(EndEffectorContext, lambda _: iop.EnhancedAccessControl(), by_default=False),
     "PrimitiveEndEffector": ServiceEntry(EndEffectorContext, lambda context: context.driver),
     "ManipulatorJointPositionSensor": ServiceEntry(
         EndEffectorContext, lambda context: manipulator.JointPositionSensor(context.arm)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, Final, Generic, Protocol, TypeVar
 
 from jauspy.errors import ConfigError
@@ -15,9 +15,14 @@ from jauspy.platform.contract import PartId, RobotParts, Snapshot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.modular.parts import CellSetup
+from jauspy.platform.sound import Loudspeaker, Microphone
+from jauspy.platform.stability import StabilityMonitor
 from jauspy.services.environment_sensing import VideoSource
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
+from jauspy.services.iop import HourMeter, HoursInMemory, Reminder, TrafficLogger
+from jauspy.services.iop.comms_lost import CommsLostPolicy
 from jauspy.services.mobility import GlobalPose
+from jauspy.services.mobility.retraced_joints import OwnMotion
 from jauspy.services.service import Service
 
 
@@ -41,6 +46,26 @@ class Context(Protocol):
     def moving(self) -> Stoppable | None:
         """Parts that the module moves; a watchdog stops them unless a client controls and has resumed it."""
         ...
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shared:
+    """Values that the modules of one robot share besides its parts."""
+
+    faults: Callable[[], Mapping[PartId, str]] = dict
+    """The parts that have failed, and why."""
+    hours: HourMeter = field(default_factory=HoursInMemory)
+    """How long the robot has been on."""
+    reminders: tuple[Reminder, ...] = ()
+    """Reminders of its maintenance."""
+    stability: StabilityMonitor | None = None
+    """Monitor that keeps the robot from tipping over."""
+    own_motion: OwnMotion = field(default_factory=OwnMotion)
+    """Parts that the robot moves without a client in control."""
+    traffic_logger: TrafficLogger | None = None
+    """Recorder of the robot's traffic; None without one."""
+    microphones: Sequence[Microphone] = ()
+    loudspeakers: Sequence[Loudspeaker] = ()
 
 
 class Module(Protocol):
@@ -77,8 +102,18 @@ class Module(Protocol):
         ...
 
     @property
+    def services(self) -> Sequence[str] | None:
+        """The services that its table lists, None if it lists none."""
+        ...
+
+    @property
     def camera(self) -> str | None:
         """The camera that it streams."""
+        ...
+
+    @property
+    def comms_lost(self) -> CommsLostPolicy | None:
+        """Reaction of the robot to a lost link."""
         ...
 
 
@@ -99,7 +134,9 @@ class ModuleBuild:
     videos: Mapping[str, VideoSource]
     """Cameras, by name."""
     video_targets: tuple[Network, ...]
-    """Networks into which any client may have video sent."""
+    """Networks into which any client may have video and sound sent."""
+    shared: Shared = field(default_factory=Shared)
+    """The parts that the modules of the robot have in common."""
 
     @property
     def joints(self) -> JointGroup:
@@ -135,6 +172,7 @@ class ServiceEntry(Generic[C]):
 _REFUSALS: Final = {
     "group": "group: a {type} moves no group of joints; leave it out",
     "part": "part: a {type} has none; leave it out",
+    "comms_lost": "comms_lost: a {type} does not drive the robot; give it to the CM-MOB",
     "camera": "camera: a CM-VIS needs the name of one of [[cameras]], and no other type has one",
 }
 """Errors for a key of a table that is only for other kinds."""
@@ -148,7 +186,7 @@ class Kind(ABC, Generic[C]):
     services: ClassVar[Mapping[str, ServiceEntry[Any]]]
     """Services by the names that robots' files use, in the order in which hosts have them."""
     own_keys: ClassVar[frozenset[str]] = frozenset()
-    """Keys of `ModuleConfig` that its table has, of `group`, `part` and `camera`."""
+    """Keys of `ModuleConfig` that its table has, of `group`, `part`, `camera` and `comms_lost`."""
     group: ClassVar[str | None] = None
     """The joints that it moves unless its table names others."""
     needs_part: ClassVar[bool] = False

@@ -12,11 +12,16 @@ from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.contract import RobotParts
-from jauspy.services import manipulator
+from jauspy.platform.description import RobotModel
+from jauspy.platform.joints import joint_positions
+from jauspy.platform.link_clearances import clearances_of
+from jauspy.platform.motors import Motors
+from jauspy.services import iop, manipulator
 from jauspy.services.service import Service
 
-from .joints import joint_description
+from .joints import MOTOR_DATA, end_effector_load, joint_description
 from .kind import Kind, ModuleBuild, ServiceEntry, Stoppable
+from .mounting import mount_of
 
 _INDEPENDENT: Final = "joints from base to tip that do not mimic others"
 
@@ -28,6 +33,11 @@ class ManipulatorContext:
     module: ClassVar[str] = "CM-MAN"
     robot: RobotParts
     arm: manipulator.Arm
+    model: RobotModel
+    listed: frozenset[str] = frozenset()
+    """The services that the module's table lists."""
+    mount: iop.Mount | None = None
+    """The joint of another manipulator that carries it."""
 
     @property
     def moving(self) -> Stoppable:
@@ -46,9 +56,35 @@ def _geometry(make: Callable[[manipulator.Arm], Service]) -> ServiceEntry[Manipu
     )
 
 
+def _extended(context: ManipulatorContext) -> Service | None:
+    if (motors := Motors.of(context.robot)) is None:
+        return None
+    names = [joint.name for joint in context.arm.joints.joints]
+    return iop.ExtendedPrimitiveManipulator(names, motors.state, context.mount)
+
+
+PRESET_POSE: Final = "PresetPose"
+
+
+def _preset_pose(context: ManipulatorContext) -> Service | None:
+    """The service of an arm with named poses; if it is listed, of any arm, and then perhaps without poses."""
+    names = [joint.name for joint in context.arm.joints.joints]
+    poses = [pose for pose in context.model.poses if names[0] in pose.positions]
+    if not poses and PRESET_POSE not in context.listed:
+        return None
+    return iop.PresetPose(
+        context.arm,
+        poses,
+        clearances_of(context.model, names),
+        lambda: joint_positions(context.robot.groups.values()),
+    )
+
+
 SERVICES: Final[Mapping[str, ServiceEntry[Any]]] = {
+    "EnhancedAccessControl": ServiceEntry(ManipulatorContext, lambda _: iop.EnhancedAccessControl(), by_default=False),
     "ManipulatorSpecificationService": _geometry(manipulator.ManipulatorSpecification),
     "PrimitiveManipulator": _arm(manipulator.PrimitiveManipulator),
+    "ExtendedPrimitiveManipulator": ServiceEntry(ManipulatorContext, _extended, needs=MOTOR_DATA),
     "ManipulatorJointPositionSensor": _arm(manipulator.JointPositionSensor),
     "ManipulatorJointVelocitySensor": _arm(manipulator.JointVelocitySensor),
     "ManipulatorJointForceTorqueSensor": _arm(manipulator.JointForceTorqueSensor),
@@ -63,6 +99,12 @@ SERVICES: Final[Mapping[str, ServiceEntry[Any]]] = {
     "ManipulatorEndEffectorVelocityStateSensor": _geometry(manipulator.EndEffectorVelocityStateSensor),
     "ManipulatorEndEffectorVelocityStateDriver": _geometry(manipulator.EndEffectorVelocityStateDriver),
     "ManipulatorToolOffsetService": _geometry(manipulator.ToolOffset),
+    "ManipulatorEndEffectorForceTorqueSensor": ServiceEntry(
+        ManipulatorContext,
+        lambda context: None if context.arm.is_coupled else end_effector_load(context.robot, context.arm),
+        needs="a sensor of force and torque that the tool is fixed to",
+    ),
+    PRESET_POSE: ServiceEntry(ManipulatorContext, _preset_pose),
     "JointDescription": ServiceEntry(ManipulatorContext, lambda context: joint_description(context.robot, context.arm)),
 }
 
@@ -80,7 +122,11 @@ class ManipulatorKind(Kind[ManipulatorContext]):
 
     def context(self, build: ModuleBuild) -> ManipulatorContext:
         """The arm."""
-        return ManipulatorContext(build.robot, manipulator.Arm(build.joints))
+        stability = build.shared.stability
+        guard = manipulator.ArmStability(stability) if stability is not None else None
+        arm = manipulator.Arm(build.joints, guard)
+        listed = frozenset(build.module.services or ())
+        return ManipulatorContext(build.robot, arm, build.model, listed, mount_of(build))
 
     def joint_frame(self, chain: Sequence[Joint], number: int) -> Transform:
         """The frame by the Denavit-Hartenberg parameters of the arm."""

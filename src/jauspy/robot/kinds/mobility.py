@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, Final
 
 from jauspy.platform.chassis import Chassis, chassis_of
@@ -11,12 +11,17 @@ from jauspy.platform.commands import CHASSIS
 from jauspy.platform.contract import DriveBase, PartId, RobotParts, Snapshot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.drives import ParkingBrake
+from jauspy.platform.guards import ObstacleGuard
 from jauspy.platform.lights import lamps_of
 from jauspy.platform.localization import Localization, LocalizedDrive
 from jauspy.platform.modular.cell import Car, CarState
 from jauspy.platform.modular.parts import CellSetup, PartKind, Shape
-from jauspy.services import mobility, ugv
+from jauspy.platform.stability import StabilityMonitor
+from jauspy.services import iop, mobility, ugv
+from jauspy.services.iop.comms_lost import CommsLostPolicy
+from jauspy.services.iop.retrotraverse import RetraceRequest
 from jauspy.services.mobility import GlobalPose, Vehicle
+from jauspy.services.mobility.retraced_joints import OwnMotion, RetracedJoints, joints_with_tracks
 from jauspy.services.service import Service
 from jauspy.services.ugv.parking_brake import ParkingBrakeDriver
 
@@ -35,6 +40,15 @@ class MobilityContext:
     module: ClassVar[str] = "CM-MOB"
     robot: RobotParts
     vehicle: Vehicle
+    stability: StabilityMonitor | None = None
+    """Monitor that keeps the robot from tipping over."""
+    part: str = "chassis"
+    """Name in `OwnMotion` of what the module drives."""
+    flippers: RetracedJoints | None = None
+    """Joints that carry tracks."""
+    own_motion: OwnMotion = field(default_factory=OwnMotion)
+    comms_lost: CommsLostPolicy = field(default_factory=CommsLostPolicy)
+    """Reaction of the robot to a lost link, until a client says otherwise."""
 
     @property
     def moving(self) -> Stoppable:
@@ -53,6 +67,7 @@ def _global(make: Callable[[Vehicle], Service]) -> ServiceEntry[MobilityContext]
 
 
 SERVICES: Final[Mapping[str, ServiceEntry[Any]]] = {
+    "EnhancedAccessControl": ServiceEntry(MobilityContext, lambda _: iop.EnhancedAccessControl(), by_default=False),
     "PrimitiveDriver": _vehicle(mobility.PrimitiveDriver),
     "VelocityStateSensor": _vehicle(mobility.VelocityStateSensor),
     "VelocityStateDriver": _vehicle(mobility.VelocityStateDriver),
@@ -65,6 +80,8 @@ SERVICES: Final[Mapping[str, ServiceEntry[Any]]] = {
     "GlobalVectorDriver": _global(mobility.GlobalVectorDriver),
     "GlobalWaypointDriver": _global(mobility.GlobalWaypointDriver),
     "GlobalWaypointListDriver": _global(mobility.GlobalWaypointListDriver),
+    "EnhancedLocalWaypointListDriver": _vehicle(lambda _: iop.EnhancedLocalWaypointListDriver()),
+    "EnhancedGlobalWaypointListDriver": _global(lambda _: iop.EnhancedGlobalWaypointListDriver()),
     "SkidSteerDriver": ServiceEntry(
         MobilityContext,
         lambda context: None if context.vehicle.chassis.min_turn_radius else ugv.SkidSteerDriver(context.vehicle),
@@ -75,12 +92,30 @@ SERVICES: Final[Mapping[str, ServiceEntry[Any]]] = {
         lambda context: ugv.AckermannDriver(context.vehicle) if context.vehicle.chassis.min_turn_radius else None,
         needs="a chassis that steers",
     ),
+    "StabilityControl": ServiceEntry(
+        MobilityContext,
+        lambda context: iop.StabilityControl(context.stability) if context.stability else None,
+        needs="the table [stability], and tracks or wheels",
+    ),
+    "Retrotraverse": ServiceEntry(
+        MobilityContext,
+        lambda context: iop.Retrotraverse(context.vehicle, joints=context.flippers, own_motion=context.own_motion),
+    ),
+    "CommsLostPolicyManager": ServiceEntry(
+        MobilityContext,
+        lambda context: iop.CommsLostPolicyManager(
+            context.vehicle, default=context.comms_lost, part=context.part, own_motion=context.own_motion
+        ),
+    ),
     "PlatformSpecifications": _vehicle(ugv.PlatformSpecifications),
     "IlluminationService": ServiceEntry(
         MobilityContext,
         lambda context: ugv.IlluminationService(lamps) if (lamps := lamps_of(context.robot)) else None,
         needs="lamps ([[lights]])",
     ),
+    "Convoy": ServiceEntry(MobilityContext, lambda _: iop.Convoy()),
+    "LeaderManagement": _vehicle(iop.LeaderManagement),
+    "LeaderFollowerDriver": _global(iop.LeaderFollowerDriver),
     "ParkingBrakeDriver": ServiceEntry(
         MobilityContext,
         lambda context: ParkingBrakeDriver(brake) if (brake := ParkingBrake.of(context.robot)) else None,
@@ -95,15 +130,37 @@ class Mobility(Kind[MobilityContext]):
 
     type: ClassVar[str] = "CM-MOB"
     services: ClassVar[Mapping[str, ServiceEntry[Any]]] = SERVICES
-    own_keys: ClassVar[frozenset[str]] = frozenset({"part"})
+    own_keys: ClassVar[frozenset[str]] = frozenset({"part", "comms_lost"})
 
     def context(self, build: ModuleBuild) -> MobilityContext:
         """The chassis, or the car, with the frames and the pilot that its services share."""
         cell = build.model.cell
+        policy = build.module.comms_lost or CommsLostPolicy()
         if build.module.part == CAR and cell is not None:
             car = Vehicle(_car_of(build.robot), name=cell.car, chassis=_car_chassis(cell))
-            return MobilityContext(build.robot, car)
-        return MobilityContext(build.robot, vehicle_of(build.name, build.origin, build.model, build.robot))
+            return MobilityContext(
+                build.robot, car, part=self.moved(build.module), own_motion=build.shared.own_motion, comms_lost=policy
+            )
+        stability = build.shared.stability
+        return MobilityContext(
+            build.robot,
+            vehicle_of(build.name, build.origin, build.model, build.robot, stability=stability),
+            stability,
+            flippers=joints_with_tracks(build.model, build.robot.groups),
+            own_motion=build.shared.own_motion,
+            comms_lost=policy,
+        )
+
+    def check(self, module: Module, needs: Mapping[str, Sequence[str]]) -> None:
+        """Check that it offers the services that react to a lost link as its table says."""
+        super().check(module, needs)
+        if module.services is None or module.comms_lost is None:
+            return
+        needed = ["CommsLostPolicyManager"]
+        if isinstance(module.comms_lost.reaction, RetraceRequest):
+            needed.append("Retrotraverse")
+        if missing := [name for name in needed if name not in module.services]:
+            raise ValueError(f"comms_lost: needs {' and '.join(missing)}; list what is missing in `services`")
 
     def parts_in(self, cell: CellSetup) -> Sequence[str]:
         """The car."""
@@ -127,14 +184,30 @@ class Mobility(Kind[MobilityContext]):
         return isinstance(car, CarState) and car.assembled
 
 
-def vehicle_of(name: str, origin: GlobalPose | None, model: RobotModel, robot: RobotParts) -> Vehicle:
+def vehicle_of(
+    name: str,
+    origin: GlobalPose | None,
+    model: RobotModel,
+    robot: RobotParts,
+    *,
+    stability: StabilityMonitor | None = None,
+) -> Vehicle:
     """The chassis and reference frames that the services of a CM-MOB share.
 
-    They use the pose that the robot estimates, unless it is exact. `name`: of the robot; `origin`: of its world.
+    They use the pose that the robot estimates, unless it is exact. `name`: of the robot; `origin`: of its world;
+    `stability`: what keeps it from tipping over.
     """
     localization = Localization.of(robot)
     drive: DriveBase = robot.drive if localization is None else LocalizedDrive(robot.drive, localization)
-    return Vehicle(drive, name=name, chassis=chassis_of(model), origin=origin, localization=localization)
+    return Vehicle(
+        drive,
+        name=name,
+        chassis=chassis_of(model),
+        origin=origin,
+        localization=localization,
+        stability=stability,
+        obstacle_guard=ObstacleGuard.of(robot),
+    )
 
 
 def _car_of(robot: RobotParts) -> Car:

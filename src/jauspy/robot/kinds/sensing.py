@@ -9,6 +9,7 @@ from typing import Any, ClassVar, Final
 from jauspy.geometry.frames import FrameTree
 from jauspy.platform.contract import PartId, RobotParts
 from jauspy.platform.ranging import RangeFinder
+from jauspy.services import iop
 from jauspy.services.environment_sensing import (
     ForceTorqueSensorService,
     MountedForceTorqueSensor,
@@ -42,6 +43,11 @@ SERVICES: Final[Mapping[str, ServiceEntry[Any]]] = {
     "ForceTorqueSensor": ServiceEntry(
         SensorContext,
         lambda context: ForceTorqueSensorService(context.force_torque) if context.force_torque else None,
+        needs=FORCE_TORQUE,
+    ),
+    "IOPForceTorqueSensor": ServiceEntry(
+        SensorContext,
+        lambda context: iop.ForceTorqueSensor(context.force_torque) if context.force_torque else None,
         needs=FORCE_TORQUE,
     ),
 }

@@ -11,7 +11,9 @@ from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.contract import RobotParts
-from jauspy.services import manipulator
+from jauspy.platform.lights import Lamp, lamps_of
+from jauspy.platform.motors import Motors
+from jauspy.services import iop, manipulator
 from jauspy.services.environment_sensing import (
     DigitalResourceDiscovery,
     DigitalVideo,
@@ -26,9 +28,9 @@ from jauspy.services.environment_sensing import (
 )
 from jauspy.services.service import Service
 
-from .joints import joint_description
+from .joints import MOTOR_DATA, joint_description
 from .kind import Kind, Module, ModuleBuild, ServiceEntry, Stoppable
-from .mounting import frame_of, joint_of
+from .mounting import frame_of, joint_of, mount_of
 
 _PAN_TILT: Final = "the group of joints that pan and tilt the camera"
 
@@ -43,6 +45,10 @@ class VisionContext:
     """The streams of its cameras, by sensor id, with their receivers."""
     pan_tilt: manipulator.PanTilt | None
     """The unit that turns the camera."""
+    lamps: tuple[Lamp, ...] = ()
+    """The lamps that light what the camera sees."""
+    mount: iop.Mount | None = None
+    """The joint that carries that unit."""
 
     @property
     def moving(self) -> Stoppable | None:
@@ -64,13 +70,29 @@ def _described(context: VisionContext) -> Service | None:
     return joint_description(context.robot, context.pan_tilt) if context.pan_tilt else None
 
 
+def _extended(context: VisionContext) -> Service | None:
+    motors = Motors.of(context.robot)
+    if context.pan_tilt is None or motors is None:
+        return None
+    names = [joint.name for joint in context.pan_tilt.joints.joints]
+    return iop.ExtendedPrimitivePanTilt(names, motors.state, context.mount)
+
+
 SERVICES: Final[Mapping[str, ServiceEntry[Any]]] = {
     "VisualSensor": _camera(lambda streams: VisualSensor(streams.cameras)),
     "DigitalVideo": _camera(DigitalVideo),
     "H264VideoEncoding": _camera(lambda streams: H264VideoEncoding(streams.cameras)),
     "StillImage": _camera(lambda streams: StillImage(streams.cameras)),
     "DigitalResourceDiscovery": _camera(DigitalResourceDiscovery),
+    "AEODRSDigitalVideo": _camera(iop.AEODRSDigitalVideo),
+    "IOPH264VideoEncoding": _camera(lambda streams: iop.H264VideoEncoding(streams.cameras)),
+    "AEODRSVideoIlluminator": ServiceEntry(
+        VisionContext,
+        lambda context: iop.VideoIlluminator(context.lamps, context.streams.cameras) if context.lamps else None,
+        needs="lamps ([[lights]]) for its camera",
+    ),
     "PrimitivePanTilt": _pan_tilt(manipulator.PrimitivePanTilt),
+    "ExtendedPrimitivePanTilt": ServiceEntry(VisionContext, _extended, needs=f"{_PAN_TILT}, and {MOTOR_DATA}"),
     "PanTiltJointPositionSensor": _pan_tilt(manipulator.PanTiltJointPositionSensor),
     "PanTiltJointPositionDriver": _pan_tilt(manipulator.PanTiltJointPositionDriver),
     "PanTiltJointVelocitySensor": _pan_tilt(manipulator.PanTiltJointVelocitySensor),
@@ -92,7 +114,8 @@ class Vision(Kind[VisionContext]):
         """The camera, and the unit that carries it."""
         pan_tilt = _pan_tilt_of(build)
         camera = _mounted(build, build.videos[build.module.camera or ""])
-        return VisionContext(build.robot, VideoStreams({1: camera}, build.video_targets), pan_tilt)
+        streams = VideoStreams({1: camera}, build.video_targets)
+        return VisionContext(build.robot, streams, pan_tilt, _lamps_for(build), mount_of(build))
 
     def check(self, module: Module, needs: Mapping[str, Sequence[str]]) -> None:
         """Check that there are joints for the services that need them, and that a camera is named."""
@@ -122,6 +145,18 @@ def _mounted(build: ModuleBuild, source: VideoSource) -> VideoCamera:
     tree, link = FrameTree(build.model.description), source.setup.link
     mount = joint_of(build.modules, build.model, link)
     return VideoCamera(frame_of(tree, link, build.robot.groups), tree.is_fixed(link), mount, source=source)
+
+
+def _lamps_for(build: ModuleBuild) -> tuple[Lamp, ...]:
+    """The lamps on the camera's link; without any, those on no camera's link. A camera that is not mounted has none."""
+    links = {camera.name: camera.link for camera in build.model.cameras if camera.outside is None}
+    own = links.get(build.module.camera or "")
+    if own is None:
+        return ()
+    lamps = lamps_of(build.robot)
+    return tuple(lamp for lamp in lamps if lamp.setup.link == own) or tuple(
+        lamp for lamp in lamps if lamp.setup.link not in links.values()
+    )
 
 
 def _pan_tilt_of(build: ModuleBuild) -> manipulator.PanTilt | None:

@@ -23,7 +23,7 @@ from jauspy.messages.cell import (
 )
 from jauspy.platform.modular.arm import CHANGED, ArmController, ModularArm, MotionResult, TrajectoryPoint
 from jauspy.platform.modular.parts import CellSetup
-from jauspy.services.manipulator.joints import CHECK_PERIOD
+from jauspy.services.manipulator.arm import CHECK_PERIOD
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
 from jauspy.services.units import sent_text

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Final
 
-from jauspy.services.core.access_control import AccessControl, present_authority
+from jauspy.services.core.access_control import AccessControl, may_move, present_authority, waits_for_control
 from jauspy.services.core.command_seal import CommandSeal
 from jauspy.services.core.discovery import COMPONENT, DEFAULT_IDENTITIES, Discovery, Identity
 from jauspy.services.core.events import Events
@@ -27,7 +27,9 @@ __all__ = [
     "Management",
     "Time",
     "Transport",
+    "may_move",
     "present_authority",
+    "waits_for_control",
     "with_core_services",
 ]
 

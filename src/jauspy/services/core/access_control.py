@@ -31,6 +31,27 @@ STOPS: Final = frozenset({Standby.CODE, SetEmergency.CODE})
 """Commands that stop a robot and move nothing; they need no seal of an operator."""
 
 
+MAY_MOVE: Final = ("Controlled", "Available", "Ready")
+"""The nested states in which a client in control may cause motion."""
+WAITS: Final = ("NotControlled", "Available")
+"""The nested states of a component that works and that nobody controls."""
+
+
+def may_move(host: ServiceHost) -> bool:
+    """True while a client is in control and has resumed the component."""
+    return _is_in(host, MAY_MOVE)
+
+
+def waits_for_control(host: ServiceHost) -> bool:
+    """True while nobody controls the component, and anybody could: it is in no emergency, and has not failed."""
+    return _is_in(host, WAITS)
+
+
+def _is_in(host: ServiceHost, states: tuple[str, ...]) -> bool:
+    path = host.path
+    return any(path[start : start + len(states)] == states for start in range(len(path)))
+
+
 def present_authority(host: ServiceHost) -> int:
     """The authority of the client in control; the highest one in a component without access control."""
     access = host.service(AccessControl)
@@ -78,7 +99,7 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
 
     def store_address(self, source: JausID) -> None:
         """Give control to `source`."""
-        self._set_controller(source)
+        self._set_controller(source, self.host.operator)
 
     def set_authority(self, msg: RequestControl | SetAuthority) -> None:
         """Set the authority of the controlling client."""
@@ -103,11 +124,21 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         if client == self.controller:
             self.host.fire(self._timeout_event)
 
-    def _set_controller(self, client: JausID | None) -> None:
+    def hand_over(self, client: JausID, authority: int, operator: Operator | None) -> None:
+        """Give control to a client to which the one in control has granted it; `operator` sealed its request."""
+        loser, self.authority = self.controller, authority
+        self._set_controller(client, operator)
+        self.reset_timer()
+        if loser is not None:
+            self.host.send(loser, RejectControl(response_code=RejectControl.ResponseCode.CONTROL_RELEASED))
+
+    def _set_controller(self, client: JausID | None, operator: Operator | None = None) -> None:
         before, self.host.controller = self.host.controller, client
-        of_before, self._operator = self._operator, self.host.operator if client else None
+        of_before, self._operator = self._operator, operator
         if before is not None and (before != client or of_before is not self._operator):
             self.host.control_lost()
+        elif before is None and client is not None:
+            self.host.control_taken()
 
     def _asked(self, msg: RequestControl | SetAuthority) -> int:
         """The requested authority, limited to that of the operator's role."""

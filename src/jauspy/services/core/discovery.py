@@ -169,12 +169,22 @@ class Identity:
             raise ConfigError(f"identity {self.name!r}: a name in a message is Latin-1 text of up to 255 bytes")
 
 
-DEFAULT_IDENTITIES: Final[Mapping[int, Identity]] = {
-    SYSTEM: Identity("jauspy", 10001),
-    SUBSYSTEM: Identity("jauspy vehicle", 10001),
-    NODE: Identity("jauspy node", 40001),
-    COMPONENT: Identity("jauspy component", 60001),
-}
+VEHICLE_TYPE: Final = 10001
+NODE_TYPE: Final = 40001
+COMPONENT_TYPE: Final = 60001
+
+
+def vehicle_identities(vehicle: str, node: str, component: str, *, system: str = "") -> Mapping[int, Identity]:
+    """What a component of a vehicle reports at each level; the system has the name of the vehicle, if it has none."""
+    return {
+        SYSTEM: Identity(system or vehicle, VEHICLE_TYPE),
+        SUBSYSTEM: Identity(vehicle, VEHICLE_TYPE),
+        NODE: Identity(node, NODE_TYPE),
+        COMPONENT: Identity(component, COMPONENT_TYPE),
+    }
+
+
+DEFAULT_IDENTITIES: Final = vehicle_identities("jauspy vehicle", "jauspy node", "jauspy component", system="jauspy")
 
 
 class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):

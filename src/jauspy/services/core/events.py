@@ -87,7 +87,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
     def attached(self) -> None:
         """Notice which clients are heard."""
         self._clients = EventClients(self.host)
-        self.host.on_heard = self._clients.heard
+        self.host.heard_by.append(self._clients.heard)
 
     def leaving(self) -> None:
         """End all events, since clients know them by the id of the component, and confirm that to the clients."""

@@ -135,6 +135,8 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         self._command = CommandCompletion()
         self.list = ElementList()
         self.active = 0
+        self.is_complete = False
+        """True after the last element is done, until the list is executed again or changed."""
 
     # --- what drivers call
 
@@ -169,6 +171,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
     def _end(self, *, success: bool) -> None:
         self.host.cancel_timer(_TIMER)
         driver = self._driver(self.active)
+        self.is_complete = success if self.active else self.is_complete
         self.active = 0
         if driver is not None:
             driver.end_elements()
@@ -190,7 +193,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         before, element = self._driver(self.active), self._elements[uid]
         if before is not None and before is not element.driver:
             before.end_elements()
-        self.active = uid
+        self.active, self.is_complete = uid, False
         if element.driver is not None:
             element.driver.begin_element(uid, element.message)
 
@@ -227,7 +230,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         read = {record.element_uid: self._read(record) for record in msg.element_list}
         assert isinstance(changed, ElementList)
         driver = self._driver(self.active)
-        self.list = changed
+        self.list, self.is_complete = changed, False
         self._elements |= {uid: element for uid, element in read.items() if element is not None}
         if self.active in read:
             if driver is not None and driver is not self._driver(self.active):
@@ -240,7 +243,9 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         uids = set(self._elements) if ALL_ELEMENTS in named else named
         if self.active in uids:
             self.stop()
-        self.list = self.list.without(uids)
+        self.list, self.is_complete = self.list.without(uids), False
+        for driver in self._drivers:
+            driver.on_deleted(uids)
         self._elements = {uid: element for uid, element in self._elements.items() if uid not in uids}
 
     def _read(self, record: ElementRec) -> Element | None:
@@ -342,6 +347,9 @@ class ListDriver(Service):
     def begin_element(self, uid: int, message: Message) -> None:
         """Start carrying out this element; it replaces the one before, of this driver or another one."""
         raise NotImplementedError(f"{type(self).__name__}.begin_element")
+
+    def on_deleted(self, uids: Collection[int]) -> None:
+        """Called after these elements of the list, of this driver or others, were deleted."""
 
     def end_elements(self) -> None:
         """Stop: the list has ended, was stopped, or continues with another driver."""

@@ -1,6 +1,10 @@
 """Services of the environment sensing set (AS6060)."""
 
-from jauspy.services.environment_sensing.digital_resource_discovery import DigitalResourceDiscovery, VideoStreams
+from jauspy.services.environment_sensing.digital_resource_discovery import (
+    DigitalResourceDiscovery,
+    MediaStreams,
+    VideoStreams,
+)
 from jauspy.services.environment_sensing.digital_video import DigitalVideo
 from jauspy.services.environment_sensing.force_torque_sensor import ForceTorqueSensorService, MountedForceTorqueSensor
 from jauspy.services.environment_sensing.h264_video_encoding import H264VideoEncoding
@@ -17,6 +21,7 @@ __all__ = [
     "ForceTorqueSensorService",
     "H264VideoEncoding",
     "JointMount",
+    "MediaStreams",
     "MountedForceTorqueSensor",
     "MountedLidar",
     "RangeSensor",

@@ -1,13 +1,13 @@
-"""DigitalResourceDiscovery: the end points to which a component's video streams are sent (AS6060)."""
+"""DigitalResourceDiscovery: the end points to which a component's streams are sent (AS6060)."""
 
 from __future__ import annotations
 
 import ipaddress
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from enum import Enum
 from functools import partial
-from typing import Final, TypeAlias
+from typing import Final, Protocol, TypeAlias
 from urllib.parse import urlsplit
 
 from jauspy.errors import ConfigError
@@ -53,7 +53,7 @@ class StreamState(Enum):
 
 @dataclass(slots=True)
 class EndPoint:
-    """The address to which one camera's stream is sent for one client, which is at `location`."""
+    """The address to which one sensor's stream is sent for one client, which is at `location`."""
 
     client: JausID
     sensor: int
@@ -63,14 +63,26 @@ class EndPoint:
     state: StreamState = StreamState.PLAY
 
 
-class VideoStreams:
-    """The end points of a component's cameras; the cameras send to those in state PLAY.
+class StreamSource(Protocol):
+    """Sends what it senses to all watching addresses. No method blocks."""
 
-    Clients have video sent to their own machine only, or into the networks `targets`.
+    def watch(self, address: Address, *, playing: bool = True) -> None:
+        """Send to an address, or pause it; raises `ConfigError` if there are too many."""
+        ...
+
+    def leave(self, address: Address) -> None:
+        """Stop sending to an address."""
+        ...
+
+
+class MediaStreams:
+    """The end points of a component's sensors, by sensor id; these send to the end points in state PLAY.
+
+    Clients have streams sent to their own machine only, or into the networks `targets`.
     """
 
-    def __init__(self, cameras: Cameras, targets: Iterable[Network] = ()) -> None:
-        self.cameras = cameras
+    def __init__(self, sources: Mapping[int, StreamSource], targets: Iterable[Network] = ()) -> None:
+        self._sources = sources
         self.end_points: dict[int, EndPoint] = {}
         """End points by number, in the order in which they were registered."""
         self._targets = tuple(targets)
@@ -86,9 +98,9 @@ class VideoStreams:
         sensor, another client's end point, or too many end points.
         """
         address = parse_rtp_url(url)
-        self._check_target(address, location, client)
-        if sensor not in self.cameras:
-            raise ConfigError(f"there is no sensor {sensor}; there are: {', '.join(map(str, self.cameras))}")
+        check_target(address, location, client, self._targets)
+        if sensor not in self._sources:
+            raise ConfigError(f"there is no sensor {sensor}; there are: {', '.join(map(str, self._sources))}")
         for number, known in self.end_points.items():
             if known.sensor == sensor and known.address == address:
                 if known.client != client:
@@ -100,19 +112,6 @@ class VideoStreams:
         self.end_points[number] = EndPoint(client, sensor, url, address, location)
         return number
 
-    def _check_target(self, target: Address, location: Location, client: JausID) -> None:
-        host, port = target
-        if location.ports & {port, port + 1}:  # control packets (RTCP) are sent to the next one
-            ports = ", ".join(map(str, sorted(location.ports)))
-            raise ConfigError(f"{host}:{port}: video is not sent to a port of JAUS: {ports}")
-        address = ipaddress.ip_address(host)
-        if location.has(host) or any(
-            address in target and address != target.broadcast_address for target in self._targets
-        ):
-            return
-        known = f"which is at {', '.join(sorted(location.hosts))}" if location.hosts else "whose machine is not known"
-        raise ConfigError(f"{host} is not an address of {client}, {known}; video_targets may allow networks")
-
     def _keep_to_share(self, client: JausID, location: Location) -> None:
         """Remove the client's oldest end point if it has its share, or its machine has."""
         is_shared = not location.is_here and bool(location.hosts)
@@ -123,8 +122,8 @@ class VideoStreams:
                 self.remove(numbers[0])
 
     def _watch(self, sensor: int, address: Address, replaceable: list[int]) -> None:
-        """Make the camera send there, if necessary in place of another end point."""
-        source = self.cameras[sensor].source
+        """Make the sensor send there, if necessary in place of another end point."""
+        source = self._sources[sensor]
         try:
             self._check_room()
             source.watch(address)
@@ -162,13 +161,13 @@ class VideoStreams:
         """Stop sending to an end point; unknown numbers are ignored."""
         point = self.end_points.pop(number, None)
         if point is not None:
-            self.cameras[point.sensor].source.leave(point.address)
+            self._sources[point.sensor].leave(point.address)
 
     def control(self, client: JausID, sensor: int, state: StreamState) -> int:
         """Play, pause or stop the client's end points of a sensor; returns their number."""
         of_sensor = [point for point in self.end_points.values() if (point.client, point.sensor) == (client, sensor)]
         for point in of_sensor:
-            source = self.cameras[sensor].source
+            source = self._sources[sensor]
             if state is StreamState.STOP:
                 source.leave(point.address)
             else:
@@ -187,6 +186,27 @@ class VideoStreams:
             self.remove(number)
 
 
+class VideoStreams(MediaStreams):
+    """The end points of a component's cameras."""
+
+    def __init__(self, cameras: Cameras, targets: Iterable[Network] = ()) -> None:
+        super().__init__({sensor: camera.source for sensor, camera in cameras.items()}, targets)
+        self.cameras = cameras
+
+
+def check_target(target: Address, location: Location, client: JausID, networks: Iterable[Network]) -> None:
+    """Raise `ConfigError` unless a client at `location` may have a stream sent there, or played from there."""
+    host, port = target
+    if location.ports & {port, port + 1}:  # control packets (RTCP) are sent to the next one
+        ports = ", ".join(map(str, sorted(location.ports)))
+        raise ConfigError(f"{host}:{port}: streams are not sent to a port of JAUS: {ports}")
+    address = ipaddress.ip_address(host)
+    if location.has(host) or any(address in network and address != network.broadcast_address for network in networks):
+        return
+    known = f"which is at {', '.join(sorted(location.hosts))}" if location.hosts else "whose machine is not known"
+    raise ConfigError(f"{host} is not an address of {client}, {known}; video_targets may allow networks")
+
+
 def parse_rtp_url(url: str) -> Address:
     """Return the numeric address and port of `rtp://ADDRESS:PORT`; raises `ConfigError` for anything else."""
     try:
@@ -198,23 +218,25 @@ def parse_rtp_url(url: str) -> Address:
     if parts.scheme != "rtp" or not 1 <= port <= 65534:
         raise ConfigError(f"{url!r} is not rtp://ADDRESS:PORT with a port of 1..65534")
     if port < FIRST_PORT or judp.PORT in (port, port + 1):
-        raise ConfigError(f"{url!r}: video is sent to ports from {FIRST_PORT}, and not to that of JAUS, {judp.PORT}")
+        raise ConfigError(f"{url!r}: streams are sent to ports from {FIRST_PORT}, and not to that of JAUS, {judp.PORT}")
     if isinstance(address, ipaddress.IPv6Address) and address.ipv4_mapped:
         address = address.ipv4_mapped
     if address.is_multicast or address.is_unspecified or str(address) == "255.255.255.255":
-        raise ConfigError(f"{url!r}: video is sent to one machine, so its address must not be a group, broadcast or 0")
+        raise ConfigError(
+            f"{url!r}: streams are sent to one machine, so its address must not be a group, broadcast or 0"
+        )
     return str(address), port
 
 
 class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:DigitalResourceDiscovery"):
-    """End points `rtp://ADDRESS:PORT`, registered by clients, to which the cameras' streams are sent.
+    """End points `rtp://ADDRESS:PORT`, registered by clients, to which the streams of cameras or microphones are sent.
 
-    ResourceID is the camera's sensor id, 1 by default. The stream starts immediately and ends when the client removes
+    ResourceID is the sensor's id, 1 by default. The stream starts immediately and ends when the client removes
     the end point, is lost, or has not registered it again for five minutes. A request with another server type or a bad
     URL is confirmed with the number 0.
     """
 
-    def __init__(self, streams: VideoStreams) -> None:
+    def __init__(self, streams: MediaStreams) -> None:
         self._streams = streams
         self._confirmed_number = 0
         self._reply: Deferred | None = None

@@ -193,23 +193,15 @@ def _capabilities(sensor: int) -> _Capabilities.H264CapabilitiesRec:
         sensor,
         supported_profiles=_Capabilities.SupportedProfiles(*(int(number in PROFILES) for number in _Report.Profile)),
         supported_levels=_Capabilities.SupportedLevels(*(1 for _ in LEVELS)),
-        supported_presets=_supported_presets(),
+        supported_presets=_Capabilities.SupportedPresets(**preset_flags()),
         group_of_pictures_supported=_Capabilities.GroupOfPicturesSupported.TRUE,
         gradual_decoder_refresh_supported=_Capabilities.GradualDecoderRefreshSupported.TRUE,
         region_of_interest_supported=_Capabilities.RegionOfInterestSupported.FALSE,
     )
 
 
-def _supported_presets() -> _Capabilities.SupportedPresets:
-    numbers = range(_Report.Preset.BEST_QUALITY + 1)
-    low, slow, stare, drive, manipulate, best = (int(number in PRESETS) for number in numbers)
-    return _Capabilities.SupportedPresets(
-        low_latency=low,
-        slow_comms=slow,
-        persistent_stare=stare,
-        drive_vision=drive,
-        manipulation=manipulate,
-        best_quality=best,
-        reserved=0,
-        program_specific=0,
-    )
+def preset_flags() -> dict[str, int]:
+    """1 for each preset that the encoders have, by the names of the bits that report them; 0 for the others."""
+    names = ("low_latency", "slow_comms", "persistent_stare", "drive_vision", "manipulation", "best_quality")
+    flags = {name: int(number in PRESETS) for number, name in enumerate(names)}
+    return flags | {"reserved": 0, "program_specific": 0}

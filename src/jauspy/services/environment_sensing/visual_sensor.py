@@ -84,6 +84,11 @@ class VideoSource(Protocol):
     @imaging.setter
     def imaging(self, settings: ImagingSettings) -> None: ...
 
+    @property
+    def reduced(self) -> str:
+        """A sentence for users about a camera for which the machine is too slow; else empty."""
+        ...
+
     def watch(self, address: Address, *, playing: bool = True) -> None:
         """Send the stream to an address, or pause it; raises `ConfigError` if there are too many."""
         ...

@@ -38,10 +38,12 @@ from jauspy.services.manipulator.specification import (
     ManipulatorSpecification,
     ToolOffset,
 )
+from jauspy.services.manipulator.stability_guard import ArmStability
 
 __all__ = [
     "ActuatorForceTorqueDriver",
     "Arm",
+    "ArmStability",
     "EndEffectorPoseDriver",
     "EndEffectorPoseListDriver",
     "EndEffectorPoseSensor",

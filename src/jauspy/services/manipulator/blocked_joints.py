@@ -1,4 +1,4 @@
-"""Joints that stand still short of their positions, because something is in the way or their load is too heavy."""
+"""Joints that do not reach their positions, because something is in the way or their load is too heavy."""
 
 from __future__ import annotations
 
@@ -25,13 +25,14 @@ class BlockedJoint:
 
     joint: Joint
     effort: float
-    """Effort with which it pushed, N m or N."""
+    """Effort with which it pushed, or that of something that it has met, N m or N."""
     short: float
-    """Radians or metres from its position."""
+    """Radians or metres from its position; 0 for a motion without one."""
 
     def __str__(self) -> str:
         push, way = ("N m", "rad") if self.joint.turns else ("N", "m")
-        return f"{self.joint.name}, {abs(self.effort):.0f} {push}, {abs(self.short):.2f} {way} short"
+        short = f", {abs(self.short):.2f} {way} short" if self.short else ""
+        return f"{self.joint.name}, {abs(self.effort):.0f} {push}{short}"
 
 
 class StandstillWatch:

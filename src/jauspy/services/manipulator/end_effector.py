@@ -26,9 +26,8 @@ from jauspy.messages.manipulator import (
 )
 from jauspy.platform.joints import ControlMode, JointGroup, Target
 from jauspy.services.core import present_authority
-from jauspy.services.manipulator.arm import Arm, ArmDriver
+from jauspy.services.manipulator.arm import CHECK_PERIOD, Arm, ArmDriver
 from jauspy.services.manipulator.blocked_joints import StandstillWatch
-from jauspy.services.manipulator.joints import CHECK_PERIOD
 from jauspy.services.manipulator.tool_motion import ToolMotion
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
@@ -219,7 +218,7 @@ class EndEffectorVelocityStateDriver(
 
     def _move(self) -> None:
         motion = self._motion
-        if motion is None:
+        if motion is None or self.stops_if_touched():
             return
         self.arm.at_velocities(self, motion.rates(CONTROL_PERIOD))
         if motion.is_finished:

@@ -30,13 +30,11 @@ from jauspy.messages.manipulator import (
     SetJointVelocity,
 )
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.services.manipulator.arm import Arm, ArmDriver, MotionProfile
+from jauspy.services.manipulator.arm import CHECK_PERIOD, Arm, ArmDriver, MotionProfile
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
 from jauspy.services.units import effort_or_zero
 
-CHECK_PERIOD: Final = 0.05
-"""Seconds from a command to the first check whether its motion has ended, and between two checks."""
 _TIMER: Final = "joint positions"
 
 Choices: TypeAlias = Sequence[tuple[int, float]]

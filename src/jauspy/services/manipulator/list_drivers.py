@@ -13,9 +13,9 @@ from jauspy.messages.manipulator import (
     SetJointPositions,
 )
 from jauspy.services.core.list_manager import ListDriver, ListManager
-from jauspy.services.manipulator.arm import ArmDriver
+from jauspy.services.manipulator.arm import CHECK_PERIOD, ArmDriver
 from jauspy.services.manipulator.end_effector import ToolPoseDriver, commanded_pose
-from jauspy.services.manipulator.joints import CHECK_PERIOD, joint_values, read_positions
+from jauspy.services.manipulator.joints import joint_values, read_positions
 
 
 class ManipulatorListDriver(ArmDriver, urn="urn:jaus:jss:manipulator:ManipulatorListDriver"):
@@ -63,7 +63,7 @@ class JointPositionListDriver(ArmDriver, ListDriver, urn="urn:jaus:jss:manipulat
             return
         if self.arm.is_at(found):
             self.elements.done()
-        else:
+        elif not self.stops_if_touched(found):
             self.host.set_timer(_LIST_TIMER, self.host.now + CHECK_PERIOD, self._check)
 
     def _read(self, message: Message) -> list[float] | None:

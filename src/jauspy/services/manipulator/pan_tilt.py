@@ -59,7 +59,7 @@ class ReversedJoints:
         """Positions, velocities and efforts after the last step."""
         state = self._group.state()
         positions, velocities, efforts = map(self._signed, (state.positions, state.velocities, state.efforts))
-        return JointState(positions, velocities, efforts, state.overloads)
+        return replace(state, positions=positions, velocities=velocities, efforts=efforts)
 
     def _signed(self, values: tuple[float, ...]) -> tuple[float, ...]:
         return tuple(sign * value for sign, value in zip(self._signs, values, strict=True))

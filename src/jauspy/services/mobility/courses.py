@@ -117,6 +117,27 @@ def reversed_yaw(yaw: float) -> float:
     return math.remainder(yaw + math.pi, math.tau)
 
 
+class BoundedCourse:
+    """Another course, which ends after a distance (metres) at the latest."""
+
+    def __init__(self, course: Course, distance: float) -> None:
+        self._course = course
+        self._left = distance
+        self._position: PlanarPoint | None = None
+
+    @property
+    def limits(self) -> AccelerationLimits | None:
+        """Those of the other course."""
+        return self._course.limits
+
+    def steer(self, pose: Pose) -> PlanarVelocity | None:
+        """The velocity of the other course; None once the distance is driven."""
+        before, self._position = self._position, PlanarPoint(pose.x, pose.y)
+        if before is not None:
+            self._left -= before.to(self._position)[0]
+        return self._course.steer(pose) if self._left > 0.0 else None
+
+
 @dataclass(frozen=True, slots=True)
 class Leg:
     """The straight line from where the robot was to its waypoint."""
@@ -127,15 +148,17 @@ class Leg:
     def ahead(self, position: PlanarPoint, look_ahead: float) -> PlanarPoint:
         """The point of the leg to steer for: `look_ahead` metres beyond the one abeam of the robot."""
         length, direction = self.start.to(self.end)
-        distance = min(length, max(0.0, self._covered(position, direction)) + look_ahead)
+        distance = min(length, max(0.0, self.covered(position, direction)) + look_ahead)
         return PlanarPoint(self.start.x + distance * math.cos(direction), self.start.y + distance * math.sin(direction))
 
     def passed(self, position: PlanarPoint) -> bool:
         """True if the robot is abeam of the end, or beyond it."""
         length, direction = self.start.to(self.end)
-        return self._covered(position, direction) >= length
+        return self.covered(position, direction) >= length
 
-    def _covered(self, position: PlanarPoint, direction: float) -> float:
+    def covered(self, position: PlanarPoint, direction: float | None = None) -> float:
+        """Metres of the leg, from its start, to the point abeam of a position; `direction` of the leg, if known."""
+        direction = self.start.to(self.end)[1] if direction is None else direction
         return (position.x - self.start.x) * math.cos(direction) + (position.y - self.start.y) * math.sin(direction)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, ClassVar
 
 from jauspy.messages.mobility import ReportWrenchEffort, SetWrenchEffort
@@ -48,6 +49,13 @@ class Driver(ContinuousCommands):
     def on_endless_motion(self) -> None:
         """Stop unless the client sends a further command in time."""
         self.expect_next_command(self.on_arrival)
+
+    def resumption(self) -> Callable[[], None] | None:
+        """Return a function that goes on, after a stop, with the motion that this service causes now.
+
+        None for a motion without an end, which needs an operator.
+        """
+        return None
 
     def reset_travel_speed(self) -> None:
         """Stop when Ready is left; an action of most drivers' JSIDL."""

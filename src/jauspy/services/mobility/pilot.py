@@ -5,12 +5,16 @@ See docs/adr/0037-guidance.md. A robot that may tip over is stopped (`TiltGuard`
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
 from typing import Final, Protocol
 
 from jauspy.geometry.poses import jaus_pose, jaus_twist
 from jauspy.logs import get_logger
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
+from jauspy.platform.guards import ObstacleGuard
+from jauspy.platform.stability import StabilityMonitor
 from jauspy.services.mobility import tilt_guard
 from jauspy.services.mobility.courses import Course, Halt, VectorCourse, VelocityCourse
 from jauspy.services.mobility.tilt_guard import TiltGuard
@@ -54,11 +58,35 @@ class DriveOwner(Protocol):
         ...
 
 
+@dataclass(frozen=True, slots=True)
+class SpeedOverride:
+    """A share of the commanded speed, 0..1, and a bound in m/s, for whatever drives; turns are slowed alike."""
+
+    share: float = 1.0
+    bound: float = math.inf
+
+    def factor(self, speed: float) -> float:
+        """The factor for a speed in m/s."""
+        wanted = abs(speed) * self.share
+        return self.share if wanted <= self.bound else self.share * self.bound / wanted
+
+
+NO_OVERRIDE: Final = SpeedOverride()
+
+
 class Pilot:
     """Follows the course, or sets the effort, of the service that commanded last."""
 
-    def __init__(self, drive: DriveBase, chassis: Chassis) -> None:
+    def __init__(
+        self,
+        drive: DriveBase,
+        chassis: Chassis,
+        *,
+        stability: StabilityMonitor | None = None,
+        obstacle_guard: ObstacleGuard | None = None,
+    ) -> None:
         self._drive = drive
+        self._obstacle_guard = obstacle_guard
         self._chassis = chassis
         self.limits = AccelerationLimits(
             chassis.acceleration, chassis.deceleration, chassis.turn_acceleration, chassis.turn_acceleration
@@ -68,7 +96,10 @@ class Pilot:
         self._course: Course | None = None
         self._velocity = STANDSTILL
         self._last = 0.0
-        self._guard = TiltGuard(chassis.tilt_guard) if chassis.tilt_guard else None
+        self._guard = TiltGuard(chassis.tilt_guard, stability) if chassis.tilt_guard or stability else None
+        self._override = NO_OVERRIDE
+        self._effort: tuple[float, float, float] | None = None
+        """Of a driver without a course: forward, turning right, to the right."""
         self.driver: DriveOwner | None = None
         """The service whose command is carried out; None while the platform stands."""
         self.tilt_problem = ""
@@ -86,8 +117,27 @@ class Pilot:
             return
         self._set_driver(driver)
         self._end_course()
-        self._set_efforts(forward, right, sideways)
+        self._effort = forward, right, sideways
+        self._set_slowed_effort()
         driver.on_endless_motion()
+
+    @property
+    def override(self) -> SpeedOverride:
+        """Slows down whatever drives, as a vehicle that follows this one may ask."""
+        return self._override
+
+    @override.setter
+    def override(self, override: SpeedOverride) -> None:
+        self._override = override
+        if self._effort is not None and self.driver is not None:
+            self._set_slowed_effort()
+
+    def _set_slowed_effort(self) -> None:
+        forward, right, sideways = self._effort or (0.0, 0.0, 0.0)
+        factor = self._guard_factor
+        factor *= self._override.factor(factor * max(abs(forward), abs(sideways)) * self._chassis.max_speed)
+        turn = right if self._chassis.min_turn_radius else factor * right  # the angle of a chassis that steers
+        self._set_efforts(factor * forward, turn, factor * sideways)
 
     def follow(self, driver: DriveOwner, course: Course) -> None:
         """Closed loop: change from the measured velocity to that of the course."""
@@ -98,6 +148,7 @@ class Pilot:
         elif self._guard is not None:
             self._guard.let_go()  # a command with an end is given on purpose
         self._set_driver(driver)
+        self._effort = None
         if self._course is None:
             self._control.reset()
             self._velocity = self._measured()
@@ -139,12 +190,15 @@ class Pilot:
         guard, host = self._guard, self._clock
         if guard is None or self.driver is None:
             return
+        before = guard.factor
         if problem := guard.problem(self._drive.pose()):
             host.count("tilt", problem)
             _LOG.warning("%s: %s", host.id, problem)
             self.tilt_problem = problem
             self._halt()
         else:
+            if self._effort is not None and guard.factor != before:
+                self._set_slowed_effort()
             host.set_timer(_TILT_TIMER, host.now + tilt_guard.PERIOD, self._watch_tilt)
 
     def _set_driver(self, driver: DriveOwner | None) -> None:
@@ -168,7 +222,7 @@ class Pilot:
         host.set_timer(_TIMER, host.now, self._steer)
 
     def _end_course(self) -> None:
-        self._course = None
+        self._course = self._effort = None
         if self._host is not None:
             self._host.cancel_timer(_TIMER)
 
@@ -182,8 +236,20 @@ class Pilot:
         if wanted is None:
             self._end_of_course()
         else:
-            wanted = wanted.clamped(self._chassis.max_speed, self._chassis.max_turn_rate).feasible(self._chassis)
-            self._move(wanted, course.limits or self.limits, dt)
+            factor = self._guard_factor
+            wanted = wanted.clamped(self._chassis.max_speed * factor, self._chassis.max_turn_rate * factor)
+            self._move(self._slowed(wanted).feasible(self._chassis), course.limits or self.limits, dt)
+
+    @property
+    def _guard_factor(self) -> float:
+        """The part of its speed that a robot near to tipping over may have."""
+        return 1.0 if self._guard is None else self._guard.factor
+
+    def _slowed(self, wanted: PlanarVelocity) -> PlanarVelocity:
+        if self._override is NO_OVERRIDE:
+            return wanted
+        factor = self._override.factor(math.hypot(wanted.speed, wanted.sideways))
+        return PlanarVelocity(factor * wanted.speed, factor * wanted.turn_rate, factor * wanted.sideways)
 
     def _end_of_course(self) -> None:
         """End the course; the driver may command another one."""
@@ -192,6 +258,9 @@ class Pilot:
             self.driver.on_arrival()
 
     def _move(self, wanted: PlanarVelocity, limits: AccelerationLimits, dt: float) -> None:
+        if self._obstacle_guard is not None and self._obstacle_guard.state().active:
+            self._control.reset()  # what the guard keeps it from is no error to integrate
+            self._velocity = self._measured()
         self._velocity = ramped(self._velocity, wanted, limits, dt)
         if self._velocity == wanted == STANDSTILL:
             self._control.reset()

@@ -8,7 +8,9 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import PlanarPoint, Pose, jaus_pose, wrap_angle
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
+from jauspy.platform.guards import ObstacleGuard
 from jauspy.platform.localization import Localization
+from jauspy.platform.stability import StabilityMonitor
 from jauspy.services.mobility.pilot import Pilot
 from jauspy.services.mobility.reference_frames import GlobalFrame, GlobalPose, LocalFrame
 from jauspy.services.mobility.waypoints import Waypoint
@@ -18,7 +20,7 @@ class Vehicle:
     """One platform. `origin`: global pose of the world's origin; services on the globe need it.
 
     `localization`: the estimated pose on the globe, unless the pose is exact; `drive` then has the estimated local
-    pose.
+    pose. `stability`: what keeps it from tipping over. `obstacle_guard`: the guard that its commands pass.
     """
 
     def __init__(
@@ -29,12 +31,14 @@ class Vehicle:
         chassis: Chassis | None = None,
         origin: GlobalPose | None = None,
         localization: Localization | None = None,
+        stability: StabilityMonitor | None = None,
+        obstacle_guard: ObstacleGuard | None = None,
     ) -> None:
         self.drive = drive
         self.localization = localization
         self.name = name
         self.chassis = chassis or Chassis()
-        self.pilot = Pilot(drive, self.chassis)
+        self.pilot = Pilot(drive, self.chassis, stability=stability, obstacle_guard=obstacle_guard)
         self.local_frame = LocalFrame()
         self._global_frame = GlobalFrame(origin) if origin else None
         self.goal: Waypoint | None = None

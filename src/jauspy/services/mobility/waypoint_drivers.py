@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Collection
+from enum import Enum
+from typing import Any, Final
 
 from jauspy.codec.message import Message
 from jauspy.geometry.poses import PlanarPoint
@@ -24,6 +26,7 @@ from jauspy.services.mobility.courses import DEFAULT_TOLERANCE, CourseGoal, Wayp
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.field_ranges import speed_over_ground, unsigned_speed
 from jauspy.services.mobility.vehicle import Vehicle
+from jauspy.services.mobility.waypoint_information import NOTHING, AddedInformation, WaypointInformation
 from jauspy.services.mobility.waypoints import GlobalWaypoint, LocalWaypoint, Waypoint, global_waypoint, local_waypoint
 from jauspy.services.state_machine import CommandCompletion
 
@@ -33,12 +36,17 @@ class WaypointFollower(Driver):
 
     uses_travel_speed = True
 
-    def drive_to(self, waypoint: Waypoint, speed: float, *, is_last: bool) -> None:
-        """Start for a waypoint, at m/s, negative backward; the robot stops there if it is the last one."""
+    def drive_to(
+        self, waypoint: Waypoint, speed: float, *, is_last: bool, information: WaypointInformation = NOTHING
+    ) -> None:
+        """Start for a waypoint, at m/s, negative backward; the robot stops there if it is the last one.
+
+        `information` may say which way round it drives, whatever the sign of the speed.
+        """
         vehicle = self.vehicle
         course = WaypointCourse(
             lambda: goal_of(vehicle, waypoint, is_last=is_last),
-            lambda: vehicle.pilot.travel_speed,
+            lambda: information.directed(vehicle.pilot.travel_speed),
             deceleration=vehicle.chassis.deceleration,
             max_turn_rate=vehicle.chassis.max_turn_rate,
             min_turn_radius=vehicle.chassis.min_turn_radius,
@@ -127,6 +135,13 @@ class WaypointDriver(WaypointFollower):
         """The command has failed."""
         self._command(False)
 
+    def resumption(self) -> Callable[[], None] | None:
+        """Drive on to the waypoint."""
+        waypoint, speed = self.vehicle.waypoint, self.vehicle.pilot.travel_speed
+        if waypoint is None or not speed:
+            return None
+        return lambda: self._start(waypoint, speed)
+
     def _start(self, waypoint: Waypoint, speed: float) -> None:
         self.drive_to(waypoint, speed, is_last=True)
         self._begin_command()
@@ -199,11 +214,55 @@ class GlobalWaypointDriver(WaypointDriver, urn="urn:jaus:jss:mobility:GlobalWayp
         return waypoint.report_ext() if isinstance(waypoint, GlobalWaypoint) else None
 
 
+class ListProgress(Enum):
+    """How far a list has come."""
+
+    EMPTY = "empty"
+    LOADED = "loaded"
+    """It has waypoints, and is not executed."""
+    EXECUTING = "executing"
+    PAUSED = "paused"
+    """The speed is zero, or the robot waits at a waypoint for the next execute command."""
+    TIMED_WAIT = "timed wait"
+    COMPLETE = "complete"
+    FAULT = "fault"
+    """The robot was stopped because it may tip over."""
+
+
+_WAIT: Final = "wait at a waypoint"
+
+
 class WaypointListDriver(WaypointFollower, ListDriver):
     """Executes the list at the speed of ExecuteList; the robot stops at the last waypoint.
 
     A component has one list. With both drivers it may hold waypoints of both kinds; each driver executes its own.
+    `information` has the direction and the waits that clients add to waypoints by the services of IOP. The robot stops
+    at a waypoint where it waits, or changes its direction.
     """
+
+    def __init__(self, vehicle: Vehicle) -> None:
+        super().__init__(vehicle)
+        self.information = AddedInformation()
+        self._waits_since: float | None = None
+
+    @property
+    def waited(self) -> float:
+        """Seconds that the robot has waited at the present waypoint; 0 while it drives."""
+        return 0.0 if self._waits_since is None else self.host.now - self._waits_since
+
+    @property
+    def progress(self) -> ListProgress:
+        """How far the waypoints of this kind have come."""
+        elements, pilot = self.elements, self.vehicle.pilot
+        if not any(isinstance(elements.message(uid), self.element_types) for uid in elements.list.order):
+            return ListProgress.EMPTY
+        if elements.active:
+            if self._waits_since is not None:
+                return ListProgress.TIMED_WAIT if self.information.of(elements.active).wait else ListProgress.PAUSED
+            return ListProgress.EXECUTING if pilot.travel_speed else ListProgress.PAUSED
+        if elements.is_complete:
+            return ListProgress.COMPLETE
+        return ListProgress.FAULT if pilot.tilt_problem else ListProgress.LOADED
 
     def waypoint_of(self, message: Message) -> Waypoint:
         """The waypoint of an element's message."""
@@ -221,32 +280,82 @@ class WaypointListDriver(WaypointFollower, ListDriver):
     def execute_waypoint_list(self, msg: Any) -> None:
         """Start, or restart, at the given element."""
         speed = self.usable_speed(msg)
-        if speed is not None:
+        if speed is None:
+            return
+        if self._waits_for_command and msg.element_uid == self.elements.active:
+            self._continue(speed)
+        else:
             self._start(msg.element_uid, speed)
+
+    @property
+    def _waits_for_command(self) -> bool:
+        return self._waits_since is not None and self.information.of(self.elements.active).wait == 0.0
+
+    def _continue(self, speed: float) -> None:
+        """Leave the waypoint where the robot waits for an execute command."""
+        self.vehicle.pilot.travel_speed = speed
+        self._end_wait()
+        self.elements.done()
+
+    def _end_wait(self) -> None:
+        self._waits_since = None
+        self.host.cancel_timer(_WAIT)
 
     def _start(self, uid: int, speed: float) -> None:
         self.elements.execute(uid)
         self.vehicle.pilot.travel_speed = speed
 
+    def resumption(self) -> Callable[[], None] | None:
+        """Go on with the active element."""
+        uid, speed = self.elements.active, self.vehicle.pilot.travel_speed
+        return (lambda: self._start(uid, speed)) if uid and speed else None
+
     def modify_travel_speed(self, msg: Any) -> None:
         """Change the speed; zero waits. Ignored while no list is executed."""
         speed = self.usable_speed(msg)
-        if speed is not None and self.elements.active:
-            self.vehicle.pilot.travel_speed = speed
+        if speed is None or not self.elements.active:
+            return
+        if speed and self._waits_for_command:
+            self._continue(speed)
+        self.vehicle.pilot.travel_speed = speed
 
     def begin_element(self, uid: int, message: Message) -> None:
         """Drive to the waypoint."""
-        is_last = self.elements.list.next(uid) == 0
-        self.drive_to(self.waypoint_of(message), self.vehicle.pilot.travel_speed, is_last=is_last)
+        self._end_wait()
+        self.drive_to(
+            self.waypoint_of(message),
+            self.vehicle.pilot.travel_speed,
+            is_last=self._stops_at(uid),
+            information=self.information.of(uid),
+        )
+
+    def _stops_at(self, uid: int) -> bool:
+        following, here = self.elements.list.next(uid), self.information.of(uid)
+        return not following or here.wait is not None or self.information.of(following).is_reverse != here.is_reverse
 
     def end_elements(self) -> None:
         """Stop, unless the list continues with an element of another driver."""
+        self._end_wait()
         if not self.elements.active:
             self.vehicle.pilot.release(self)
 
     def on_arrival(self) -> None:
-        """Continue with the next element."""
+        """Continue with the next element, after the wait at this one."""
+        wait = self.information.of(self.elements.active).wait
+        if wait is None:
+            self.elements.done()
+            return
+        self._waits_since = self.host.now
+        if wait:
+            self.host.set_timer(_WAIT, self.host.now + wait, self._after_wait)
+
+    def _after_wait(self) -> None:
+        self._end_wait()
         self.elements.done()
+
+    def on_deleted(self, uids: Collection[int]) -> None:
+        """Forget what was added to the elements: another one may get the number."""
+        self.information.forget(uids)
 
     def on_preempted(self) -> None:
         """Stop the list, unless its next element belongs to another list driver."""

@@ -2,5 +2,6 @@
 
 from jauspy.services.ugv.chassis import AckermannDriver, PlatformSpecifications, SkidSteerDriver
 from jauspy.services.ugv.illumination import IlluminationService
+from jauspy.services.ugv.power_plant import PowerPlantManager
 
-__all__ = ["AckermannDriver", "IlluminationService", "PlatformSpecifications", "SkidSteerDriver"]
+__all__ = ["AckermannDriver", "IlluminationService", "PlatformSpecifications", "PowerPlantManager", "SkidSteerDriver"]

@@ -129,6 +129,7 @@ class SimulatedDrive:
             0x6064: self._counts,
             0x606C: lambda: self._units.velocity_counts(self.axis.velocity),
             0x6077: lambda: self._units.torque(self.axis.effort),
+            0x6078: lambda: self._units.torque(self.axis.effort),  # a motor's current is proportional to its torque
             0x6079: lambda: 48_000,
             TEMPERATURE_OBJECT: lambda: 353,
         }

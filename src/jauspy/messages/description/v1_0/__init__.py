@@ -11,7 +11,11 @@ if TYPE_CHECKING:
         QueryBlockedJoints as QueryBlockedJoints, QueryJointDescription as QueryJointDescription,
         ReportBlockedJoints as ReportBlockedJoints, ReportJointDescription as ReportJointDescription,
     )
+    from jauspy.messages.description.v1_0.motion_guards import (
+        QueryMotionGuards as QueryMotionGuards, ReportMotionGuards as ReportMotionGuards,
+    )
 
 __all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.description.v1_0.joint_description": "QueryBlockedJoints QueryJointDescription ReportBlockedJoints ReportJointDescription",
+    "jauspy.messages.description.v1_0.motion_guards": "QueryMotionGuards ReportMotionGuards",
 })

@@ -8,6 +8,41 @@ from jauspy.messages.core.v1_0 import types as core_v1_0_types
 from jauspy.messages.environment_sensing.v1_0 import types as environment_sensing_v1_0_types
 
 
+@jd.bit_field("H")
+class FilterType(jd.Struct):
+    """self_collision_avoidance: bit 0. Self collision avoidance."""
+    self_collision_avoidance: int = jd.bits(0, 0x1)
+    reserved_bits: int = 0
+
+
+@jd.bit_field("I")
+class JAUS_ID(jd.Struct):
+    """component_id: bits 0..7. Component ID.
+    node_id: bits 8..15. Node ID.
+    subsystem_id: bits 16..31. Subsystem ID.
+    """
+    component_id: int = jd.bits(0, 0xFF, jd.Values(None, ((1, 254),)))
+    node_id: int = jd.bits(8, 0xFF, jd.Values(None, ((1, 254),)))
+    subsystem_id: int = jd.bits(16, 0xFFFF, jd.Values(None, ((1, 65534),)))
+
+
+@jd.record("B")
+class WaypointInformationRec(jd.Struct):
+    """element_uid: Id of the element of the global waypoint list that this adds to
+    direction_of_travel: DirectionOfTravel, optional. Which way the vehicle faces on its way to the point
+    wait_time: 0..3600 second, optional. Halt at the point before going on; 0 = until the next execute command; left out = no halt
+    """
+
+    class DirectionOfTravel(IntEnum):
+        FORWARD = 0
+        REVERSE = 1
+
+    element_uid: int = jd.field("ElementUID", jd.Number("H"))
+    direction_of_travel: WaypointInformationRec.DirectionOfTravel | int | None = jd.field("DirectionOfTravel", lambda: jd.Number("B", jd.Values(WaypointInformationRec.DirectionOfTravel)), default=None)
+    wait_time: float | None = jd.field("WaitTime", jd.real("H", 0.0, 3600.0, "second"), default=None)
+    reserved_presence: int = 0
+
+
 @jd.record()
 class QueryCostMap2DRec(jd.Struct):
     """max_width: 0..10000 meter. Largest size along the rows, in metres
@@ -147,6 +182,17 @@ class ReleaseControlRec(jd.Struct):
 
     id: int = jd.field("ID", jd.Number("B"))
     response_code: ReleaseControlRec.ResponseCode | int = jd.field("ResponseCode", lambda: jd.Number("B", jd.Values(ReleaseControlRec.ResponseCode)))
+
+
+@jd.bit_field("I")
+class ParentID(jd.Struct):
+    """component_id: bits 0..7. Component ID.
+    node_id: bits 8..15. Node ID.
+    subsystem_id: bits 16..31. Subsystem ID.
+    """
+    component_id: int = jd.bits(0, 0xFF, jd.Values(None, ((0, 255),)))
+    node_id: int = jd.bits(8, 0xFF, jd.Values(None, ((0, 255),)))
+    subsystem_id: int = jd.bits(16, 0xFFFF, jd.Values(None, ((0, 65535),)))
 
 
 @jd.record("B")

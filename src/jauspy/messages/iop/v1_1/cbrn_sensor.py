@@ -8,6 +8,31 @@ from jauspy.codec import declare as jd
 _SERVICE = jd.Service("urn:jaus:jss:iop:CBRNSensor", "1.1")
 
 
+@jd.message(_SERVICE, 0xF930, presence="B", kw_only=True)
+class CBRN4(jd.Message):
+    """CBRN4 (0xF930): Carries a CBRN 4 report.
+
+    timestamp: in second, optional. Time of the message, in seconds
+    station_number: Number of the station
+    detection_type: DetectionType or 4..85 or 86..255, optional. Relation of the level to the threshold
+    cbrn4_report_id: optional. Number of the report
+    cbrn4: up to 65535 characters. The report, as text of its own format
+    """
+
+    class DetectionType(IntEnum):
+        BELOW_THRESHOLD = 0
+        ABOVE_THRESHOLD = 1
+        ABOVE_THRESHOLD_UPDATE = 2
+        NIL = 3
+
+    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
+    station_number: int = jd.field("StationNumber", jd.Number("I"))
+    detection_type: CBRN4.DetectionType | int | None = jd.field("DetectionType", lambda: jd.Number("B", jd.Values(CBRN4.DetectionType, ((4, 85), (86, 255)))), default=None)
+    cbrn4_report_id: int | None = jd.field("CBRN4ReportID", jd.Number("I"), default=None)
+    cbrn4: str = jd.field("CBRN4", jd.Text(count=jd.Count("H", 0, 65535)))
+    reserved_presence: int = 0
+
+
 @jd.message(_SERVICE, 0xF920, query=True)
 class QueryCBRN4(jd.Message):
     """QueryCBRN4 (0xF920): Asks for a CBRN 4 report.
@@ -15,8 +40,81 @@ class QueryCBRN4(jd.Message):
     cbrn4_report_id: Number of the report
     station_number: Number of the station
     """
+    REPORT = CBRN4
     cbrn4_report_id: int = jd.field("CBRN4ReportID", jd.Number("I"))
     station_number: int = jd.field("StationNumber", jd.Number("I"))
+
+
+@jd.message(_SERVICE, 0xF931, presence="B", kw_only=True)
+class CBRNDetection(jd.Message):
+    """CBRNDetection (0xF931): Tells a detection.
+
+    timestamp: in second, optional. Time of the message, in seconds
+    station_number: Number of the station
+    detection_type: DetectionType or 4..85 or 86..255. Relation of the level to the threshold
+    substance_detected: up to 9 characters, optional. Name of the substance
+    contamination_level: in second, optional. Measured level, in the unit that is told beside it
+    contamination_level_uo_m: ContaminationLevelUoM or 24..85 or 86..255, optional. Unit of the measured level
+    detection_timestamp: in second, optional. Time of the detection, in seconds
+    cbrn4_report_reference: optional. Number of the CBRN 4 report about this detection
+    distance_to_cloud: in meter, optional. Distance to the cloud, in metres
+    left_radial_line: -3.14159274101..3.14159274101 in radian, optional. Direction of the left edge of the cloud, in radians
+    right_radial_line: -3.14159274101..3.14159274101 in radian, optional. Direction of the right edge of the cloud, in radians
+    cloud_top_angle: -3.14159274101..3.14159274101 in radian, optional. Elevation of the upper edge of the cloud, in radians
+    cloud_bottom_angle: -3.14159274101..3.14159274101 in radian, optional. Elevation of the lower edge of the cloud, in radians
+    detection_latitude: -1.57079632679..1.57079632679 in radian, optional. Latitude of the detection (WGS 84), in radians
+    detection_longitude: -3.14159265359..3.14159265359 in radian, optional. Longitude of the detection (WGS 84), in radians
+    detection_altitude: -1000..100000 in meter, optional. Altitude of the detection, in metres
+    """
+
+    class DetectionType(IntEnum):
+        BELOW_THRESHOLD = 0
+        ABOVE_THRESHOLD = 1
+        ABOVE_THRESHOLD_UPDATE = 2
+        NIL = 3
+
+    class ContaminationLevelUoM(IntEnum):
+        UNSPECIFIED = 0
+        ACPL = 1
+        BQM2 = 2
+        BQM3 = 3
+        RESERVED_4 = 4
+        RESERVED_5 = 5
+        RESERVED_6 = 6
+        RESERVED_7 = 7
+        RESERVED_8 = 8
+        RESERVED_9 = 9
+        RESERVED_10 = 10
+        RESERVED_11 = 11
+        RESERVED_12 = 12
+        RESERVED_13 = 13
+        RESERVED_14 = 14
+        RESERVED_15 = 15
+        RESERVED_16 = 16
+        RESERVED_17 = 17
+        RESERVED_18 = 18
+        RESERVED_19 = 19
+        RESERVED_20 = 20
+        RESERVED_21 = 21
+        RESERVED_22 = 22
+        RESERVED_23 = 23
+
+    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
+    station_number: int = jd.field("StationNumber", jd.Number("I"))
+    detection_type: CBRNDetection.DetectionType | int = jd.field("DetectionType", lambda: jd.Number("B", jd.Values(CBRNDetection.DetectionType, ((4, 85), (86, 255)))))
+    substance_detected: str | None = jd.field("SubstanceDetected", jd.Text(count=jd.Count("B", 0, 9)), default=None)
+    contamination_level: float | None = jd.field("ContaminationLevel", jd.Number("d", jd.ANY, "second"), default=None)
+    contamination_level_uo_m: CBRNDetection.ContaminationLevelUoM | int | None = jd.field("ContaminationLevelUoM", lambda: jd.Number("B", jd.Values(CBRNDetection.ContaminationLevelUoM, ((24, 85), (86, 255)))), default=None)
+    detection_timestamp: float | None = jd.field("DetectionTimestamp", jd.Number("d", jd.ANY, "second"), default=None)
+    cbrn4_report_reference: int | None = jd.field("CBRN4ReportReference", jd.Number("I"), default=None)
+    distance_to_cloud: int | None = jd.field("DistanceToCloud", jd.Number("I", jd.ANY, "meter"), default=None)
+    left_radial_line: float | None = jd.field("LeftRadialLine", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
+    right_radial_line: float | None = jd.field("RightRadialLine", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
+    cloud_top_angle: float | None = jd.field("CloudTopAngle", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
+    cloud_bottom_angle: float | None = jd.field("CloudBottomAngle", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
+    detection_latitude: float | None = jd.field("DetectionLatitude", jd.Number("d", jd.Values(None, ((-1.57079632679, 1.57079632679),)), "radian"), default=None)
+    detection_longitude: float | None = jd.field("DetectionLongitude", jd.Number("d", jd.Values(None, ((-3.141592653589793, 3.141592653589793),)), "radian"), default=None)
+    detection_altitude: float | None = jd.field("DetectionAltitude", jd.Number("f", jd.Values(None, ((-1000.0, 100000.0),)), "meter"), default=None)
 
 
 @jd.message(_SERVICE, 0xF921, query=True)
@@ -25,7 +123,31 @@ class QueryCBRNDetection(jd.Message):
 
     station_number: Number of the station
     """
+    REPORT = CBRNDetection
     station_number: int = jd.field("StationNumber", jd.Number("I"))
+
+
+@jd.message(_SERVICE, 0xF932, presence="B", kw_only=True)
+class RNDetailedMeasurement(jd.Message):
+    """RNDetailedMeasurement (0xF932): Tells details of a radiological or nuclear detection.
+
+    timestamp: in second, optional. Time of the message, in seconds
+    station_number: Number of the station
+    detection_type: DetectionType or 4..85 or 86..255, optional. Relation of the level to the threshold
+    measurement: up to 65535 characters. The measurement, as text of its own format
+    """
+
+    class DetectionType(IntEnum):
+        BELOW_THRESHOLD = 0
+        ABOVE_THRESHOLD = 1
+        ABOVE_THRESHOLD_UPDATE = 2
+        NIL = 3
+
+    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
+    station_number: int = jd.field("StationNumber", jd.Number("I"))
+    detection_type: RNDetailedMeasurement.DetectionType | int | None = jd.field("DetectionType", lambda: jd.Number("B", jd.Values(RNDetailedMeasurement.DetectionType, ((4, 85), (86, 255)))), default=None)
+    measurement: str = jd.field("Measurement", jd.Text(count=jd.Count("H", 0, 65535)))
+    reserved_presence: int = 0
 
 
 @jd.message(_SERVICE, 0xF922, query=True)
@@ -34,7 +156,31 @@ class QueryRNDetailedMeasurement(jd.Message):
 
     station_number: Number of the station
     """
+    REPORT = RNDetailedMeasurement
     station_number: int = jd.field("StationNumber", jd.Number("I"))
+
+
+@jd.message(_SERVICE, 0xF932, presence="B", kw_only=True)
+class CBDetailedMeasurement(jd.Message):
+    """CBDetailedMeasurement (0xF932): Tells details of a chemical or biological detection.
+
+    timestamp: in second, optional. Time of the message, in seconds
+    station_number: Number of the station
+    detection_type: DetectionType or 4..85 or 86..255, optional. Relation of the level to the threshold
+    measurement: up to 65535 characters. The measurement, as text of its own format
+    """
+
+    class DetectionType(IntEnum):
+        BELOW_THRESHOLD = 0
+        ABOVE_THRESHOLD = 1
+        ABOVE_THRESHOLD_UPDATE = 2
+        NIL = 3
+
+    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
+    station_number: int = jd.field("StationNumber", jd.Number("I"))
+    detection_type: CBDetailedMeasurement.DetectionType | int | None = jd.field("DetectionType", lambda: jd.Number("B", jd.Values(CBDetailedMeasurement.DetectionType, ((4, 85), (86, 255)))), default=None)
+    measurement: str = jd.field("Measurement", jd.Text(count=jd.Count("H", 0, 65535)))
+    reserved_presence: int = 0
 
 
 @jd.message(_SERVICE, 0xF923, query=True)
@@ -43,7 +189,111 @@ class QueryCBDetailedMeasurement(jd.Message):
 
     station_number: Number of the station
     """
+    REPORT = CBDetailedMeasurement
     station_number: int = jd.field("StationNumber", jd.Number("I"))
+
+
+@jd.message(_SERVICE, 0xF934, presence="I", kw_only=True)
+class CBRNOperatingState(jd.Message):
+    """CBRNOperatingState (0xF934): Tells the state of a station.
+
+    timestamp: in second, optional. Time of the message, in seconds
+    station_number: Number of the station
+    gps_fix: GPSFix or 2..85 or 86..255, optional. Whether satellite navigation works
+    power_source: PowerSource or 2..85 or 86..255, optional. Where power comes from
+    battery_remaining: 0..100, optional. Charge of the battery, in percent
+    battery_voltage: in volt, optional. Voltage of the battery, in volts
+    uptime: in minute, optional. Time since the start, in minutes
+    payload_state: PayloadState or 8..85 or 86..255, optional. State of the station
+    payload_latitude: -1.57079632679..1.57079632679 in radian, optional. Latitude of the station (WGS 84), in radians
+    payload_longitude: -3.14159265359..3.14159265359 in radian, optional. Longitude of the station (WGS 84), in radians
+    payload_altitude: -1000..100000 in meter, optional. Altitude of the station, in metres
+    background_level: 0..1000000000, optional. Level that is there without a hazard
+    communication_method: CommunicationMethod or 2..85 or 86..255, optional. How the station is connected
+    communication_signal_strength: 0..100, optional. Strength of the radio signal, in percent
+    temperature_state: TemperatureState or 3..85 or 86..255, optional. Whether the station is at its working temperature
+    local_alarm_enunciation_state: LocalAlarmEnunciationState or 2..85 or 86..255, optional. Whether the alarm sounds
+    internal_time: in second, optional. Clock of the station, in seconds
+    operating_mode: OperatingMode or 3..85 or 86..255, optional. Whether the station works
+    sampling_state: SamplingState or 5..85 or 86..255, optional. What the sampler does
+    testing_state: TestingState or 9..85 or 86..255, optional. What is being tested
+    """
+
+    class GPSFix(IntEnum):
+        NOT_LOCKED = 0
+        LOCKED = 1
+
+    class PowerSource(IntEnum):
+        AC_DC = 0
+        BATTERY = 1
+
+    class PayloadState(IntEnum):
+        HAS_FAULTS = 0
+        HAS_WARNINGS = 1
+        ABOVE_THRESHOLD = 2
+        OPERATING = 3
+        POWERED_OFF = 4
+        STARTING_UP = 5
+        CALIBRATING = 6
+        TESTING = 7
+
+    class CommunicationMethod(IntEnum):
+        WIRELESS = 0
+        WIRED = 1
+
+    class TemperatureState(IntEnum):
+        NORMAL = 0
+        WARMING_UP = 1
+        COOLING_DOWN = 2
+
+    class LocalAlarmEnunciationState(IntEnum):
+        ALARM_SILENCED = 0
+        ALARM_ACTIVATED = 1
+
+    class OperatingMode(IntEnum):
+        OPERATING = 0
+        STANDBY = 1
+        TRAINING = 2
+
+    class SamplingState(IntEnum):
+        IDLE = 0
+        SAMPLING = 1
+        SENSING_TEST = 2
+        SCANNING = 3
+        TRACKING = 4
+
+    class TestingState(IntEnum):
+        NOT_TESTING = 0
+        SELF_TESTING = 1
+        AUDIO_TESTING = 2
+        CONTROL_TESTING = 3
+        POWER_DISTRIBUTION_TESTING = 4
+        SENSING_TEST = 5
+        WIRELESS_TESTING = 6
+        DISMOUNTED_POWER_TESTING = 7
+        DISPLAY_TESTING = 8
+
+    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
+    station_number: int = jd.field("StationNumber", jd.Number("I"))
+    gps_fix: CBRNOperatingState.GPSFix | int | None = jd.field("GPSFix", lambda: jd.Number("B", jd.Values(CBRNOperatingState.GPSFix, ((2, 85), (86, 255)))), default=None)
+    power_source: CBRNOperatingState.PowerSource | int | None = jd.field("PowerSource", lambda: jd.Number("B", jd.Values(CBRNOperatingState.PowerSource, ((2, 85), (86, 255)))), default=None)
+    battery_remaining: float | None = jd.field("BatteryRemaining", jd.Number("f", jd.Values(None, ((0.0, 100.0),))), default=None)
+    battery_voltage: float | None = jd.field("BatteryVoltage", jd.Number("f", jd.ANY, "volt"), default=None)
+    uptime: int | None = jd.field("Uptime", jd.Number("I", jd.ANY, "minute"), default=None)
+    payload_state: CBRNOperatingState.PayloadState | int | None = jd.field("PayloadState", lambda: jd.Number("B", jd.Values(CBRNOperatingState.PayloadState, ((8, 85), (86, 255)))), default=None)
+    payload_latitude: float | None = jd.field("PayloadLatitude", jd.Number("d", jd.Values(None, ((-1.57079632679, 1.57079632679),)), "radian"), default=None)
+    payload_longitude: float | None = jd.field("PayloadLongitude", jd.Number("d", jd.Values(None, ((-3.141592653589793, 3.141592653589793),)), "radian"), default=None)
+    payload_altitude: float | None = jd.field("PayloadAltitude", jd.Number("f", jd.Values(None, ((-1000.0, 100000.0),)), "meter"), default=None)
+    background_level: float | None = jd.field("BackgroundLevel", jd.Number("d", jd.Values(None, ((0.0, 1000000000.0),))), default=None)
+    communication_method: CBRNOperatingState.CommunicationMethod | int | None = jd.field("CommunicationMethod", lambda: jd.Number("B", jd.Values(CBRNOperatingState.CommunicationMethod, ((2, 85), (86, 255)))), default=None)
+    communication_signal_strength: int | None = jd.field("CommunicationSignalStrength", jd.Number("B", jd.Values(None, ((0, 100),))), default=None)
+    temperature_state: CBRNOperatingState.TemperatureState | int | None = jd.field("TemperatureState", lambda: jd.Number("B", jd.Values(CBRNOperatingState.TemperatureState, ((3, 85), (86, 255)))), default=None)
+    local_alarm_enunciation_state: CBRNOperatingState.LocalAlarmEnunciationState | int | None = jd.field("LocalAlarmEnunciationState", lambda: jd.Number("B", jd.Values(CBRNOperatingState.LocalAlarmEnunciationState, ((2, 85), (86, 255)))), default=None)
+    internal_time: float | None = jd.field("InternalTime", jd.Number("d", jd.ANY, "second"), default=None)
+    operating_mode: CBRNOperatingState.OperatingMode | int | None = jd.field("OperatingMode", lambda: jd.Number("B", jd.Values(CBRNOperatingState.OperatingMode, ((3, 85), (86, 255)))), default=None)
+    sampling_state: CBRNOperatingState.SamplingState | int | None = jd.field("SamplingState", lambda: jd.Number("B", jd.Values(CBRNOperatingState.SamplingState, ((5, 85), (86, 255)))), default=None)
+    testing_state: CBRNOperatingState.TestingState | int | None = jd.field("TestingState", lambda: jd.Number("B", jd.Values(CBRNOperatingState.TestingState, ((9, 85), (86, 255)))), default=None)
+    reserved_presence: int = 0
 
 
 @jd.message(_SERVICE, 0xF924, query=True)
@@ -52,6 +302,7 @@ class QueryCBRNOperatingState(jd.Message):
 
     station_number: Number of the station
     """
+    REPORT = CBRNOperatingState
     station_number: int = jd.field("StationNumber", jd.Number("I"))
 
 
@@ -64,12 +315,49 @@ class QueryCBRNConfiguration(jd.Message):
     station_number: int = jd.field("StationNumber", jd.Number("I"))
 
 
+@jd.message(_SERVICE, 0xF936, presence="H", kw_only=True)
+class CBRNScanWindowOperatingState(jd.Message):
+    """CBRNScanWindowOperatingState (0xF936): Tells where a station scans.
+
+    timestamp: in second, optional. Time of the message, in seconds
+    station_number: Number of the station
+    start_scan_window_azimuth: 0..6.28318548203 in radian, optional. First direction of the scan, in radians
+    end_scan_window_azimuth: 0..6.28318548203 in radian, optional. Last direction of the scan, in radians
+    scan_window_min_elevation: -3.14159274101..3.14159274101 in radian, optional. Lowest elevation of the scan, in radians
+    scan_window_max_elevation: -3.14159274101..3.14159274101 in radian, optional. Highest elevation of the scan, in radians
+    azimuth_scan_rate: in radian per second, optional. Rate of turning, in radians per second
+    elevation_scan_rate: in radian per second, optional. Rate of tilting, in radians per second
+    scan_mode: ScanMode or 1..85 or 86..255, optional. Pattern of the scan
+    actual_azimuth: 0..6.28318548203 in radian, optional. Present direction, in radians
+    actual_elevation: -3.14159274101..3.14159274101 in radian, optional. Present elevation, in radians
+    scan_radius: in meter, optional. Reach of the scan, in metres
+    """
+
+    class ScanMode(IntEnum):
+        HORIZONTAL = 0
+
+    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
+    station_number: int = jd.field("StationNumber", jd.Number("I"))
+    start_scan_window_azimuth: float | None = jd.field("StartScanWindowAzimuth", jd.Number("f", jd.Values(None, ((0.0, 6.2831854820251465),)), "radian"), default=None)
+    end_scan_window_azimuth: float | None = jd.field("EndScanWindowAzimuth", jd.Number("f", jd.Values(None, ((0.0, 6.2831854820251465),)), "radian"), default=None)
+    scan_window_min_elevation: float | None = jd.field("ScanWindowMinElevation", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
+    scan_window_max_elevation: float | None = jd.field("ScanWindowMaxElevation", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
+    azimuth_scan_rate: float | None = jd.field("AzimuthScanRate", jd.Number("f", jd.ANY, "radian per second"), default=None)
+    elevation_scan_rate: float | None = jd.field("ElevationScanRate", jd.Number("f", jd.ANY, "radian per second"), default=None)
+    scan_mode: CBRNScanWindowOperatingState.ScanMode | int | None = jd.field("ScanMode", lambda: jd.Number("B", jd.Values(CBRNScanWindowOperatingState.ScanMode, ((1, 85), (86, 255)))), default=None)
+    actual_azimuth: float | None = jd.field("ActualAzimuth", jd.Number("f", jd.Values(None, ((0.0, 6.2831854820251465),)), "radian"), default=None)
+    actual_elevation: float | None = jd.field("ActualElevation", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
+    scan_radius: float | None = jd.field("ScanRadius", jd.Number("f", jd.ANY, "meter"), default=None)
+    reserved_presence: int = 0
+
+
 @jd.message(_SERVICE, 0xF926, query=True)
 class QueryCBRNScanWindowOperatingState(jd.Message):
     """QueryCBRNScanWindowOperatingState (0xF926): Asks where a station scans.
 
     station_number: Number of the station
     """
+    REPORT = CBRNScanWindowOperatingState
     station_number: int = jd.field("StationNumber", jd.Number("I"))
 
 
@@ -340,252 +628,6 @@ class CBRNScanWindowConfigurationCommand(jd.Message):
     reserved_presence: int = 0
 
 
-@jd.message(_SERVICE, 0xF930, presence="B", kw_only=True)
-class CBRN4(jd.Message):
-    """CBRN4 (0xF930): Carries a CBRN 4 report.
-
-    timestamp: in second, optional. Time of the message, in seconds
-    station_number: Number of the station
-    detection_type: DetectionType or 4..85 or 86..255, optional. Relation of the level to the threshold
-    cbrn4_report_id: optional. Number of the report
-    cbrn4: up to 65535 characters. The report, as text of its own format
-    """
-
-    class DetectionType(IntEnum):
-        BELOW_THRESHOLD = 0
-        ABOVE_THRESHOLD = 1
-        ABOVE_THRESHOLD_UPDATE = 2
-        NIL = 3
-
-    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
-    station_number: int = jd.field("StationNumber", jd.Number("I"))
-    detection_type: CBRN4.DetectionType | int | None = jd.field("DetectionType", lambda: jd.Number("B", jd.Values(CBRN4.DetectionType, ((4, 85), (86, 255)))), default=None)
-    cbrn4_report_id: int | None = jd.field("CBRN4ReportID", jd.Number("I"), default=None)
-    cbrn4: str = jd.field("CBRN4", jd.Text(count=jd.Count("H", 0, 65535)))
-    reserved_presence: int = 0
-
-
-@jd.message(_SERVICE, 0xF931, presence="B", kw_only=True)
-class CBRNDetection(jd.Message):
-    """CBRNDetection (0xF931): Tells a detection.
-
-    timestamp: in second, optional. Time of the message, in seconds
-    station_number: Number of the station
-    detection_type: DetectionType or 4..85 or 86..255. Relation of the level to the threshold
-    substance_detected: up to 9 characters, optional. Name of the substance
-    contamination_level: in second, optional. Measured level, in the unit that is told beside it
-    contamination_level_uo_m: ContaminationLevelUoM or 24..85 or 86..255, optional. Unit of the measured level
-    detection_timestamp: in second, optional. Time of the detection, in seconds
-    cbrn4_report_reference: optional. Number of the CBRN 4 report about this detection
-    distance_to_cloud: in meter, optional. Distance to the cloud, in metres
-    left_radial_line: -3.14159274101..3.14159274101 in radian, optional. Direction of the left edge of the cloud, in radians
-    right_radial_line: -3.14159274101..3.14159274101 in radian, optional. Direction of the right edge of the cloud, in radians
-    cloud_top_angle: -3.14159274101..3.14159274101 in radian, optional. Elevation of the upper edge of the cloud, in radians
-    cloud_bottom_angle: -3.14159274101..3.14159274101 in radian, optional. Elevation of the lower edge of the cloud, in radians
-    detection_latitude: -1.57079632679..1.57079632679 in radian, optional. Latitude of the detection (WGS 84), in radians
-    detection_longitude: -3.14159265359..3.14159265359 in radian, optional. Longitude of the detection (WGS 84), in radians
-    detection_altitude: -1000..100000 in meter, optional. Altitude of the detection, in metres
-    """
-
-    class DetectionType(IntEnum):
-        BELOW_THRESHOLD = 0
-        ABOVE_THRESHOLD = 1
-        ABOVE_THRESHOLD_UPDATE = 2
-        NIL = 3
-
-    class ContaminationLevelUoM(IntEnum):
-        UNSPECIFIED = 0
-        ACPL = 1
-        BQM2 = 2
-        BQM3 = 3
-        RESERVED_4 = 4
-        RESERVED_5 = 5
-        RESERVED_6 = 6
-        RESERVED_7 = 7
-        RESERVED_8 = 8
-        RESERVED_9 = 9
-        RESERVED_10 = 10
-        RESERVED_11 = 11
-        RESERVED_12 = 12
-        RESERVED_13 = 13
-        RESERVED_14 = 14
-        RESERVED_15 = 15
-        RESERVED_16 = 16
-        RESERVED_17 = 17
-        RESERVED_18 = 18
-        RESERVED_19 = 19
-        RESERVED_20 = 20
-        RESERVED_21 = 21
-        RESERVED_22 = 22
-        RESERVED_23 = 23
-
-    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
-    station_number: int = jd.field("StationNumber", jd.Number("I"))
-    detection_type: CBRNDetection.DetectionType | int = jd.field("DetectionType", lambda: jd.Number("B", jd.Values(CBRNDetection.DetectionType, ((4, 85), (86, 255)))))
-    substance_detected: str | None = jd.field("SubstanceDetected", jd.Text(count=jd.Count("B", 0, 9)), default=None)
-    contamination_level: float | None = jd.field("ContaminationLevel", jd.Number("d", jd.ANY, "second"), default=None)
-    contamination_level_uo_m: CBRNDetection.ContaminationLevelUoM | int | None = jd.field("ContaminationLevelUoM", lambda: jd.Number("B", jd.Values(CBRNDetection.ContaminationLevelUoM, ((24, 85), (86, 255)))), default=None)
-    detection_timestamp: float | None = jd.field("DetectionTimestamp", jd.Number("d", jd.ANY, "second"), default=None)
-    cbrn4_report_reference: int | None = jd.field("CBRN4ReportReference", jd.Number("I"), default=None)
-    distance_to_cloud: int | None = jd.field("DistanceToCloud", jd.Number("I", jd.ANY, "meter"), default=None)
-    left_radial_line: float | None = jd.field("LeftRadialLine", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
-    right_radial_line: float | None = jd.field("RightRadialLine", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
-    cloud_top_angle: float | None = jd.field("CloudTopAngle", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
-    cloud_bottom_angle: float | None = jd.field("CloudBottomAngle", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
-    detection_latitude: float | None = jd.field("DetectionLatitude", jd.Number("d", jd.Values(None, ((-1.57079632679, 1.57079632679),)), "radian"), default=None)
-    detection_longitude: float | None = jd.field("DetectionLongitude", jd.Number("d", jd.Values(None, ((-3.141592653589793, 3.141592653589793),)), "radian"), default=None)
-    detection_altitude: float | None = jd.field("DetectionAltitude", jd.Number("f", jd.Values(None, ((-1000.0, 100000.0),)), "meter"), default=None)
-
-
-@jd.message(_SERVICE, 0xF932, presence="B", kw_only=True)
-class RNDetailedMeasurement(jd.Message):
-    """RNDetailedMeasurement (0xF932): Tells details of a radiological or nuclear detection.
-
-    timestamp: in second, optional. Time of the message, in seconds
-    station_number: Number of the station
-    detection_type: DetectionType or 4..85 or 86..255, optional. Relation of the level to the threshold
-    measurement: up to 65535 characters. The measurement, as text of its own format
-    """
-
-    class DetectionType(IntEnum):
-        BELOW_THRESHOLD = 0
-        ABOVE_THRESHOLD = 1
-        ABOVE_THRESHOLD_UPDATE = 2
-        NIL = 3
-
-    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
-    station_number: int = jd.field("StationNumber", jd.Number("I"))
-    detection_type: RNDetailedMeasurement.DetectionType | int | None = jd.field("DetectionType", lambda: jd.Number("B", jd.Values(RNDetailedMeasurement.DetectionType, ((4, 85), (86, 255)))), default=None)
-    measurement: str = jd.field("Measurement", jd.Text(count=jd.Count("H", 0, 65535)))
-    reserved_presence: int = 0
-
-
-@jd.message(_SERVICE, 0xF932, presence="B", kw_only=True)
-class CBDetailedMeasurement(jd.Message):
-    """CBDetailedMeasurement (0xF932): Tells details of a chemical or biological detection.
-
-    timestamp: in second, optional. Time of the message, in seconds
-    station_number: Number of the station
-    detection_type: DetectionType or 4..85 or 86..255, optional. Relation of the level to the threshold
-    measurement: up to 65535 characters. The measurement, as text of its own format
-    """
-
-    class DetectionType(IntEnum):
-        BELOW_THRESHOLD = 0
-        ABOVE_THRESHOLD = 1
-        ABOVE_THRESHOLD_UPDATE = 2
-        NIL = 3
-
-    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
-    station_number: int = jd.field("StationNumber", jd.Number("I"))
-    detection_type: CBDetailedMeasurement.DetectionType | int | None = jd.field("DetectionType", lambda: jd.Number("B", jd.Values(CBDetailedMeasurement.DetectionType, ((4, 85), (86, 255)))), default=None)
-    measurement: str = jd.field("Measurement", jd.Text(count=jd.Count("H", 0, 65535)))
-    reserved_presence: int = 0
-
-
-@jd.message(_SERVICE, 0xF934, presence="I", kw_only=True)
-class CBRNOperatingState(jd.Message):
-    """CBRNOperatingState (0xF934): Tells the state of a station.
-
-    timestamp: in second, optional. Time of the message, in seconds
-    station_number: Number of the station
-    gps_fix: GPSFix or 2..85 or 86..255, optional. Whether satellite navigation works
-    power_source: PowerSource or 2..85 or 86..255, optional. Where power comes from
-    battery_remaining: 0..100, optional. Charge of the battery, in percent
-    battery_voltage: in volt, optional. Voltage of the battery, in volts
-    uptime: in minute, optional. Time since the start, in minutes
-    payload_state: PayloadState or 8..85 or 86..255, optional. State of the station
-    payload_latitude: -1.57079632679..1.57079632679 in radian, optional. Latitude of the station (WGS 84), in radians
-    payload_longitude: -3.14159265359..3.14159265359 in radian, optional. Longitude of the station (WGS 84), in radians
-    payload_altitude: -1000..100000 in meter, optional. Altitude of the station, in metres
-    background_level: 0..1000000000, optional. Level that is there without a hazard
-    communication_method: CommunicationMethod or 2..85 or 86..255, optional. How the station is connected
-    communication_signal_strength: 0..100, optional. Strength of the radio signal, in percent
-    temperature_state: TemperatureState or 3..85 or 86..255, optional. Whether the station is at its working temperature
-    local_alarm_enunciation_state: LocalAlarmEnunciationState or 2..85 or 86..255, optional. Whether the alarm sounds
-    internal_time: in second, optional. Clock of the station, in seconds
-    operating_mode: OperatingMode or 3..85 or 86..255, optional. Whether the station works
-    sampling_state: SamplingState or 5..85 or 86..255, optional. What the sampler does
-    testing_state: TestingState or 9..85 or 86..255, optional. What is being tested
-    """
-
-    class GPSFix(IntEnum):
-        NOT_LOCKED = 0
-        LOCKED = 1
-
-    class PowerSource(IntEnum):
-        AC_DC = 0
-        BATTERY = 1
-
-    class PayloadState(IntEnum):
-        HAS_FAULTS = 0
-        HAS_WARNINGS = 1
-        ABOVE_THRESHOLD = 2
-        OPERATING = 3
-        POWERED_OFF = 4
-        STARTING_UP = 5
-        CALIBRATING = 6
-        TESTING = 7
-
-    class CommunicationMethod(IntEnum):
-        WIRELESS = 0
-        WIRED = 1
-
-    class TemperatureState(IntEnum):
-        NORMAL = 0
-        WARMING_UP = 1
-        COOLING_DOWN = 2
-
-    class LocalAlarmEnunciationState(IntEnum):
-        ALARM_SILENCED = 0
-        ALARM_ACTIVATED = 1
-
-    class OperatingMode(IntEnum):
-        OPERATING = 0
-        STANDBY = 1
-        TRAINING = 2
-
-    class SamplingState(IntEnum):
-        IDLE = 0
-        SAMPLING = 1
-        SENSING_TEST = 2
-        SCANNING = 3
-        TRACKING = 4
-
-    class TestingState(IntEnum):
-        NOT_TESTING = 0
-        SELF_TESTING = 1
-        AUDIO_TESTING = 2
-        CONTROL_TESTING = 3
-        POWER_DISTRIBUTION_TESTING = 4
-        SENSING_TEST = 5
-        WIRELESS_TESTING = 6
-        DISMOUNTED_POWER_TESTING = 7
-        DISPLAY_TESTING = 8
-
-    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
-    station_number: int = jd.field("StationNumber", jd.Number("I"))
-    gps_fix: CBRNOperatingState.GPSFix | int | None = jd.field("GPSFix", lambda: jd.Number("B", jd.Values(CBRNOperatingState.GPSFix, ((2, 85), (86, 255)))), default=None)
-    power_source: CBRNOperatingState.PowerSource | int | None = jd.field("PowerSource", lambda: jd.Number("B", jd.Values(CBRNOperatingState.PowerSource, ((2, 85), (86, 255)))), default=None)
-    battery_remaining: float | None = jd.field("BatteryRemaining", jd.Number("f", jd.Values(None, ((0.0, 100.0),))), default=None)
-    battery_voltage: float | None = jd.field("BatteryVoltage", jd.Number("f", jd.ANY, "volt"), default=None)
-    uptime: int | None = jd.field("Uptime", jd.Number("I", jd.ANY, "minute"), default=None)
-    payload_state: CBRNOperatingState.PayloadState | int | None = jd.field("PayloadState", lambda: jd.Number("B", jd.Values(CBRNOperatingState.PayloadState, ((8, 85), (86, 255)))), default=None)
-    payload_latitude: float | None = jd.field("PayloadLatitude", jd.Number("d", jd.Values(None, ((-1.57079632679, 1.57079632679),)), "radian"), default=None)
-    payload_longitude: float | None = jd.field("PayloadLongitude", jd.Number("d", jd.Values(None, ((-3.141592653589793, 3.141592653589793),)), "radian"), default=None)
-    payload_altitude: float | None = jd.field("PayloadAltitude", jd.Number("f", jd.Values(None, ((-1000.0, 100000.0),)), "meter"), default=None)
-    background_level: float | None = jd.field("BackgroundLevel", jd.Number("d", jd.Values(None, ((0.0, 1000000000.0),))), default=None)
-    communication_method: CBRNOperatingState.CommunicationMethod | int | None = jd.field("CommunicationMethod", lambda: jd.Number("B", jd.Values(CBRNOperatingState.CommunicationMethod, ((2, 85), (86, 255)))), default=None)
-    communication_signal_strength: int | None = jd.field("CommunicationSignalStrength", jd.Number("B", jd.Values(None, ((0, 100),))), default=None)
-    temperature_state: CBRNOperatingState.TemperatureState | int | None = jd.field("TemperatureState", lambda: jd.Number("B", jd.Values(CBRNOperatingState.TemperatureState, ((3, 85), (86, 255)))), default=None)
-    local_alarm_enunciation_state: CBRNOperatingState.LocalAlarmEnunciationState | int | None = jd.field("LocalAlarmEnunciationState", lambda: jd.Number("B", jd.Values(CBRNOperatingState.LocalAlarmEnunciationState, ((2, 85), (86, 255)))), default=None)
-    internal_time: float | None = jd.field("InternalTime", jd.Number("d", jd.ANY, "second"), default=None)
-    operating_mode: CBRNOperatingState.OperatingMode | int | None = jd.field("OperatingMode", lambda: jd.Number("B", jd.Values(CBRNOperatingState.OperatingMode, ((3, 85), (86, 255)))), default=None)
-    sampling_state: CBRNOperatingState.SamplingState | int | None = jd.field("SamplingState", lambda: jd.Number("B", jd.Values(CBRNOperatingState.SamplingState, ((5, 85), (86, 255)))), default=None)
-    testing_state: CBRNOperatingState.TestingState | int | None = jd.field("TestingState", lambda: jd.Number("B", jd.Values(CBRNOperatingState.TestingState, ((9, 85), (86, 255)))), default=None)
-    reserved_presence: int = 0
-
-
 @jd.message(_SERVICE, 0xF935, presence="I", kw_only=True)
 class CBRNConfigurationState(jd.Message):
     """CBRNConfigurationState (0xF935): Tells the settings of a station.
@@ -749,40 +791,4 @@ class CBRNConfigurationState(jd.Message):
     contamination_threshold_field: CBRNConfigurationState.ContaminationThresholdField | int | None = jd.field("ContaminationThresholdField", lambda: jd.Number("B", jd.Values(CBRNConfigurationState.ContaminationThresholdField, ((2, 85), (86, 255)))), default=None)
     other_visual_indicators_brightness_level: CBRNConfigurationState.OtherVisualIndicatorsBrightnessLevel | int | None = jd.field("OtherVisualIndicatorsBrightnessLevel", lambda: jd.Number("B", jd.Values(CBRNConfigurationState.OtherVisualIndicatorsBrightnessLevel, ((5, 85), (86, 255)))), default=None)
     cbrn4_delivery_mode: CBRNConfigurationState.CBRN4DeliveryMode | int | None = jd.field("CBRN4DeliveryMode", lambda: jd.Number("B", jd.Values(CBRNConfigurationState.CBRN4DeliveryMode, ((2, 85), (86, 255)))), default=None)
-    reserved_presence: int = 0
-
-
-@jd.message(_SERVICE, 0xF936, presence="H", kw_only=True)
-class CBRNScanWindowOperatingState(jd.Message):
-    """CBRNScanWindowOperatingState (0xF936): Tells where a station scans.
-
-    timestamp: in second, optional. Time of the message, in seconds
-    station_number: Number of the station
-    start_scan_window_azimuth: 0..6.28318548203 in radian, optional. First direction of the scan, in radians
-    end_scan_window_azimuth: 0..6.28318548203 in radian, optional. Last direction of the scan, in radians
-    scan_window_min_elevation: -3.14159274101..3.14159274101 in radian, optional. Lowest elevation of the scan, in radians
-    scan_window_max_elevation: -3.14159274101..3.14159274101 in radian, optional. Highest elevation of the scan, in radians
-    azimuth_scan_rate: in radian per second, optional. Rate of turning, in radians per second
-    elevation_scan_rate: in radian per second, optional. Rate of tilting, in radians per second
-    scan_mode: ScanMode or 1..85 or 86..255, optional. Pattern of the scan
-    actual_azimuth: 0..6.28318548203 in radian, optional. Present direction, in radians
-    actual_elevation: -3.14159274101..3.14159274101 in radian, optional. Present elevation, in radians
-    scan_radius: in meter, optional. Reach of the scan, in metres
-    """
-
-    class ScanMode(IntEnum):
-        HORIZONTAL = 0
-
-    timestamp: float | None = jd.field("Timestamp", jd.Number("d", jd.ANY, "second"), default=None)
-    station_number: int = jd.field("StationNumber", jd.Number("I"))
-    start_scan_window_azimuth: float | None = jd.field("StartScanWindowAzimuth", jd.Number("f", jd.Values(None, ((0.0, 6.2831854820251465),)), "radian"), default=None)
-    end_scan_window_azimuth: float | None = jd.field("EndScanWindowAzimuth", jd.Number("f", jd.Values(None, ((0.0, 6.2831854820251465),)), "radian"), default=None)
-    scan_window_min_elevation: float | None = jd.field("ScanWindowMinElevation", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
-    scan_window_max_elevation: float | None = jd.field("ScanWindowMaxElevation", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
-    azimuth_scan_rate: float | None = jd.field("AzimuthScanRate", jd.Number("f", jd.ANY, "radian per second"), default=None)
-    elevation_scan_rate: float | None = jd.field("ElevationScanRate", jd.Number("f", jd.ANY, "radian per second"), default=None)
-    scan_mode: CBRNScanWindowOperatingState.ScanMode | int | None = jd.field("ScanMode", lambda: jd.Number("B", jd.Values(CBRNScanWindowOperatingState.ScanMode, ((1, 85), (86, 255)))), default=None)
-    actual_azimuth: float | None = jd.field("ActualAzimuth", jd.Number("f", jd.Values(None, ((0.0, 6.2831854820251465),)), "radian"), default=None)
-    actual_elevation: float | None = jd.field("ActualElevation", jd.Number("f", jd.Values(None, ((-3.1415927410125732, 3.1415927410125732),)), "radian"), default=None)
-    scan_radius: float | None = jd.field("ScanRadius", jd.Number("f", jd.ANY, "meter"), default=None)
     reserved_presence: int = 0

@@ -98,10 +98,10 @@ if TYPE_CHECKING:
         ReportPanTiltJointEfforts as ReportPanTiltJointEfforts, SetPanTiltJointEfforts as SetPanTiltJointEfforts,
     )
     from jauspy.messages.manipulator.v1_0.types import (
-        ActuatorForceTorqueRec as ActuatorForceTorqueRec, JointEffortRec as JointEffortRec,
-        JointPositionRec as JointPositionRec, JointVelocityRec as JointVelocityRec,
-        ManipulatorCoordinateSystemRec as ManipulatorCoordinateSystemRec,
-        PrismaticJoint1AngleRec as PrismaticJoint1AngleRec,
+        ActuatorForceTorqueRec as ActuatorForceTorqueRec, EndEffectorPoseRec as EndEffectorPoseRec,
+        JointEffortRec as JointEffortRec, JointPositionRec as JointPositionRec,
+        JointVelocityRec as JointVelocityRec, ManipulatorCoordinateSystemRec as ManipulatorCoordinateSystemRec,
+        PanTiltJointPositionRec as PanTiltJointPositionRec, PrismaticJoint1AngleRec as PrismaticJoint1AngleRec,
         PrismaticJointSpecificationRec as PrismaticJointSpecificationRec,
         PrismaticMotionProfileRec as PrismaticMotionProfileRec, RevoluteJoint1OffsetRec as RevoluteJoint1OffsetRec,
         RevoluteJointSpecificationRec as RevoluteJointSpecificationRec,
@@ -128,5 +128,5 @@ __all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.manipulator.v1_0.primitive_end_effector": "QueryEndEffectorEffort QueryEndEffectorSpecification ReportEndEffectorEffort ReportEndEffectorSpecification SetEndEffectorEffort",
     "jauspy.messages.manipulator.v1_0.primitive_manipulator": "QueryJointEfforts ReportJointEfforts SetJointEfforts",
     "jauspy.messages.manipulator.v1_0.primitive_pan_tilt": "QueryPanTiltJointEfforts ReportPanTiltJointEfforts SetPanTiltJointEfforts",
-    "jauspy.messages.manipulator.v1_0.types": "ActuatorForceTorqueRec JointEffortRec JointPositionRec JointVelocityRec ManipulatorCoordinateSystemRec PrismaticJoint1AngleRec PrismaticJointSpecificationRec PrismaticMotionProfileRec RevoluteJoint1OffsetRec RevoluteJointSpecificationRec RevoluteMotionProfileRec",
+    "jauspy.messages.manipulator.v1_0.types": "ActuatorForceTorqueRec EndEffectorPoseRec JointEffortRec JointPositionRec JointVelocityRec ManipulatorCoordinateSystemRec PanTiltJointPositionRec PrismaticJoint1AngleRec PrismaticJointSpecificationRec PrismaticMotionProfileRec RevoluteJoint1OffsetRec RevoluteJointSpecificationRec RevoluteMotionProfileRec",
 })

@@ -7,6 +7,34 @@ from jauspy.codec import declare as jd
 
 
 @jd.record()
+class EndEffectorPoseRec(jd.Struct):
+    """tool_point_coordinate_x: -30..30 meter. Position of the tool point along X, in metres
+    tool_point_coordinate_y: -30..30 meter. Position of the tool point along Y, in metres
+    tool_point_coordinate_z: -30..30 meter. Position of the tool point along Z, in metres
+    d_component_of_unit_quaternion_q: -1..1. Unit quaternion of the attitude: real part
+    a_component_of_unit_quaternion_q: -1..1. Unit quaternion of the attitude: factor of i
+    b_component_of_unit_quaternion_q: -1..1. Unit quaternion of the attitude: factor of j
+    c_component_of_unit_quaternion_q: -1..1. Unit quaternion of the attitude: factor of k
+    """
+    tool_point_coordinate_x: float = jd.field("ToolPointCoordinateX", jd.real("I", -30.0, 30.0, "meter"))
+    tool_point_coordinate_y: float = jd.field("ToolPointCoordinateY", jd.real("I", -30.0, 30.0, "meter"))
+    tool_point_coordinate_z: float = jd.field("ToolPointCoordinateZ", jd.real("I", -30.0, 30.0, "meter"))
+    d_component_of_unit_quaternion_q: float = jd.field("DComponentOfUnitQuaternionQ", jd.real("I", -1.0, 1.0))
+    a_component_of_unit_quaternion_q: float = jd.field("AComponentOfUnitQuaternionQ", jd.real("I", -1.0, 1.0))
+    b_component_of_unit_quaternion_q: float = jd.field("BComponentOfUnitQuaternionQ", jd.real("I", -1.0, 1.0))
+    c_component_of_unit_quaternion_q: float = jd.field("CComponentOfUnitQuaternionQ", jd.real("I", -1.0, 1.0))
+
+
+@jd.record()
+class PanTiltJointPositionRec(jd.Struct):
+    """joint1_position: -25.1327412287..25.1327412287 radian. Angle of the pan joint, in radians
+    joint2_position: -25.1327412287..25.1327412287 radian. Angle of the tilt joint, in radians
+    """
+    joint1_position: float = jd.field("Joint1Position", jd.real("I", -25.132741228718345, 25.132741228718345, "radian"))
+    joint2_position: float = jd.field("Joint2Position", jd.real("I", -25.132741228718345, 25.132741228718345, "radian"))
+
+
+@jd.record()
 class ActuatorForceTorqueRec(jd.Struct):
     """joint_force_torque: Torque of a revolute or force of a prismatic joint"""
 

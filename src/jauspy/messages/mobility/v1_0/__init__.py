@@ -55,9 +55,9 @@ if TYPE_CHECKING:
         SetWrenchEffort as SetWrenchEffort,
     )
     from jauspy.messages.mobility.v1_0.types import (
-        ExcursionRec as ExcursionRec, GlobalPoseRec as GlobalPoseRec, GlobalZPosition as GlobalZPosition,
-        LocalPoseRec as LocalPoseRec, PolygonRec as PolygonRec, RaceTrackRec as RaceTrackRec,
-        ReportAccelerationStateExtRec as ReportAccelerationStateExtRec,
+        ExcursionRec as ExcursionRec, GlobalPoseRec as GlobalPoseRec, GlobalWaypointRec as GlobalWaypointRec,
+        GlobalZPosition as GlobalZPosition, LocalPoseRec as LocalPoseRec, PolygonRec as PolygonRec,
+        RaceTrackRec as RaceTrackRec, ReportAccelerationStateExtRec as ReportAccelerationStateExtRec,
         ReportGlobalPoseExtRec as ReportGlobalPoseExtRec, ReportLocalPoseExtRec as ReportLocalPoseExtRec,
         ReportVelocityStateExtRec as ReportVelocityStateExtRec, Speed as Speed,
         VelocityLocalXYZRec as VelocityLocalXYZRec, VelocityNEDRec as VelocityNEDRec,
@@ -84,7 +84,7 @@ __all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.mobility.v1_0.local_vector_driver": "QueryLocalVector ReportLocalVector SetLocalVector",
     "jauspy.messages.mobility.v1_0.local_waypoint_driver": "QueryLocalWaypoint ReportLocalWaypoint SetLocalWaypoint",
     "jauspy.messages.mobility.v1_0.primitive_driver": "QueryWrenchEffort ReportWrenchEffort SetWrenchEffort",
-    "jauspy.messages.mobility.v1_0.types": "ExcursionRec GlobalPoseRec GlobalZPosition LocalPoseRec PolygonRec RaceTrackRec ReportAccelerationStateExtRec ReportGlobalPoseExtRec ReportLocalPoseExtRec ReportVelocityStateExtRec Speed VelocityLocalXYZRec VelocityNEDRec VelocityVehicleXYZRec ZPosition ZoneIDRec",
+    "jauspy.messages.mobility.v1_0.types": "ExcursionRec GlobalPoseRec GlobalWaypointRec GlobalZPosition LocalPoseRec PolygonRec RaceTrackRec ReportAccelerationStateExtRec ReportGlobalPoseExtRec ReportLocalPoseExtRec ReportVelocityStateExtRec Speed VelocityLocalXYZRec VelocityNEDRec VelocityVehicleXYZRec ZPosition ZoneIDRec",
     "jauspy.messages.mobility.v1_0.velocity_state_driver": "QueryAccelerationLimit QueryVelocityCommand ReportAccelerationLimit ReportVelocityCommand SetAccelerationLimit SetVelocityCommand",
     "jauspy.messages.mobility.v1_0.velocity_state_sensor": "QueryVelocityState ReportVelocityState",
 })

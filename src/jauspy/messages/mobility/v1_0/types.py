@@ -7,6 +7,28 @@ from jauspy.codec import declare as jd
 from jauspy.messages.core.v1_0 import types as core_v1_0_types
 
 
+@jd.record("B")
+class GlobalWaypointRec(jd.Struct):
+    """latitude: -90..90 degree. Latitude (WGS 84), in degrees; positive to the north
+    longitude: -180..180 degree. Longitude (WGS 84), in degrees; positive to the east
+    altitude: -10000..35000 meter, optional. Altitude (WGS 84), in metres
+    roll: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about X, in radians
+    pitch: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about Y, in radians
+    yaw: -3.14159265359..3.14159265359 radian, optional. Wanted rotation about Z, in radians; 0 is true north
+    waypoint_tolerance: 0..100 meter, optional. The waypoint is reached within this distance, in metres
+    path_tolerance: 0..100000 meter, optional. Largest distance from the path that is allowed, in metres
+    """
+    latitude: float = jd.field("Latitude", jd.real("I", -90.0, 90.0, "degree"))
+    longitude: float = jd.field("Longitude", jd.real("I", -180.0, 180.0, "degree"))
+    altitude: float | None = jd.field("Altitude", jd.real("I", -10000.0, 35000.0, "meter"), default=None)
+    roll: float | None = jd.field("Roll", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    pitch: float | None = jd.field("Pitch", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    yaw: float | None = jd.field("Yaw", jd.real("H", -3.141592653589793, 3.141592653589793, "radian"), default=None)
+    waypoint_tolerance: float | None = jd.field("WaypointTolerance", jd.real("H", 0.0, 100.0, "meter"), default=None)
+    path_tolerance: float | None = jd.field("PathTolerance", jd.real("I", 0.0, 100000.0, "meter"), default=None)
+    reserved_presence: int = 0
+
+
 @jd.record("H")
 class GlobalPoseRec(jd.Struct):
     """latitude: -90..90 degree, optional. Latitude (WGS 84), in degrees; positive to the north

@@ -1,0 +1,89 @@
+"""The card Way back: the robot drives back along the path by which it came (Retrotraverse)."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from nicegui import ui
+
+from jauspy.console.console import Console
+from jauspy.console.motion import Motion
+from jauspy.ocu.comms_lost import WayBack
+from jauspy.ocu.robot import Robot
+
+SERVICE: Final = "iop:Retrotraverse"
+UPDATE_INTERVAL: Final = 0.4
+MAX_DISTANCE: Final = 10_000.0
+"""Metres that can be entered."""
+
+
+class WayBackCard:
+    """Distance, speed, progress and stop, for one page; hidden for robots that keep no path."""
+
+    def __init__(self, console: Console, token: str) -> None:
+        self._motion = Motion(console, token)
+        self._robot: Robot | None = None
+        self._said = ""
+        """What came of the last way."""
+        self._share = 0.0
+        with ui.element("section").classes("card").props('aria-label="Way back"') as self._card:
+            with ui.element("div").classes("row"):
+                ui.label("Way back").classes("heading")
+                self._state = ui.label("").classes("state grow").props('role="status"')
+            ui.label("drives back along the path by which it came; it sees no obstacles").classes("hint")
+            with ui.element("div").classes("row start"):
+                self._distance = ui.number("metres", value=5.0, min=0.1, max=MAX_DISTANCE, step=1.0)
+                self._distance.props("dense outlined")
+                self._speed = ui.number("m/s, 0: as it came", value=0.0, min=0.0, max=5.0, step=0.1)
+                self._speed.props("dense outlined").classes("wide")
+            with ui.element("div").classes("row start"):
+                self._go = ui.button("drive back", on_click=self._begin).props("unelevated no-caps")
+                stop = ui.button("stop", on_click=self._motion.stop)
+                self._stop = stop.props('outline no-caps color=negative aria-label="stop driving back"')
+            self._bar = ui.linear_progress(0.0, show_value=False, size="8px").props('aria-label="way back, driven"')
+            self._problem = ui.label("").classes("problem").props('role="alert"')
+        self._card.set_visibility(False)
+        ui.timer(UPDATE_INTERVAL, self._update)
+
+    def show(self, robot: Robot | None) -> None:
+        """Offer it for this robot."""
+        self._motion.stop()
+        self._robot, self._said, self._share = robot, "", 0.0
+        self._card.set_visibility(robot is not None and any(robot.info.offering(SERVICE)))
+
+    def close(self) -> None:
+        """Handle the end of the page."""
+        self._motion.stop()
+        self._robot = None
+
+    def _begin(self) -> None:
+        robot = self._robot
+        if robot is None:
+            return
+        distance, speed = float(self._distance.value or 0.0), float(self._speed.value or 0.0)
+        self._said, self._share = "", 0.0
+        self._motion.begin(robot.id, self._drive(robot, distance, speed or None), "driving back")
+
+    async def _drive(self, robot: Robot, distance: float, speed: float | None) -> None:
+        self._said = result_text(await robot.retrotraverse(distance, speed=speed, progress=self._note), distance)
+
+    def _note(self, share: float) -> None:
+        self._share = share
+
+    def _update(self) -> None:
+        robot = self._robot
+        if robot is None or not self._card.visible:
+            return
+        runs, refusal = self._motion.is_running, self._motion.refusal(robot.id)
+        self._go.set_enabled(not runs and not refusal)
+        self._stop.set_enabled(runs)
+        self._bar.set_visibility(runs)
+        self._bar.set_value(round(self._share, 3))
+        self._state.set_text(f"{100.0 * self._share:.0f} % driven" if runs else self._said or refusal)
+        self._problem.set_text(self._motion.problem)
+
+
+def result_text(way: WayBack, asked: float) -> str:
+    """How far the robot drove, and why it ended there if that is less than was asked for."""
+    driven = f"drove {way.distance:.1f} m back"
+    return f"{driven} of {asked:g} m: its path begins here" if way.ended_by == "path" else driven

@@ -1,0 +1,69 @@
+// What this browser keeps about the view (axes and units), the help about keys, and sliders that follow fast presses.
+"use strict";
+
+jauspy.settings = {
+  KEY: "jauspy-view",
+  DEFAULTS: { axes: "REP-103", length: "m", angle: "deg" },
+  KEYS: [
+    ["Driving", [["W A S D, arrows", "drive while held; the robot brakes when the key is released"], ["stick, gamepad", "drive; a gamepad drives while its enable button is held"]]],
+    ["The tool of an arm (panel Arm, tool)", [["I K", "forward, backward"], ["J L", "left, right"], ["U O", "up, down"]]],
+    ["Everywhere", [["Esc", "stop all robots; closes what is open first"], ["F8", "stop all robots, always"], ["Tab", "the next button or field"], ["?", "this help"]]],
+  ],
+
+  read() {
+    try {
+      const kept = JSON.parse(localStorage.getItem(jauspy.settings.KEY));
+      return { ...jauspy.settings.DEFAULTS, ...(typeof kept === "object" ? kept : {}) };
+    } catch {
+      return jauspy.settings.DEFAULTS; // this browser keeps nothing
+    }
+  },
+  keep(chosen) {
+    try {
+      localStorage.setItem(jauspy.settings.KEY, JSON.stringify(chosen));
+    } catch { /* this browser keeps nothing */ }
+    jauspy.settings.show(chosen);
+  },
+  show({ axes }) {
+    document.body.dataset.axes = axes;
+  },
+  restore() {
+    if (!window.did_handshake || !document.getElementById("scheme")) { setTimeout(jauspy.settings.restore, 100); return; }
+    const chosen = jauspy.settings.read();
+    jauspy.settings.show(chosen);
+    if (JSON.stringify(chosen) !== JSON.stringify(jauspy.settings.DEFAULTS)) emitEvent("view", chosen);
+  },
+
+  // --- help: a dialogue of the browser's own, which Escape closes ------------------------------------------------------
+  help() {
+    const { make } = jauspy;
+    let dialog = document.getElementById("key-help");
+    if (!dialog) {
+      const rows = jauspy.settings.KEYS.flatMap(([group, keys]) => [make("h3", {}, group), make("dl", {}, ...keys.flatMap(([key, what]) => [make("dt", {}, make("kbd", {}, key)), make("dd", {}, what)]))]);
+      dialog = make("dialog", { id: "key-help", "aria-label": "keyboard help" }, make("h2", {}, "Keys"), ...rows, make("button", { class: "quiet", onclick: () => dialog.close() }, "close"));
+      document.body.append(dialog);
+    }
+    if (!dialog.open) dialog.showModal();
+  },
+  // --- lists of lines follow what is new while their end is shown, also after somebody has scrolled up and back ------------
+  NEAR: 24, // pixels from the end
+  followEnds() {
+    for (const list of document.querySelectorAll(".lines .q-scrollarea__container")) {
+      if (list.dataset.follows) continue;
+      list.dataset.follows = "yes";
+      list.addEventListener("scroll", () => { list.dataset.follows = list.scrollHeight - list.scrollTop - list.clientHeight < jauspy.settings.NEAR ? "yes" : "no"; });
+      new MutationObserver(() => { if (list.dataset.follows === "yes") list.scrollTop = list.scrollHeight; }).observe(list, { childList: true, subtree: true });
+    }
+  },
+  listen() {
+    setInterval(jauspy.settings.followEnds, 1000);
+    jauspy.actions.help = jauspy.settings.help;
+    addEventListener("keydown", (event) => {
+      if (event.key !== "?" || event.ctrlKey || event.altKey || event.metaKey || event.target.closest?.("input, textarea, select")) return;
+      event.preventDefault();
+      jauspy.settings.help();
+    });
+  },
+};
+jauspy.settings.listen();
+jauspy.settings.restore();

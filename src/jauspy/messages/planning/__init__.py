@@ -1,0 +1,20 @@
+"""Messages of planning, newest versions; loaded on use. Generated from schemas/; do not edit."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from jauspy.codec.registry import lazy
+
+if TYPE_CHECKING:
+    from jauspy.messages.planning.v1_0.motion_planner import (
+        CancelMotion as CancelMotion, ExecuteMotion as ExecuteMotion, PlanMotion as PlanMotion,
+        QueryMotionPlan as QueryMotionPlan, QueryMotionPlannerSpecification as QueryMotionPlannerSpecification,
+        QueryMotionPlannerState as QueryMotionPlannerState, ReportMotionPlan as ReportMotionPlan,
+        ReportMotionPlannerSpecification as ReportMotionPlannerSpecification,
+        ReportMotionPlannerState as ReportMotionPlannerState,
+    )
+
+__all__, __getattr__, __dir__ = lazy(__name__, {
+    "jauspy.messages.planning.v1_0.motion_planner": "CancelMotion ExecuteMotion PlanMotion QueryMotionPlan QueryMotionPlannerSpecification QueryMotionPlannerState ReportMotionPlan ReportMotionPlannerSpecification ReportMotionPlannerState",
+})

@@ -1,0 +1,1 @@
+"""Planning: obstacles from what a robot sees, motions of arms around them, and paths over terrain."""

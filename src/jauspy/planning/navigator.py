@@ -1,0 +1,464 @@
+"""Drives a robot to a point around what its sensors see: plans, drives a list of waypoints, and plans again."""
+
+# ruff: noqa: ASYNC109 - a timeout ends in an error that says where the robot is
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+import math
+from collections.abc import Callable, Coroutine, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any, Final
+
+from jauspy.arguments import check_number
+from jauspy.errors import ConfigError, ControlRejected, JausError, RequestError
+from jauspy.geometry.poses import PlanarPose
+from jauspy.ocu.arm import POSITION_DRIVER
+from jauspy.ocu.courses import ENHANCED_DRIVER, CoursePoint
+from jauspy.ocu.robot import DEFAULT_SPEED, Robot
+from jauspy.ocu.state import RobotPose
+from jauspy.planning.driving_map import Corners, DrivingMap
+from jauspy.planning.mobility import Mobility, flipper_joints, mobility_of, with_posture
+from jauspy.planning.path_search import NoPath, Path, PathPoint, find_path, is_leg_free
+from jauspy.planning.terrain_cost import TerrainCost
+from jauspy.platform.description import RobotModel
+
+PERIOD: Final = 0.2
+"""Seconds between two looks at the map and at the pose, without a new scan."""
+LOOK_AHEAD: Final = 6.0
+"""Metres of the way ahead that are checked each time."""
+BLOCKING: Final = -0.03
+"""Metres beside the footprint within which something blocks the way: noise and cells of the map must not do it in a
+door, and the way was planned with more."""
+STOP_DISTANCE: Final = 1.0
+"""Metres to an obstacle on the way within which the robot stops before it plans again."""
+REVIEW_INTERVAL: Final = 3.0
+"""Seconds after which a way is sought again, since the map knows more."""
+BETTER: Final = 0.85
+"""Part of the cost of the present way below which another one is taken."""
+ARRIVED: Final = 0.3
+"""Metres from the goal within which the robot has arrived, once it stands."""
+CORNER_TOLERANCE: Final = 0.12
+NARROW_TOLERANCE: Final = 0.04
+"""Metres within which a corner of the way counts as reached, and one where the robot just fits."""
+SEARCH_TIME: Final = 1.5
+FIRST_SEARCH_TIME: Final = 6.0
+"""Seconds of a search, and of the first one, while the robot stands."""
+PATIENCE: Final = 6.0
+"""Seconds for which the robot waits for a way when there is none: what stands in it may go."""
+STALL_TIME: Final = 12.0
+"""Seconds without progress after which a new way is sought."""
+MAX_STALLS: Final = 3
+"""Times that the robot stalls before it gives up."""
+PROGRESS: Final = 0.1
+"""Metres that count as progress."""
+PROGRESS_TURN: Final = 0.3
+"""Radians that count as progress."""
+DRIFT: Final = 0.05
+"""Metres or radians by which the map moves in the local frame before waypoints are sent again."""
+SPACING: Final = 0.05
+"""Metres between the points of a way that are compared with steps."""
+CLIMBING: Final = math.radians(45.0)
+"""Elevation of flippers at a step, radians."""
+STEP_ROOM: Final = 0.7
+"""Metres before and after a step between which flippers are set for it."""
+STEP_SPEED: Final = 0.2
+"""m/s at steps."""
+FLIPPER_TOLERANCE: Final = 0.05
+"""Radians."""
+
+
+@dataclass(frozen=True, slots=True)
+class NavigationProgress:
+    """Progress of a drive: remaining metres of the way, seconds since its start, and how often a new way was taken."""
+
+    left: float
+    elapsed: float
+    pose: RobotPose
+    plans: int
+    replanned_in: float
+    """Seconds from when the last new way was needed until the robot was sent along it; 0 before that."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """A piece of the way that is driven with one posture of the flippers; None for that at the start."""
+
+    points: tuple[PathPoint, ...]
+    flippers: float | None
+
+
+class Navigator:
+    """Drives one robot; `surroundings` is entered. The robot must be controlled, with its flippers if it has them."""
+
+    def __init__(
+        self, robot: Robot, model: RobotModel, surroundings: DrivingMap, *, speed: float = DEFAULT_SPEED
+    ) -> None:
+        check_number(speed, "speed")
+        if not 0.0 < speed <= 327.0:
+            raise ConfigError(
+                f"speed={speed:g} is outside 0..327 m/s; to drive backward is for the navigator to choose"
+            )
+        self.map = surroundings
+        self.path: Path | None = None
+        """The present way, in the map."""
+        self.terrain: TerrainCost | None = None
+        """The cost on which it was found."""
+        self._robot = robot
+        self._model = model
+        self._speed = speed
+        self._backward = any(component.find(ENHANCED_DRIVER) for component in robot.components)
+        self._mobility: Mobility | None = None
+        self._posture: dict[str, float] = {}
+        """Positions of the joints at the first plan."""
+        self._flippers: float | None = None
+        """Angle to which this navigator has set the flippers; None for where they were."""
+        self._plans = 0
+        self._replanned_in = 0.0
+        self._driven: list[PathPoint] = []
+        """Points of the part that is driven, in the map."""
+        self._rest: list[_Part] = []
+        self._course: asyncio.Task[Any] | None = None
+        self._correction = PlanarPose()
+
+    # --- planning -----------------------------------------------------------------------------------------------------
+
+    async def plan(self, x: float, y: float) -> Path:
+        """The way from where the robot is to a point of the map, in metres; raises `NoPath`."""
+        for value, use in ((x, "x"), (y, "y")):
+            check_number(value, use)
+            if not math.isfinite(value):
+                raise ConfigError(f"{use}={value:g} of the goal is no finite number; give metres")
+        mobility = await self._known_mobility()
+        pose = self.map.to_map(_planar(await self._robot.pose()))
+        self.map.check()
+        self.terrain, path = await self.map.compute(self._find, mobility, pose, (x, y))
+        self.path = path
+        return path
+
+    def _find(self, mobility: Mobility, pose: PlanarPose, goal: tuple[float, float]) -> tuple[TerrainCost, Path]:
+        terrain = self.map.terrain(mobility, [(pose.x, pose.y), goal])
+        seconds = SEARCH_TIME if self._plans else FIRST_SEARCH_TIME
+        return terrain, find_path(terrain, pose, goal, backward=self._backward, seconds=seconds)
+
+    async def _known_mobility(self) -> Mobility:
+        if self._mobility is None:
+            with suppress(JausError):  # a robot that reports no joints has the posture of its file
+                self._posture = dict((await self._robot.joints()).positions)
+            self._mobility = mobility_of(with_posture(self._model, self._posture))
+        return self._mobility
+
+    @property
+    def correction(self) -> PlanarPose:
+        """The local frame in the map."""
+        return self.map.mapper.correction
+
+    def set_zones(self, zones: Sequence[Corners]) -> None:
+        """Keep out of these zones, corners in metres of the local frame, from now on."""
+        self.map.zones = tuple(zones)
+
+    # --- driving ------------------------------------------------------------------------------------------------------
+
+    async def go_to(
+        self,
+        x: float,
+        y: float,
+        *,
+        timeout: float = 600.0,
+        progress: Callable[[NavigationProgress], None] | None = None,
+    ) -> RobotPose:
+        """Drive to a point of the map, in metres; returns the pose there, in the local frame.
+
+        Both frames are the same at first; the map compensates for the drift of the other one.
+
+        Raises `NoPath` when there is no way, `RequestError` when the robot does not get there within `timeout` seconds,
+        and `ControlRejected` without control. Then, and if the call is cancelled, the robot stops.
+        """
+        check_number(timeout, "timeout")
+        clock = asyncio.get_running_loop().time
+        began, self._plans = clock(), 0
+        try:
+            async with asyncio.timeout(timeout) as limit:
+                return await self._drive(x, y, began, progress)
+        except TimeoutError:
+            if not limit.expired():
+                raise
+            pose = await self._robot.pose()
+            left = self._distance_to(pose, x, y)
+            raise RequestError(
+                f"the robot is {left:.2f} m from ({x:g}, {y:g}) after {timeout:g} s; allow more time"
+            ) from None
+        finally:
+            await self._end_course()
+            self.path = None
+
+    async def _drive(
+        self, x: float, y: float, began: float, progress: Callable[[NavigationProgress], None] | None
+    ) -> RobotPose:
+        clock = asyncio.get_running_loop().time
+        await self._take_way(x, y, clock())
+        watch, reviewed = _Stall(clock()), clock()
+        while True:
+            if self._course is not None:
+                await self.map.wait(self._course, PERIOD)
+            pose = await self._robot.pose()
+            self.map.check()
+            now = clock()
+            if progress is not None:
+                progress(NavigationProgress(self._left(pose), now - began, pose, self._plans, self._replanned_in))
+            if self._course is None or self._course.done():
+                if self._distance_to(pose, x, y) <= ARRIVED and not self._rest:
+                    if self._flippers is not None:
+                        await self._set_flippers(None)
+                    return pose
+                if not await self._next_part():
+                    watch.count(pose, (x, y))
+                    await self._take_way(x, y, clock())
+            elif watch.is_stalled(pose, now):
+                watch.count(pose, (x, y))
+                await self._take_way(x, y, clock())
+            elif (free := await self._free_metres(pose)) < LOOK_AHEAD:
+                if free < STOP_DISTANCE:
+                    await self._end_course()
+                await self._take_way(x, y, now)
+                reviewed = clock()
+            elif now - reviewed > REVIEW_INTERVAL:
+                await self._review(x, y, pose)
+                reviewed = clock()
+
+    async def _take_way(self, x: float, y: float, needed: float) -> None:
+        """Find a way and drive it. Without one the robot stops, and waits for one for `PATIENCE` seconds."""
+        clock = asyncio.get_running_loop().time
+        while True:
+            try:
+                path = await self.plan(x, y)
+                break
+            except NoPath:
+                await self._end_course()
+                if clock() - needed > PATIENCE or not self._plans:
+                    raise
+                await asyncio.sleep(PERIOD)
+        await self._follow(path)
+        if self._plans:
+            self._replanned_in = clock() - needed
+        self._plans += 1
+
+    async def _review(self, x: float, y: float, pose: RobotPose) -> None:
+        """Take another way if it is much better than what is left of the present one."""
+        before = self.path
+        assert before is not None
+        with suppress(NoPath):
+            path = await self.plan(x, y)
+            share = self._left(pose) / max(before.length, 1e-6)
+            if path.cost < BETTER * share * before.cost or self._has_drifted():
+                await self._follow(path)
+                self._plans += 1
+                return
+        self.path = before
+
+    def _has_drifted(self) -> bool:
+        """True if the map has moved in the local frame since the waypoints were sent."""
+        moved = self.map.mapper.correction.relative_to(self._correction)
+        return math.hypot(moved.x, moved.y) > DRIFT or abs(moved.yaw) > DRIFT
+
+    async def _follow(self, path: Path) -> None:
+        assert self.terrain is not None
+        self._correction = self.map.mapper.correction
+        flippers = flipper_joints(self._model)
+        self._rest = _parts(path.points, self.terrain) if flippers else [_Part(path.points, None)]
+        await self._next_part()
+
+    async def _next_part(self) -> bool:
+        """Drive the next part of the way; false at its end. Raises what ended the last one."""
+        course = self._course
+        failed = course is not None and course.done() and not course.cancelled()
+        error = course.exception() if course is not None and failed else None
+        if error is not None and (isinstance(error, ControlRejected) or not isinstance(error, RequestError)):
+            raise error
+        if not self._rest:
+            return False
+        part = self._rest.pop(0)
+        self._driven = list(part.points)
+        speed = self._speed
+        if part.flippers is not None:
+            speed = min(speed, STEP_SPEED)
+        if part.flippers != self._flippers:
+            await self._set_flippers(part.flippers)
+        points = [self._course_point(point) for point in part.points[1:]]
+        if points:
+            await self._begin_course(self._robot.drive_course(points, speed=speed, timeout=3600.0))
+        return True
+
+    def _course_point(self, point: PathPoint) -> CoursePoint:
+        x, y = self.map.to_local(point.x, point.y)
+        assert self.terrain is not None
+        room = self.terrain.room(point.x, point.y)
+        tolerance = min(CORNER_TOLERANCE, max(NARROW_TOLERANCE, room))
+        return CoursePoint(x, y, reverse=point.backward if self._backward else None, tolerance=tolerance)
+
+    async def _begin_course(self, drive: Coroutine[Any, Any, RobotPose]) -> None:
+        """Begin a new list of waypoints; the earlier one ends without a stop."""
+        before, self._course = self._course, asyncio.create_task(drive, name="navigation: waypoints")
+        await asyncio.sleep(0)
+        if before is not None:
+            before.cancel()
+            await asyncio.wait({before})
+
+    async def _end_course(self) -> None:
+        """Stop the robot if it drives a list of waypoints."""
+        course, self._course = self._course, None
+        self._rest = []
+        if course is not None:
+            course.cancel()
+            await asyncio.wait({course})
+
+    async def _set_flippers(self, angle: float | None) -> None:
+        """Set the flippers, None for where they were at the start, while the robot stands."""
+        rest, self._rest = self._rest, []
+        await self._end_course()
+        self._rest = rest
+        names = flipper_joints(self._model)
+        wanted = {name: self._posture.get(name, 0.0) if angle is None else angle for name in names}
+        for component in self._robot.info.offering(POSITION_DRIVER):
+            with suppress(ConfigError):  # it moves other joints
+                arm = self._robot.manipulator(component.id)
+                await arm.move(wanted, tolerance=FLIPPER_TOLERANCE, timeout=20.0)
+                self._flippers = angle
+                return
+        raise ConfigError(f"the robot has no service that moves {', '.join(names)}, which the step needs")
+
+    # --- watching -----------------------------------------------------------------------------------------------------
+
+    def ahead(self, pose: RobotPose) -> list[PathPoint]:
+        """Points of the part that is driven, in the map, from where the robot is."""
+        here = self.map.to_map(_planar(pose))
+        place = PathPoint(here.x, here.y)
+        points = self._driven
+        if len(points) < 2:
+            return [place]
+        legs = list(itertools.pairwise(points))
+        nearest = min(range(len(legs)), key=lambda number: (_distance(place, *legs[number]), -number))
+        return [place, *points[nearest + 1 :]]
+
+    def _distance_to(self, pose: RobotPose, x: float, y: float) -> float:
+        """Metres from the robot to a point of the map."""
+        return math.dist(self.map.to_map(_planar(pose))[:2], (x, y))
+
+    def _left(self, pose: RobotPose) -> float:
+        """Metres of the way that are left."""
+        legs = [self.ahead(pose), *(part.points for part in self._rest)]
+        return sum(math.dist(a[:2], b[:2]) for points in legs for a, b in itertools.pairwise(points))
+
+    async def _free_metres(self, pose: RobotPose) -> float:
+        """Metres of the way ahead without an obstacle, at most `LOOK_AHEAD`."""
+        ahead = _first_metres(self.ahead(pose), LOOK_AHEAD)
+        if len(ahead) < 2:
+            return LOOK_AHEAD
+        return await self.map.compute(self._free_part, ahead, self.map.to_map(_planar(pose)))
+
+    def _free_part(self, ahead: list[PathPoint], pose: PlanarPose) -> float:
+        assert self._mobility is not None
+        terrain = self.map.terrain(self._mobility, [point[:2] for point in ahead], margin=1.0)
+        terrain.margin = BLOCKING
+        terrain.start_at(pose)
+        if all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(ahead)):
+            return LOOK_AHEAD
+        near = _first_metres(ahead, STOP_DISTANCE)
+        return STOP_DISTANCE if all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(near)) else 0.0
+
+
+class _Stall:
+    """Notices a robot that should drive and does not get on."""
+
+    def __init__(self, now: float) -> None:
+        self._pose: RobotPose | None = None
+        self._since = now
+        self._count = 0
+
+    def is_stalled(self, pose: RobotPose, now: float) -> bool:
+        """True once it has neither moved nor turned for `STALL_TIME`."""
+        before = self._pose
+        if (
+            before is None
+            or math.dist((before.x, before.y), (pose.x, pose.y)) > PROGRESS
+            or abs(math.remainder(before.yaw - pose.yaw, math.tau)) > PROGRESS_TURN
+        ):
+            self._pose, self._since = pose, now
+            return False
+        return now - self._since > STALL_TIME
+
+    def count(self, pose: RobotPose, goal: tuple[float, float]) -> None:
+        """Note that the robot did not get to where it was sent; raises `RequestError` when it happens too often."""
+        self._count += 1
+        self._pose = None
+        if self._count > MAX_STALLS:
+            left = math.dist((pose.x, pose.y), goal)
+            tilt = math.degrees(max(abs(pose.pitch), abs(pose.roll)))
+            tilted = f"; it is tilted by {tilt:.0f} degrees" if tilt > 10.0 else ""
+            raise RequestError(
+                f"the robot stands {left:.2f} m from ({goal[0]:g}, {goal[1]:g}) and does not get on{tilted}; something "
+                "that its sensors do not see may be in the way, or a guard stops it"
+            )
+
+
+def _planar(pose: RobotPose) -> PlanarPose:
+    return PlanarPose(pose.x, pose.y, pose.yaw)
+
+
+def _distance(point: PathPoint, start: PathPoint, end: PathPoint) -> float:
+    """Metres from a point to a leg."""
+    dx, dy = end.x - start.x, end.y - start.y
+    length = dx * dx + dy * dy
+    part = ((point.x - start.x) * dx + (point.y - start.y) * dy) / length if length else 0.0
+    part = min(1.0, max(0.0, part))
+    return math.hypot(point.x - start.x - part * dx, point.y - start.y - part * dy)
+
+
+def _first_metres(points: Sequence[PathPoint], metres: float) -> list[PathPoint]:
+    found, left = list(points[:1]), metres
+    for before, after in itertools.pairwise(points):
+        length = math.dist(before[:2], after[:2])
+        if length >= left:
+            part = left / length
+            found.append(_at(after, before.x + part * (after.x - before.x), before.y + part * (after.y - before.y)))
+            break
+        found.append(after)
+        left -= length
+    return found
+
+
+def _at(point: PathPoint, x: float, y: float) -> PathPoint:
+    """The point at another place."""
+    return PathPoint(x, y, point.backward)
+
+
+def _parts(points: Sequence[PathPoint], terrain: TerrainCost) -> list[_Part]:
+    """The way in parts: those near steps that need flippers, and the others."""
+    dense = _dense(points, SPACING)
+    marked = [terrain.needs_flippers(point.x, point.y) for point in dense]
+    reach = round(STEP_ROOM / SPACING)
+    steep = [any(marked[max(0, number - reach) : number + reach + 1]) for number in range(len(dense))]
+    if not any(steep):
+        return [_Part(tuple(points), None)]
+    corners = {point[:2] for point in points}
+    parts: list[_Part] = []
+    for climbs, numbers in itertools.groupby(range(len(dense)), key=lambda number: steep[number]):
+        run = list(numbers)
+        first = [dense[run[0] - 1]] if run[0] else []
+        inner = [dense[number] for number in run if dense[number][:2] in corners or number in (run[0], run[-1])]
+        parts.append(_Part((*first, *inner), CLIMBING if climbs else None))
+    return parts
+
+
+def _dense(points: Sequence[PathPoint], step: float) -> list[PathPoint]:
+    found = [points[0]]
+    for before, after in itertools.pairwise(points):
+        count = max(1, math.ceil(math.dist(before[:2], after[:2]) / step))
+        found += [
+            _at(after, before.x + n / count * (after.x - before.x), before.y + n / count * (after.y - before.y))
+            for n in range(1, count)
+        ]
+        found.append(after)
+    return found

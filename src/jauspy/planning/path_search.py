@@ -1,0 +1,388 @@
+"""Paths for a robot over terrain: a hybrid search with heading and footprint, and straight legs out of what it finds.
+
+First the cost to the goal of each cell is computed without headings (Dijkstra, scipy); it guides A* over poses, whose
+motions are those that the robot's guidance can follow: straight ahead, curves, turns on the spot where the chassis can,
+and backward. Frames and units are those of the map: metres, radians.
+"""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+import math
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+from scipy.sparse import csgraph
+
+from jauspy.errors import RequestError
+from jauspy.geometry.poses import PlanarPose
+from jauspy.planning.terrain_cost import MARGIN, TerrainCost
+
+HEADINGS: Final = 16
+TURN: Final = math.tau / HEADINGS
+"""Radians between two headings of the search."""
+CELL: Final = 0.1
+"""Side of the cells of the search, metres; those of the map may be smaller."""
+STRIDE: Final = 0.2
+"""Metres of a straight motion."""
+TURN_COST: Final = 0.08
+"""Cost of a turn on the spot by `TURN`, metres."""
+TURN_SLOPE: Final = 0.12
+"""Slope, as a tangent, on which tracks slip when they turn on the spot."""
+SLIP_COST: Final = 1.0
+"""Added to the cost of a turn on the spot by `TURN` there, metres."""
+BACKWARD: Final = 2.0
+"""Factor of the cost of driving backward."""
+CHECK: Final = 0.1
+"""Metres between poses that are checked on a leg."""
+GREED: Final = 1.1
+"""Factor of the estimated cost to the goal: the search finds a way that is at most so much dearer, sooner."""
+SMOOTHED: Final = 1.03
+"""Factor by which a straight leg may be dearer than the motions that it replaces."""
+UPWARD: Final = math.cos(math.radians(50.0))
+"""Cosine of the greatest angle between an edge of the grid and the way up a step: headings are `STEP_HEADING` off it,
+and edges 45 degrees apart."""
+GOAL_TOLERANCE: Final = 0.15
+"""Metres from the goal at which the search has arrived."""
+
+
+class NoPath(RequestError):
+    """There is no way; the message says why."""
+
+
+class PathPoint(NamedTuple):
+    """A point to which the robot drives, in metres, and whether it drives there backward."""
+
+    x: float
+    y: float
+    backward: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Path:
+    """A way of straight legs: the first point is where the robot is."""
+
+    points: tuple[PathPoint, ...]
+    cost: float
+    """Metres, more where ground is difficult."""
+    expanded: int
+    """Poses that the search looked at."""
+    search_time: float
+    """Seconds of processor time."""
+
+    @property
+    def length(self) -> float:
+        """Metres."""
+        return sum(math.dist(a[:2], b[:2]) for a, b in itertools.pairwise(self.points))
+
+
+class _Motion(NamedTuple):
+    """A motion in the frame of the robot: where it leads, its cost in metres, and poses on its way (x, y, turn)."""
+
+    x: float
+    y: float
+    turn: int
+    cost: float
+    on_way: tuple[tuple[float, float, float], ...]
+    backward: bool = False
+
+    @property
+    def is_on_the_spot(self) -> bool:
+        """True for a turn that leads nowhere else."""
+        return not (self.x or self.y)
+
+
+def find_path(
+    terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float], *, backward: bool = True, seconds: float = 1.0
+) -> Path:
+    """The way from a pose to a point; raises `NoPath`, after `seconds` of processor time at the latest."""
+    began = time.thread_time()
+    terrain.start_at(start)
+    _check_ends(terrain, start, goal)
+    remaining = _Remaining(terrain, start, goal)
+    nodes, expanded = _search(terrain, remaining, start, goal, backward=backward, end=began + seconds)
+    points, cost = _straightened(terrain, nodes)
+    end = PathPoint(*goal, points[-1].backward)
+    if len(points) > 1 and is_leg_free(terrain, points[-2], end):
+        points = (*points[:-1], end)
+    return Path(points, cost, expanded, time.thread_time() - began)
+
+
+def is_leg_free(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> bool:
+    """True if the robot can drive straight from one point to the next one."""
+    heading = math.atan2(end.y - start.y, end.x - start.x) + (math.pi if end.backward else 0.0)
+    parts = np.linspace(0.0, 1.0, max(1, math.ceil(math.dist(start[:2], end[:2]) / CHECK)) + 1)
+    xs, ys = start.x + parts * (end.x - start.x), start.y + parts * (end.y - start.y)
+    return terrain.all_free(xs, ys, heading, backward=end.backward)
+
+
+def _check_ends(terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float]) -> None:
+    if terrain.cell(*goal) is None:
+        raise NoPath(f"({goal[0]:.2f}, {goal[1]:.2f}) is outside of the map; choose a nearer goal, or a larger map")
+    if terrain.cell(start.x, start.y) is None:
+        raise NoPath(f"the robot is at ({start.x:.2f}, {start.y:.2f}), outside of the map; use a larger map")
+    if all(not terrain.is_free(*goal, number * TURN) for number in range(HEADINGS)):
+        far = terrain.distance[terrain.cell(*goal)]
+        needed = terrain.mobility.half_width + MARGIN
+        why = f"{far:.2f} m from an obstacle" if far < needed else "where the robot cannot stand with any heading"
+        raise NoPath(f"({goal[0]:.2f}, {goal[1]:.2f}) is {why}; choose a goal {needed:.2f} m from obstacles")
+
+
+class _Remaining:
+    """Estimated cost from each cell of `CELL` metres to the goal, without headings; inf where there is no way."""
+
+    def __init__(self, terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float]) -> None:
+        factor = max(1, round(CELL / terrain.resolution))
+        self._origin, self._side = terrain.origin, factor * terrain.resolution
+        far, cost = _reduced(terrain.distance, factor, np.max), _reduced(terrain.cost, factor, np.min)
+        free = far >= terrain.mobility.half_width + MARGIN - terrain.resolution
+        self._shape = free.shape
+        for point in ((start.x, start.y), goal):
+            free[self._cell(*point)] = True
+        numbers = np.full(free.shape, -1, np.int64)
+        numbers[free] = np.arange(np.count_nonzero(free))
+        ways_up = terrain.ways_up()
+        up = None if ways_up is None else tuple(_sampled(way, factor) for way in ways_up)
+        graph = _graph(numbers, cost, self._side, up)
+        costs = csgraph.dijkstra(graph.T, indices=int(numbers[self._cell(*goal)]))  # against the way
+        found = np.full(free.shape, np.inf)
+        found[free] = costs
+        self._costs: list[list[float]] = found.tolist()
+
+    def _cell(self, x: float, y: float) -> tuple[int, int]:
+        row = math.floor((y - self._origin[1]) / self._side)
+        column = math.floor((x - self._origin[0]) / self._side)
+        return min(max(row, 0), self._shape[0] - 1), min(max(column, 0), self._shape[1] - 1)
+
+    def at(self, x: float, y: float) -> float:
+        """Cost from a point, metres."""
+        row, column = self._cell(x, y)
+        return self._costs[row][column]
+
+
+def _reduced(values: NDArray[np.floating], factor: int, take: Callable[..., Any]) -> NDArray[np.floating]:
+    rows, columns = (-(-side // factor) * factor for side in values.shape)
+    padded = np.pad(values, ((0, rows - values.shape[0]), (0, columns - values.shape[1])), mode="edge")
+    blocks = padded.reshape(rows // factor, factor, columns // factor, factor)
+    reduced: NDArray[np.floating] = take(blocks, axis=(1, 3))
+    return reduced
+
+
+def _sampled(values: NDArray[np.floating], factor: int) -> NDArray[np.floating]:
+    """The middle one of each block of values."""
+    rows, columns = (np.minimum(np.arange(0, side, factor) + factor // 2, side - 1) for side in values.shape)
+    return values[np.ix_(rows, columns)]
+
+
+def _graph(
+    numbers: NDArray[np.int64],
+    cost: NDArray[np.floating],
+    side: float,
+    up: tuple[NDArray[np.floating], ...] | None,
+) -> sparse.csr_matrix:
+    """Edges from free cells to those that they touch: their length, times the mean cost of both.
+
+    Where `up` has a direction, x and y, of a step that only flippers climb, edges lead up it.
+    """
+    rows, columns = numbers.shape
+    begins, ends, weights = [], [], []
+    for down, right in ((0, 1), (1, 0), (1, 1), (1, -1)):
+        a = np.s_[: rows - down, max(0, -right) : columns - max(0, right)]
+        b = np.s_[down:, max(0, right) : columns + min(0, right)]
+        both = (numbers[a] >= 0) & (numbers[b] >= 0)
+        length = math.hypot(down, right)
+        for first, last, sign in ((a, b, 1.0), (b, a, -1.0)):
+            ok = both
+            if up is not None:
+                climbs = [sign * (right * up[0][cells] + down * up[1][cells]) / length for cells in (a, b)]
+                ok = both & ~(climbs[0] < UPWARD) & ~(climbs[1] < UPWARD)  # also where there is no step: NaN
+            begins.append(numbers[first][ok])
+            ends.append(numbers[last][ok])
+            weights.append(0.5 * side * length * (cost[a][ok] + cost[b][ok]))
+    count = int(numbers.max()) + 1
+    entries = (np.concatenate(weights), (np.concatenate(begins), np.concatenate(ends)))
+    return sparse.csr_matrix(entries, shape=(count, count))
+
+
+def _motions(turn_radius: float, *, backward: bool) -> tuple[_Motion, ...]:
+    """Motions from a pose. A curve changes the heading by `TURN`; its radius is the least, or such that it fits."""
+    found = [_arc(STRIDE, 0, backward=False)]
+    radius = turn_radius or STRIDE / TURN
+    found += [_arc(radius * TURN, turn, backward=False) for turn in (-1, 1)]
+    if not turn_radius:
+        found += [_Motion(0.0, 0.0, turn, TURN_COST, ((0.0, 0.0, turn * TURN / 2.0),)) for turn in (-1, 1)]
+    if backward:
+        found += [_arc(STRIDE, 0, backward=True)]
+        found += [_arc(radius * TURN, turn, backward=True) for turn in ((-1, 1) if turn_radius else ())]
+    return tuple(found)
+
+
+def _arc(length: float, turn: int, *, backward: bool) -> _Motion:
+    angle, sign = turn * TURN, -1.0 if backward else 1.0
+    radius = length / abs(angle) if angle else 0.0
+
+    def place(part: float) -> tuple[float, float, float]:
+        if not angle:
+            return sign * part * length, 0.0, 0.0
+        turned = part * abs(angle)
+        return sign * radius * math.sin(turned), math.copysign(radius * (1.0 - math.cos(turned)), angle), part * angle
+
+    x, y, _ = place(1.0)
+    if backward and angle:  # backward, a turn to the left leads the rear to the right
+        y = -y
+    cost = length * (BACKWARD if backward else 1.0) + 0.02 * abs(turn)
+    return _Motion(x, y, turn, cost, (place(0.5),), backward)
+
+
+_Key = tuple[int, int, int]
+
+
+@dataclass(slots=True)
+class _Node:
+    x: float
+    y: float
+    heading: int
+    cost: float
+    parent: _Node | None
+    backward: bool = False
+
+
+def _search(
+    terrain: TerrainCost,
+    remaining: _Remaining,
+    start: PlanarPose,
+    goal: tuple[float, float],
+    *,
+    backward: bool,
+    end: float,
+) -> tuple[list[_Node], int]:
+    """Nodes from the start to the goal, and how many were expanded."""
+    motions = _motions(terrain.mobility.min_turn_radius, backward=backward)
+    angles = [number * TURN for number in range(HEADINGS)]
+    turned = [(math.cos(angle), math.sin(angle)) for angle in angles]
+    first = _Node(start.x, start.y, round(start.yaw / TURN) % HEADINGS, 0.0, None)
+    if math.isinf(left := remaining.at(first.x, first.y)):
+        raise NoPath(
+            f"there is no way to ({goal[0]:.2f}, {goal[1]:.2f}): obstacles lie all around it, or the robot; choose "
+            "another goal, or clear the way"
+        )
+    order = itertools.count()
+    queue = [(GREED * left, next(order), first)]
+    best: dict[_Key, float] = {_key(first): 0.0}
+    closed: set[_Key] = set()
+    while queue:
+        _, _, node = heapq.heappop(queue)
+        key = _key(node)
+        if key in closed:
+            continue
+        closed.add(key)
+        if math.hypot(node.x - goal[0], node.y - goal[1]) <= GOAL_TOLERANCE:
+            return _ancestors(node), len(closed)
+        if not len(closed) % 256 and time.thread_time() > end:
+            raise NoPath(
+                f"no way to ({goal[0]:.2f}, {goal[1]:.2f}) was found in time: {len(closed)} poses were tried; choose a "
+                "goal with more room, or one on the way"
+            )
+        c, s = turned[node.heading]
+        for motion in motions:
+            x, y = node.x + c * motion.x - s * motion.y, node.y + s * motion.x + c * motion.y
+            heading = (node.heading + motion.turn) % HEADINGS
+            new_key = (math.floor(x / CELL), math.floor(y / CELL), heading)
+            if new_key in closed:
+                continue
+            cost = node.cost + motion.cost * terrain.cost_at(x, y)
+            if motion.is_on_the_spot and math.hypot(*terrain.slope_at(x, y)) > TURN_SLOPE:
+                cost += SLIP_COST
+            if cost >= best.get(new_key, math.inf) or math.isinf(left := remaining.at(x, y)):
+                continue
+            reverse = motion.backward
+            if not terrain.is_free(x, y, angles[heading], backward=reverse) or not all(
+                terrain.is_free(
+                    node.x + c * dx - s * dy, node.y + s * dx + c * dy, angles[node.heading] + turn, backward=reverse
+                )
+                for dx, dy, turn in motion.on_way
+            ):
+                continue
+            best[new_key] = cost
+            new = _Node(x, y, heading, cost, node, motion.backward)
+            heapq.heappush(queue, (cost + GREED * left, next(order), new))
+    raise NoPath(
+        f"there is no way to ({goal[0]:.2f}, {goal[1]:.2f}) that is wide enough for the robot to drive and turn; "
+        "choose another goal, or clear the way"
+    )
+
+
+def _key(node: _Node) -> _Key:
+    return math.floor(node.x / CELL), math.floor(node.y / CELL), node.heading
+
+
+def _ancestors(node: _Node) -> list[_Node]:
+    found = [node]
+    while (parent := found[-1].parent) is not None:
+        found.append(parent)
+    return found[::-1]
+
+
+def _straightened(terrain: TerrainCost, nodes: list[_Node]) -> tuple[tuple[PathPoint, ...], float]:
+    """Few straight legs that replace many motions, where they are free and hardly dearer; and their cost."""
+    places = [PathPoint(node.x, node.y, node.backward) for node in nodes]
+    kept = [places[0]]
+    begin, total = 0, 0.0
+    while begin < len(places) - 1:
+        end = begin + 1
+        if not terrain.mobility.min_turn_radius:  # the corners of legs need turns on the spot
+            stride = 1
+            while stride:  # longer and longer legs, then shorter and shorter additions
+                candidate = end + stride
+                if candidate < len(places) and _replaces(terrain, nodes, places, (begin, candidate), kept):
+                    end, stride = candidate, 2 * stride
+                else:
+                    stride //= 2
+        if math.dist(places[begin][:2], places[end][:2]) > 1e-6:
+            total += _leg_cost(terrain, places[begin], places[end])
+            kept.append(places[end])
+        begin = end
+    return tuple(kept), total
+
+
+def _replaces(
+    terrain: TerrainCost, nodes: list[_Node], places: list[PathPoint], leg: tuple[int, int], before: list[PathPoint]
+) -> bool:
+    """True if a straight leg from one node to a later one is as good as the motions between."""
+    begin, end = leg
+    if any(node.backward != nodes[end].backward for node in nodes[begin + 1 : end]):
+        return False
+    cost = _leg_cost(terrain, places[begin], places[end])
+    return cost <= SMOOTHED * (nodes[end].cost - nodes[begin].cost) and _fits(
+        terrain, nodes[begin], places[begin], places[end], before
+    )
+
+
+def _fits(terrain: TerrainCost, node: _Node, start: PathPoint, end: PathPoint, before: list[PathPoint]) -> bool:
+    """True if the leg is free, and the turn from the leg before, or from the first heading, onto it."""
+    if not is_leg_free(terrain, start, end):
+        return False
+    backward = math.pi if end.backward else 0.0
+    heading = math.atan2(end.y - start.y, end.x - start.x) + backward
+    if len(before) > 1:
+        last, previous = before[-1], before[-2]
+        earlier = math.atan2(last.y - previous.y, last.x - previous.x) + (math.pi if last.backward else 0.0)
+    else:
+        earlier = node.heading * TURN
+    turn = math.remainder(heading - earlier, math.tau)
+    count = math.ceil(abs(turn) / TURN)
+    return all(terrain.is_free(start.x, start.y, earlier + turn * number / count) for number in range(1, count))
+
+
+def _leg_cost(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> float:
+    length = math.dist(start[:2], end[:2])
+    count = max(1, math.ceil(length / CHECK))
+    parts = (np.arange(count) + 0.5) / count
+    costs = terrain.costs_at(start.x + parts * (end.x - start.x), start.y + parts * (end.y - start.y))
+    return float(costs.mean()) * length * (BACKWARD if end.backward else 1.0)

@@ -1,0 +1,416 @@
+"""Cost of driving for one robot in a map: where its footprint fits, and which ground its tracks and flippers climb.
+
+Inputs are a 2-D occupancy map and an elevation grid, in one frame (metres, x and y of the map, z up). Where heights are
+known they decide, since a lidar that scans one plane takes a ramp for a wall; elsewhere the occupancy does.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final, Protocol, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import ndimage
+
+from jauspy.geometry.poses import PlanarPose
+from jauspy.planning.mobility import Mobility
+
+Array: TypeAlias = NDArray[np.floating[Any]]
+Cells: TypeAlias = NDArray[np.bool_]
+Points: TypeAlias = NDArray[np.float64]
+
+OCCUPIED: Final = 0.5
+"""Log odds above which a cell of an occupancy grid counts as an obstacle."""
+MARGIN: Final = 0.02
+"""Metres that stay free beside the footprint; with the sizes of cells, a door of 0.9 m is 0.75 m wide to the search."""
+PREFERRED: Final = 0.4
+"""Metres beside the footprint from which on distance costs nothing more."""
+NEAR_COST: Final = 2.0
+SLOPE_COST: Final = 2.0
+STEP_COST: Final = 4.0
+UNKNOWN_COST: Final = 0.5
+"""Added to the cost of a metre: beside an obstacle, on the steepest slope, at a step for flippers, where nothing is
+known."""
+STEP_HEADING: Final = math.radians(25.0)
+"""Greatest angle between the heading and the way up a step that needs flippers, radians."""
+LEAST_KNOWN: Final = 0.3
+"""Part of the cells around one whose heights must be known for a slope to be known."""
+SCAN_ERROR: Final = 0.15
+"""Metres below the plane of the scans from which on ground is taken for what the scans saw."""
+SURROUNDED: Final = 0.9
+"""Part of the cells around one whose heights must be known for ground to be told from a wall."""
+HIDDEN: Final = 2.0
+"""Metres of unknown ground between known ground of which the height is assumed."""
+LEVEL: Final = 0.01
+"""Slope, as a tangent, below which ground has no way up."""
+START_RADIUS: Final = 0.8
+"""Metres around the start within which the robot may be as close to an obstacle as it is."""
+
+
+class Heights(Protocol):
+    """An elevation grid (`mapping.elevation`)."""
+
+    @property
+    def origin(self) -> tuple[float, float]:
+        """Corner of the first cell, x and y in metres."""
+        ...
+
+    @property
+    def resolution(self) -> float:
+        """Side of a cell, metres."""
+        ...
+
+    @property
+    def heights(self) -> NDArray[np.float32]:
+        """Metres, shape (rows along y, columns along x); NaN where unknown."""
+        ...
+
+
+class TerrainCost:
+    """Cells of `resolution` metres from `origin`, the corner of the first one, in x and y; rows along y.
+
+    `occupied` and `known` have the shape of the map. With `allow_unknown`, unknown cells cost more; else they are
+    obstacles. Further obstacles, such as echoes of the last scan, are `points`, shape (n, 2). `scan_height` is the
+    height of the plane of the scans in the frame of the elevation, metres: ground that rises to it is no wall.
+    """
+
+    def __init__(
+        self,
+        mobility: Mobility,
+        occupied: Cells,
+        known: Cells,
+        origin: tuple[float, float],
+        resolution: float,
+        *,
+        elevation: Heights | None = None,
+        points: Points | None = None,
+        allow_unknown: bool = True,
+        scan_height: float = math.inf,
+    ) -> None:
+        self.mobility = mobility
+        self.origin = origin
+        self.resolution = resolution
+        self.shape = occupied.shape
+        blocked = occupied.copy()
+        if points is not None and len(points):
+            rows, columns, inside = self.cells(points)
+            blocked[rows[inside], columns[inside]] = True
+        self._gradient: tuple[Array, Array] | None = None
+        """Slope of the ground along x and y; None without elevation."""
+        self._steps: Cells | None = None
+        """Cells with a step that needs flippers; None without any."""
+        self._to_step: tuple[Array, NDArray[np.intp]] | None = None
+        """Metres from each cell to the nearest of them, and its row and column."""
+        slope_cost = np.zeros(self.shape, np.float32)
+        if elevation is not None:
+            slope_cost, known = self._add_elevation(elevation, blocked, known, scan_height)
+        self.known = known
+        self.blocked = blocked if allow_unknown else blocked | ~known
+        self.centres, self.radius = mobility.circles
+        self.margin = MARGIN
+        """Metres that stay free beside the footprint."""
+        self.distance = self._distances(self.blocked)
+        """Metres from the centre of each cell to the nearest blocked one."""
+        self.cost = self._costs(slope_cost)
+        """Cost of a metre in each cell, 1 on free and level ground."""
+        self._start: PlanarPose | None = None
+        self._start_clearance = math.inf
+        self._starts_at_step = False
+
+    # --- cells ------------------------------------------------------------------------------------------------------
+
+    def cells(self, points: Points) -> tuple[NDArray[np.intp], NDArray[np.intp], Cells]:
+        """Rows and columns of points, shape (n, 2), and which of them are in the map."""
+        place = np.floor((points - self.origin) / self.resolution).astype(np.intp)
+        columns, rows = place[..., 0], place[..., 1]
+        inside = (columns >= 0) & (rows >= 0) & (columns < self.shape[1]) & (rows < self.shape[0])
+        return rows, columns, inside
+
+    def cell(self, x: float, y: float) -> tuple[int, int] | None:
+        """Row and column of a point; None outside of the map."""
+        column = math.floor((x - self.origin[0]) / self.resolution)
+        row = math.floor((y - self.origin[1]) / self.resolution)
+        inside = 0 <= row < self.shape[0] and 0 <= column < self.shape[1]
+        return (row, column) if inside else None
+
+    def _distances(self, blocked: Cells) -> Array:
+        if not blocked.any():
+            return np.full(self.shape, np.float32(1e3))
+        found = np.asarray(ndimage.distance_transform_edt(~blocked), np.float64)
+        return np.asarray(found * self.resolution, np.float32)
+
+    def _costs(self, slope_cost: Array) -> Array:
+        width = self.mobility.half_width + self.margin
+        near = np.clip(1.0 - (self.distance - width) / PREFERRED, 0.0, 1.0)
+        cost = 1.0 + NEAR_COST * near**2 + slope_cost + UNKNOWN_COST * ~self.known
+        if self._steps is not None:
+            cost = cost + STEP_COST * self._steps
+        return np.asarray(cost, np.float32)
+
+    # --- ground -----------------------------------------------------------------------------------------------------
+
+    def _add_elevation(
+        self, elevation: Heights, blocked: Cells, known: Cells, scan_height: float
+    ) -> tuple[Array, Cells]:
+        """Block what the robot cannot climb; returns the cost of slopes, and the known cells."""
+        mobility = self.mobility
+        ground = _with_hidden(elevation.heights, elevation.resolution, mobility.flipper_step)
+        heights = self._resampled(elevation, ground, np.nan)
+        seen = ~np.isnan(heights)
+        walls, steps = (self._resampled(elevation, jumps, 0.0) for jumps in _jumps(ground, mobility.flipper_step))
+        slopes = _gradients(ground, elevation.resolution, mobility.half_width, mobility.flipper_step)
+        slope_x, slope_y = (self._resampled(elevation, slope, 0.0) for slope in slopes)
+        steep = np.hypot(slope_x, slope_y) > math.tan(max(mobility.up, mobility.down, mobility.side))
+        wall = seen & (walls > mobility.flipper_step)
+        tall = heights >= scan_height - SCAN_ERROR
+        reach = 2 * max(1, round(elevation.resolution / self.resolution)) + 1
+        scanned = ndimage.maximum_filter(blocked, reach)
+        surrounded = ndimage.uniform_filter(seen.astype(np.float32), 3) > SURROUNDED
+        # a wall to the lidar that is a slope to the robot
+        blocked &= ~(seen & ~wall & tall & ~steep & surrounded)
+        # a wall that reaches the plane of the scans is where they saw it, in smaller cells
+        blocked |= wall & ~(tall & scanned)
+        blocked |= seen & steep
+        high = seen & (steps > mobility.step) & ~blocked
+        if high.any():
+            self._steps = high
+            far, nearest = ndimage.distance_transform_edt(~high, return_indices=True)
+            self._to_step = np.asarray(far * self.resolution, np.float32), nearest
+        self._gradient = slope_x, slope_y
+        grade = np.arctan(np.hypot(slope_x, slope_y)) / max(mobility.up, 1e-6)
+        return (SLOPE_COST * np.minimum(1.0, grade) ** 2).astype(np.float32), known | seen
+
+    def _resampled(self, elevation: Heights, values: Array, outside: float) -> Array:
+        """Values of the cells of an elevation grid in those of this map."""
+        rows, columns = self.shape
+        xs = self.origin[0] + (np.arange(columns) + 0.5) * self.resolution
+        ys = self.origin[1] + (np.arange(rows) + 0.5) * self.resolution
+        left, low = elevation.origin
+        source_x = np.floor((xs - left) / elevation.resolution).astype(np.intp)
+        source_y = np.floor((ys - low) / elevation.resolution).astype(np.intp)
+        ok_x = (source_x >= 0) & (source_x < values.shape[1])
+        ok_y = (source_y >= 0) & (source_y < values.shape[0])
+        found = np.full(self.shape, outside, np.float32)
+        found[np.ix_(ok_y, ok_x)] = values[np.ix_(source_y[ok_y], source_x[ok_x])]
+        return found
+
+    def slope_at(self, x: float, y: float) -> tuple[float, float]:
+        """Slope of the ground along x and y, as tangents; 0 where it is not known."""
+        cell = self.cell(x, y)
+        if self._gradient is None or cell is None:
+            return 0.0, 0.0
+        slope_x, slope_y = self._gradient
+        return float(slope_x[cell]), float(slope_y[cell])
+
+    def needs_flippers(self, x: float, y: float) -> bool:
+        """True at a step that only flippers climb."""
+        cell = self.cell(x, y)
+        return cell is not None and self._steps is not None and bool(self._steps[cell])
+
+    def ways_up(self) -> tuple[Array, Array] | None:
+        """Unit vectors, x and y, up the step at which a robot with its centre in a cell is, NaN in other cells.
+
+        None without any step that needs flippers.
+        """
+        if self._to_step is None or self._gradient is None:
+            return None
+        far, nearest = self._to_step
+        up_x, up_y = (slope[nearest[0], nearest[1]] for slope in self._gradient)
+        length = np.hypot(up_x, up_y)
+        away = far >= self.mobility.half_width
+        if self._starts_at_step and self._start is not None:
+            ys, xs = np.indices(self.shape) * self.resolution + self.resolution / 2.0
+            away |= np.hypot(xs + self.origin[0] - self._start.x, ys + self.origin[1] - self._start.y) < START_RADIUS
+        length[away | (length < LEVEL)] = np.nan
+        return up_x / length, up_y / length
+
+    def _can_climb(self, x: float, y: float, heading: float, *, backward: bool = False) -> bool:
+        """True if the ground at a point can be driven on with this heading."""
+        if self._gradient is None:
+            return True
+        slope_x, slope_y = self.slope_at(x, y)
+        c, s = math.cos(heading), math.sin(heading)
+        ahead, across = slope_x * c + slope_y * s, slope_y * c - slope_x * s
+        if self.needs_flippers(x, y):
+            return not backward and _is_straight_up(ahead, across)
+        mobility = self.mobility
+        return -math.tan(mobility.down) <= ahead <= math.tan(mobility.up) and abs(across) <= math.tan(mobility.side)
+
+    def _passes_steps(self, x: float, y: float, heading: float) -> bool:
+        """True if no part of the robot is at a step that needs flippers, or the robot heads straight up it."""
+        if self._to_step is None:
+            return True
+        far, nearest = self._to_step
+        c, s = math.cos(heading), math.sin(heading)
+        cells = [self.cell(x + centre * c, y + centre * s) for centre in self.centres]
+        inside = [cell for cell in cells if cell is not None]
+        if not inside:
+            return False
+        closest = min(inside, key=lambda cell: far.item(*cell))
+        if far.item(*closest) >= self.radius:
+            return True
+        assert self._gradient is not None
+        at = nearest[:, closest[0], closest[1]]
+        slope_x, slope_y = (float(slope[at[0], at[1]]) for slope in self._gradient)
+        return _is_straight_up(slope_x * c + slope_y * s, slope_y * c - slope_x * s)
+
+    # --- poses ------------------------------------------------------------------------------------------------------
+
+    def start_at(self, pose: PlanarPose) -> None:
+        """Let the robot be as close to obstacles around this pose as it is there."""
+        self._start = pose
+        self._start_clearance = self.clearance(*pose)
+        self._starts_at_step = not self._passes_steps(*pose)
+
+    def clearance(self, x: float, y: float, heading: float) -> float:
+        """Metres between the footprint and the nearest blocked cell; below 0 inside of it, -inf outside of the map."""
+        c, s = math.cos(heading), math.sin(heading)
+        least = math.inf
+        (left, low), resolution, (rows, columns) = self.origin, self.resolution, self.shape
+        for centre in self.centres:
+            column = math.floor((x + centre * c - left) / resolution)
+            row = math.floor((y + centre * s - low) / resolution)
+            if not (0 <= row < rows and 0 <= column < columns):
+                return -math.inf
+            far = self.distance.item(row, column)
+            least = min(least, far)
+        return least - self.radius
+
+    def room(self, x: float, y: float) -> float:
+        """Metres to the nearest obstacle of a robot that turns on the spot there; below 0 if it would touch it."""
+        cell = self.cell(x, y)
+        reach = max(abs(centre) for centre in self.centres) + self.radius
+        return -math.inf if cell is None else self.distance.item(*cell) - reach
+
+    def is_free(self, x: float, y: float, heading: float, *, backward: bool = False) -> bool:
+        """True if the robot fits there and can drive on, or backward, with this heading (radians)."""
+        wanted, relaxed, start = self.margin, False, self._start
+        if start is not None and math.hypot(x - start.x, y - start.y) < START_RADIUS:
+            wanted, relaxed = min(wanted, self._start_clearance), self._starts_at_step
+        return (
+            self.clearance(x, y, heading) >= wanted
+            and self._can_climb(x, y, heading, backward=backward)
+            and (relaxed or self._passes_steps(x, y, heading))
+        )
+
+    def all_free(self, xs: Points, ys: Points, heading: float, *, backward: bool = False) -> bool:
+        """True if the robot is free at all of these points, shape (n,), with one heading, as by `is_free`."""
+        c, s = math.cos(heading), math.sin(heading)
+        near = np.zeros(len(xs), np.bool_)
+        if self._start is not None:
+            near = np.hypot(xs - self._start.x, ys - self._start.y) < START_RADIUS
+        wanted = np.where(near, min(self.margin, self._start_clearance), self.margin) + self.radius
+        for centre in self.centres:
+            rows, columns, inside = self.cells(np.column_stack([xs + centre * c, ys + centre * s]))
+            if not inside.all() or (self.distance[rows, columns] < wanted).any():
+                return False
+        if self._gradient is None:
+            return True
+        relaxed = near & self._starts_at_step
+        return all(
+            self._can_climb(x, y, heading, backward=backward) and (ignored or self._passes_steps(x, y, heading))
+            for x, y, ignored in zip(xs.tolist(), ys.tolist(), relaxed.tolist(), strict=True)
+        )
+
+    def costs_at(self, xs: Points, ys: Points) -> Array:
+        """Cost of a metre at points, shape (n,); inf outside of the map."""
+        rows, columns, inside = self.cells(np.column_stack([xs, ys]))
+        found = np.full(len(xs), np.inf)
+        found[inside] = self.cost[rows[inside], columns[inside]]
+        return found
+
+    def cost_at(self, x: float, y: float) -> float:
+        """Cost of a metre at a point; inf outside of the map."""
+        cell = self.cell(x, y)
+        return math.inf if cell is None else self.cost.item(*cell)
+
+
+def _with_hidden(heights: Array, resolution: float, highest: float) -> Array:
+    """Heights, with those of ground between known cells that is hidden by what is nearer: as low as the lower end.
+
+    Behind an edge, where a sensor on the ground does not see, ground may be as low as what is known beyond. The tops of
+    walls, above steps of `highest` metres, tell nothing about ground beside them.
+    """
+    seen = heights.astype(np.float32)
+    heights = np.where(_jumps(seen, highest)[0] > highest, np.nan, seen)
+    found = heights.copy()
+    longest = round(HIDDEN / resolution)
+    for axis in (0, 1):
+        lines = np.moveaxis(heights, axis, 0)
+        known = ~np.isnan(lines)
+        numbers = np.where(known, np.arange(len(lines))[:, None], -1)
+        before = np.maximum.accumulate(numbers, axis=0)
+        after = np.minimum.accumulate(np.where(known, numbers, len(lines))[::-1], axis=0)[::-1]
+        rows, columns = np.nonzero(~known & (before >= 0) & (after < len(lines)) & (after - before <= longest + 1))
+        lower = np.minimum(lines[before[rows, columns], columns], lines[after[rows, columns], columns])
+        filled = np.moveaxis(found, axis, 0)
+        filled[rows, columns] = np.fmin(filled[rows, columns], lower)
+    return np.where(np.isnan(seen), found, seen)
+
+
+def _is_straight_up(ahead: float, across: float) -> bool:
+    """True for slopes ahead and across of a robot that heads up: flippers climb steps so, and never down."""
+    return ahead > 0.0 and abs(math.atan2(across, ahead)) <= STEP_HEADING
+
+
+def _jumps(heights: Array, highest: float) -> tuple[Array, Array]:
+    """Height, metres, of the highest step from each cell down to those beside it; and down or up, if not too high.
+
+    These are 0 where nothing is known, or where all steps are above `highest`.
+    A step is a jump between two cells, or over the one between them, which it may share. A jump that goes on at both
+    sides is a slope: of each the least one within two cells is subtracted; over two cells, that before or after it.
+    """
+    falls, found = np.zeros(heights.shape), np.zeros(heights.shape)
+    for axis in (0, 1):
+        for cells in (1, 2):
+            jumps = _differences(heights, axis, cells)
+            up, down = (np.maximum(some, 0.0) - _slope(some, axis, cells) for some in (jumps, -jumps))
+            either = np.maximum(up, down)
+            count = heights.shape[axis] - cells
+            for first in range(cells + 1):
+                side = tuple(slice(first, first + count) if a == axis else slice(None) for a in (0, 1))
+                if first in (0, cells):
+                    falls[side] = np.maximum(falls[side], up if first else down)
+                found[side] = np.maximum(found[side], np.where(either <= highest, either, 0.0))
+    return falls, found
+
+
+def _differences(heights: Array, axis: int, cells: int) -> Array:
+    """Differences between each cell and the one so many cells after it; 0 if unknown."""
+    count = heights.shape[axis] - cells
+    high = np.moveaxis(heights.astype(np.float64), axis, 0)
+    found: Array = np.moveaxis(np.nan_to_num(high[cells:] - high[:count], nan=0.0), 0, axis)
+    return found
+
+
+def _slope(jumps: Array, axis: int, cells: int) -> Array:
+    """The part of each jump upward that is a slope, metres."""
+    if cells == 1:
+        size = [1, 1]
+        size[axis] = 5
+        return np.asarray(np.maximum(ndimage.minimum_filter(jumps, size, mode="nearest"), 0.0), np.float64)
+    beside = np.moveaxis(np.maximum(jumps, 0.0), axis, 0)
+    found = np.zeros(beside.shape)
+    found[cells:] = beside[:-cells]
+    found[:-cells] = np.maximum(found[:-cells], beside[cells:])
+    return np.asarray(np.moveaxis(np.minimum(found, beside), 0, axis), np.float64)
+
+
+def _gradients(heights: Array, resolution: float, reach: float, highest: float) -> tuple[Array, Array]:
+    """Slopes along x and y around each cell, as tangents: means of the differences between neighbouring cells.
+
+    The means are those of a square of `reach` metres to each side. Steps above `highest`, in metres, such as walls, and
+    what is not known do not count.
+    """
+    size = 2 * max(1, round(reach / resolution)) + 1
+    slopes = []
+    for axis in (1, 0):
+        jumps = np.zeros(heights.shape)
+        after = np.s_[:, 1:] if axis == 1 else np.s_[1:, :]
+        jumps[after] = np.diff(heights.astype(np.float64), axis=axis)
+        counted = np.isfinite(jumps) & (np.abs(jumps) <= highest)
+        total = ndimage.uniform_filter(np.where(counted, jumps, 0.0), size, mode="constant")
+        share = ndimage.uniform_filter(counted.astype(np.float64), size, mode="constant")
+        slopes.append(np.where(share > LEAST_KNOWN, total / np.maximum(share, LEAST_KNOWN) / resolution, 0.0))
+    return slopes[0], slopes[1]

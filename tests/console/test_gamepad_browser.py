@@ -1,0 +1,109 @@
+"""A gamepad in a real browser moves a robot only while its dead-man's button is held and the page has the focus."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from tests.helpers.browser import BROWSER_MARKS, console_for, page_at
+from tests.helpers.command_line import shared_robot
+
+pytestmark = BROWSER_MARKS
+PAD = """
+window.pad = {
+    id: "<b>pad</b> of a test", index: 0, connected: true, axes: [0, 0, 0, 0],
+    buttons: Array.from({ length: 8 }, () => ({ pressed: false, value: 0 })),
+};
+navigator.getGamepads = () => [window.pad, null];
+"""
+DRIVE, ARM = 4, 5
+
+
+@pytest.fixture
+def url() -> Iterator[str]:
+    with shared_robot() as robot, console_for(robot.local) as (address, _):
+        yield address
+
+
+def press(page: Any, button: int, *, down: bool = True) -> None:
+    page.evaluate(f"pad.buttons[{button}].pressed = {str(down).lower()}")
+
+
+def deflection(page: Any) -> list[float]:
+    found: list[float] = page.evaluate("jauspy.deflection().map((value) => Math.round(100 * value) / 100 + 0)")
+    return found
+
+
+def test_a_gamepad_drives_while_its_button_is_held(url: str) -> None:
+    with page_at(url, PAD + f"pad.buttons[{DRIVE}].pressed = true; pad.axes[1] = -1;") as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        page.wait_for_function("jauspy.gamepad !== undefined")
+        page.bring_to_front()
+        assert deflection(page) == [0, 0]  # it was down before
+        press(page, DRIVE, down=False)
+        assert deflection(page) == [0, 0]  # the stick alone
+        press(page, DRIVE)
+        assert deflection(page) == [1, 0]
+        press(page, ARM)
+        page.evaluate("window.dispatchEvent(new Event('blur'))")
+        assert deflection(page) == [0, 0]
+        press(page, DRIVE, down=False)
+        assert deflection(page) == [0, 0]
+
+        page.evaluate("pad.axes[1] = 0")
+        page.get_by_role("button", name="take", exact=True).first.click()
+        page.get_by_text("you operate this robot").wait_for()
+        press(page, DRIVE)
+        page.evaluate("pad.axes[1] = -1")
+        page.wait_for_function("/x 0\\.[2-9]\\d m/.test(document.body.innerText)")
+        page.evaluate("document.hasFocus = () => false")
+        assert deflection(page) == [0, 0]
+        page.wait_for_function("jauspy.moving === false")
+
+
+def test_the_mapping_and_the_calibration_of_a_pad_are_kept(url: str) -> None:
+    with page_at(url, PAD) as page:
+        page.locator(".gamepads summary").click()
+        card = page.locator("[data-pad]")
+        assert card.locator("b").first.inner_text() == "<b>pad</b> of a test"
+        card.get_by_label("hold to drive").select_option("6")
+        card.get_by_label("drive forward").select_option("2")
+        page.evaluate("pad.axes = [0, 0, 0.1, 0]")
+        calibrate = card.locator(".pad-calibrate")
+        calibrate.click()
+        for end in (0.6, -0.6):
+            page.evaluate(f"pad.axes[2] = {end}")
+            page.wait_for_function(f"jauspy.gamepad.calibration.ranges[2].includes({end})")
+        press(page, 6)
+        assert deflection(page) == [0, 0]  # nothing moves during the calibration
+        press(page, 6, down=False)
+        calibrate.click()
+        page.reload()
+        page.locator(".gamepads summary").wait_for()
+        page.evaluate("pad.axes[2] = 0.6")
+        assert deflection(page) == [0, 0]
+        press(page, 6)
+        assert deflection(page) == [1, 0]
+        page.evaluate("pad.axes[2] = 0.1")
+        assert deflection(page) == [0, 0]
+        hostile = json.dumps({"map": {"forward": "9999", "driveHold": "x"}, "ranges": 3})
+        page.evaluate(f"localStorage.setItem(jauspy.gamepad.key(pad), {json.dumps(hostile)})")
+        page.evaluate("pad.axes[2] = 0.6")
+        assert deflection(page) == [0, 0]  # what cannot be read counts as not kept
+
+
+def test_escape_closes_what_is_open_and_f8_stops(url: str) -> None:
+    with page_at(url) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        page.get_by_role("button", name="take", exact=True).first.click()
+        page.get_by_text("you operate this robot").wait_for()
+        page.locator(".arm .q-select").first.click()
+        page.locator(".q-menu").wait_for()
+        page.keyboard.press("Escape")
+        page.locator(".q-menu").wait_for(state="detached")
+        assert page.locator("#stop-answer").inner_text() == ""
+        page.keyboard.press("F8")
+        page.get_by_text("components stopped").first.wait_for()
+        page.get_by_role("region", name="Control").get_by_text("STOP ALL by this page has ended it").wait_for()

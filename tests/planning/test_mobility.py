@@ -1,0 +1,50 @@
+"""What robots climb, from their descriptions."""
+
+import math
+from dataclasses import replace
+
+import pytest
+from tests.helpers.robot import described
+
+pytest.importorskip("scipy", reason="planning needs scipy")
+
+from jauspy.errors import ConfigError
+from jauspy.planning.mobility import flipper_joints, mobility_of, with_posture
+from jauspy.platform.stability_setup import StabilitySetup
+
+INC1 = described("inc1")[1]
+
+
+def test_flippers_climb_higher_than_tracks():
+    mobility = mobility_of(INC1)
+    assert 0.05 < mobility.step < 0.12
+    assert 0.18 < mobility.flipper_step < 0.3, "its documentation says a step of 20 cm"
+    assert flipper_joints(INC1) == ("base_link_to_flippers",)
+
+
+def test_slopes_are_limited_by_friction_before_a_low_robot_tips():
+    mobility = mobility_of(INC1)
+    assert mobility.up == mobility.side == pytest.approx(math.atan(0.6))
+
+
+def test_slopes_are_limited_where_the_robot_would_tip():
+    strict = replace(INC1, stability=StabilitySetup(slow=math.radians(59.0), stop=math.radians(55.0)))
+    assert mobility_of(strict).side < math.radians(15.0)
+
+
+def test_a_raised_arm_reaches_farther_and_tips_sooner():
+    stretched = with_posture(INC1, {"arm_link_1_to_arm_link_2": 0.3, "arm_link_2_to_arm_link_3": 0.0})
+    assert mobility_of(stretched).front > mobility_of(INC1).front + 0.3
+
+
+def test_circles_cover_the_footprint():
+    mobility = mobility_of(INC1)
+    centres, radius = mobility.circles
+    for x in (-mobility.back, 0.0, mobility.front):
+        assert min(math.hypot(x - centre, mobility.half_width) for centre in centres) <= radius + 1e-9
+    assert radius < 1.1 * mobility.half_width
+
+
+def test_a_base_that_is_fixed_cannot_drive():
+    with pytest.raises(ConfigError, match="neither tracks nor wheels"):
+        mobility_of(replace(INC1, tracks=None))

@@ -1,0 +1,214 @@
+"""The navigator on virtual time: a kinematic inc1 whose lidar sees walls that the test puts up."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from collections.abc import Sequence
+
+import pytest
+from tests.helpers.robot import described
+
+pytest.importorskip("scipy", reason="planning needs scipy")
+
+from jauspy.backends import kinematic
+from jauspy.backends.kinematic import KinematicRobot
+from jauspy.errors import ConfigError
+from jauspy.geometry.poses import PlanarPose
+from jauspy.messages.iop import AddNoGoZone, QueryCostMap2D, QueryNoGoZones, QueryPath, RemoveNoGoZone
+from jauspy.ocu import Robot
+from jauspy.planning import navigator
+from jauspy.planning.driving_map import DrivingMap
+from jauspy.planning.mobility import flipper_joints
+from jauspy.planning.navigator import Navigator
+from jauspy.planning.path_search import NoPath, is_leg_free
+from jauspy.planning.path_services import IMPASSABLE, navigation_services
+from jauspy.platform.ranging import Scanner
+
+MODEL = described("inc1")[1]
+ROOM = ((-3.0, -4.0, 7.0, -4.0), (7.0, -4.0, 7.0, 4.0), (7.0, 4.0, -3.0, 4.0), (-3.0, 4.0, -3.0, -4.0))
+"""Walls as lines of x, y, x, y in metres."""
+BEHIND = -0.2
+"""Place of the lidar on the robot, metres."""
+
+
+def hit(x: float, y: float, angle: float, wall: tuple[float, float, float, float]) -> float:
+    """Metres along a ray to a wall; inf if it misses."""
+    c, s = math.cos(angle), math.sin(angle)
+    dx, dy = wall[2] - wall[0], wall[3] - wall[1]
+    across = c * dy - s * dx
+    if abs(across) < 1e-9:
+        return math.inf
+    far = ((wall[0] - x) * dy - (wall[1] - y) * dx) / across
+    part = ((wall[0] - x) * s - (wall[1] - y) * c) / across
+    return far if far > 0.0 and 0.0 <= part <= 1.0 else math.inf
+
+
+@pytest.fixture
+def walls(monkeypatch: pytest.MonkeyPatch) -> list[tuple[float, float, float, float]]:
+    """What lidars of kinematic robots see; tests add to it."""
+    found = list(ROOM)
+    build = KinematicRobot.__init__
+
+    def init(self: KinematicRobot, model: object) -> None:
+        build(self, model)  # type: ignore[arg-type]
+
+        def measure(angles: Sequence[float]) -> list[float]:
+            pose = self.drive.pose()
+            x, y = pose.x + BEHIND * math.cos(pose.yaw), pose.y + BEHIND * math.sin(pose.yaw)
+            return [min(hit(x, y, angle + pose.yaw, wall) for wall in found) for angle in angles]
+
+        self.lidars = {name: Scanner(lidar.setup, measure) for name, lidar in self.lidars.items()}
+        self._measure()
+
+    monkeypatch.setattr(kinematic.KinematicRobot, "__init__", init)
+    return found
+
+
+@pytest.fixture
+async def inc1(walls, robot, ocu) -> Robot:
+    return await ocu.robot(101)
+
+
+def surroundings(inc1: Robot, **options) -> DrivingMap:
+    return DrivingMap(inc1, size=20.0, resolution=0.1, threaded=False, **options)
+
+
+@pytest.mark.slow
+async def test_a_goal_behind_a_wall_is_reached_around_it(inc1, walls, robot):
+    walls.append((2.0, -4.0, 2.0, 1.0))
+    left = []
+    async with inc1.control("drive"), surroundings(inc1) as around:
+        navigator = Navigator(inc1, MODEL, around, speed=0.8)
+        pose = await navigator.go_to(4.0, 0.0, progress=lambda progress: left.append(progress.left))
+    assert math.dist((pose.x, pose.y), (4.0, 0.0)) < 0.35
+    assert max(left) > 4.8, "around the wall"
+    assert min(left) < 0.4
+
+
+@pytest.mark.slow
+async def test_what_appears_on_the_way_gives_a_new_way_at_once(inc1, walls, robot):
+    async with inc1.control("drive"), surroundings(inc1) as around:
+        navigator = Navigator(inc1, MODEL, around, speed=0.5)
+        reports = []
+        drive = asyncio.create_task(navigator.go_to(5.0, 0.0, progress=reports.append))
+        await asyncio.sleep(2.0)
+        way, clock = navigator.path, asyncio.get_running_loop().time
+        at, put = robot.snapshot.pose.x + 2.0, clock()
+        walls.append((at, -0.6, at, 0.6))
+        while navigator.path is way or is_leg_free(navigator.terrain, *way.points[:2]):
+            await asyncio.sleep(0.01)
+            assert robot.snapshot.pose.x < at - 1.0
+        new_way_after = clock() - put + navigator.path.search_time
+        nearest = math.inf
+        while not drive.done():
+            await asyncio.sleep(0.1)
+            pose = robot.snapshot.pose
+            nearest = min(nearest, math.hypot(pose.x - at, max(0.0, abs(pose.y) - 0.6)))
+        pose = await drive
+    assert new_way_after < 0.5, "virtual seconds until it was sent, and those of the search"
+    assert nearest > 0.33, "half of its width"
+    assert math.dist((pose.x, pose.y), (5.0, 0.0)) < 0.35
+
+
+@pytest.mark.slow
+async def test_without_a_way_the_robot_stands_and_the_reason_is_one_sentence(inc1, walls, robot):
+    walls.append((2.0, -4.0, 2.0, 4.0))
+    async with inc1.control("drive"), surroundings(inc1, allow_unknown=False) as around:
+        with pytest.raises(NoPath, match="choose") as error:
+            await Navigator(inc1, MODEL, around).go_to(4.0, 0.0)
+    assert "\n" not in str(error.value)
+    assert abs(robot.snapshot.twist.vx) < 0.01
+
+
+@pytest.mark.slow
+async def test_a_way_that_closes_stops_the_robot(inc1, walls, robot):
+    async with inc1.control("drive"), surroundings(inc1, allow_unknown=False) as around:
+        drive = asyncio.create_task(Navigator(inc1, MODEL, around).go_to(5.0, 0.0))
+        await asyncio.sleep(2.0)
+        walls.append((3.0, -4.0, 3.0, 4.0))
+        with pytest.raises(NoPath):
+            await drive
+    assert robot.snapshot.pose.x < 2.6
+
+
+@pytest.mark.slow
+async def test_a_cancelled_drive_stops(inc1, robot):
+    async with inc1.control("drive"), surroundings(inc1) as around:
+        with pytest.raises(TimeoutError):
+            async with asyncio.timeout(2.0):
+                await Navigator(inc1, MODEL, around).go_to(5.0, 0.0)
+        await asyncio.sleep(1.0)
+        assert abs(robot.snapshot.twist.vx) < 0.01
+
+
+@pytest.mark.slow
+async def test_flippers_that_were_set_for_a_step_are_put_back_at_the_goal(inc1, monkeypatch):
+    (joint,) = flipper_joints(MODEL)
+    monkeypatch.setattr(navigator, "_parts", lambda points, terrain: [navigator._Part(tuple(points), 0.5)])
+    before, during = (await inc1.joints()).positions[joint], []
+    async with inc1.control(), surroundings(inc1) as around:
+        drive = asyncio.create_task(Navigator(inc1, MODEL, around).go_to(1.5, 0.0))
+        while not drive.done():
+            during.append((await inc1.joints()).positions[joint])
+            await asyncio.sleep(0.5)
+        await drive
+    assert min(during) == pytest.approx(0.5, abs=0.06), "they are folded at 2.2"
+    assert (await inc1.joints()).positions[joint] == pytest.approx(before, abs=0.06)
+
+
+@pytest.mark.parametrize("speed", [0.0, -1.0, math.nan])
+async def test_a_speed_is_above_zero(inc1, speed):
+    with pytest.raises(ConfigError, match="speed"):
+        Navigator(inc1, MODEL, surroundings(inc1), speed=speed)
+
+
+async def test_way_and_cost_are_reported_and_zones_kept(virtual_network, inc1, walls, ocu):
+    walls.append((2.0, -4.0, 2.0, 1.0))
+    kind = QueryPath.PathType.PLANNED_LOCAL_PATH
+    async with surroundings(inc1) as around:
+        await asyncio.sleep(1.5)  # until the scans show the wall
+        navigator = Navigator(inc1, MODEL, around)
+        async with virtual_network.component("101.1.190", navigation_services(navigator)) as component:
+            assert not (await ocu.query(component.id, QueryPath(kind))).path_var.planned_local_path
+            path = await navigator.plan(4.0, 0.0)
+            reported = (await ocu.query(component.id, QueryPath(kind))).path_var.planned_local_path
+            assert [(point.x, -point.y) for point in reported] == [
+                (pytest.approx(point.x, abs=1e-3), pytest.approx(point.y, abs=1e-3)) for point in path.points
+            ]
+            report = await ocu.query(component.id, QueryCostMap2D())
+            size, middle = report.cost_map2d_rec, report.cost_map2d_pose_var
+            costs = [cell.cost for cell in report.cost_map2d_data_var.cost_data_list]
+            assert len(costs) == size.number_of_rows * size.number_of_columns <= 16_000
+
+            def cost_at(x: float, y: float) -> int:
+                side = size.map_width / size.number_of_columns
+                column = math.floor((x - middle.map_center_x + size.map_width / 2.0) / side)
+                row = math.floor((-y - middle.map_center_y + size.map_height / 2.0) / side)
+                return costs[row * size.number_of_columns + column]
+
+            assert cost_at(2.0, 0.5) == IMPASSABLE
+            assert cost_at(0.5, 0.5) < 60
+            costs_of = ocu.service(component.id, "CostMap2D")
+            async with costs_of.control():
+                zone = AddNoGoZone.LocalVertexList(
+                    [AddNoGoZone.LocalVertexRec(x, -y) for x, y in ((0.8, 0.0), (5.0, 0.0), (5.0, 3.9), (0.8, 3.9))]
+                )
+                await costs_of.send(AddNoGoZone(AddNoGoZone.RequestIDRec(7), zone), ack=True)
+                zones = (await ocu.query(component.id, QueryNoGoZones(0))).no_go_zones_list
+                assert zones[0].zone_id_rec.zone_id == 1
+                assert len(zones[0].vertex_var.local_vertex_list) == 4
+                with pytest.raises(NoPath):
+                    await navigator.plan(4.0, -2.0)
+                await costs_of.send(RemoveNoGoZone(1), ack=True)
+                await navigator.plan(4.0, -2.0)
+
+
+def test_a_zone_covers_what_is_inside(inc1):
+    around = DrivingMap(inc1, size=10.0, resolution=0.1, threaded=False)
+    around.zones = [((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))]
+    cells = around._zone_cells((30, 30), (-1.0, -1.0))
+    assert cells[12, 12]
+    assert not cells[18, 18], "beyond the long side"
+    assert not cells[12, 5]
+    assert PlanarPose() == around.mapper.correction

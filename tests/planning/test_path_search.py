@@ -1,0 +1,91 @@
+"""Paths around obstacles: length, headings, turns, and why there is none."""
+
+import math
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+pytest.importorskip("scipy", reason="planning needs scipy")
+
+from jauspy.geometry.poses import PlanarPose
+from jauspy.planning.mobility import Mobility
+from jauspy.planning.path_search import NoPath, find_path, is_leg_free
+from jauspy.planning.terrain_cost import TerrainCost
+
+MOBILITY = Mobility(front=0.4, back=0.4, half_width=0.3, step=0.08, flipper_step=0.2, up=0.5, down=0.5, side=0.3)
+
+
+def terrain(*boxes: tuple[float, float, float, float], side=10.0, mobility=MOBILITY) -> TerrainCost:
+    """A square map with boxes of x, y, x, y in metres."""
+    count = round(side / 0.1)
+    occupied = np.zeros((count, count), bool)
+    for x0, y0, x1, y1 in boxes:
+        low, high = ((np.array([[y0, x0], [y1, x1]]) + side / 2.0) / 0.1).round().astype(int)
+        occupied[low[0] : high[0], low[1] : high[1]] = True
+    return TerrainCost(mobility, occupied, np.ones_like(occupied), (-side / 2.0,) * 2, 0.1)
+
+
+def assert_free(found: TerrainCost, path) -> None:
+    assert all(is_leg_free(found, a, b) for a, b in zip(path.points, path.points[1:], strict=False))
+
+
+def test_free_ground_is_crossed_straight():
+    path = find_path(terrain(), PlanarPose(-3.0, 0.0, 0.0), (3.0, 1.0))
+    assert path.length == pytest.approx(math.hypot(6.0, 1.0), abs=0.2)
+    assert len(path.points) <= 4
+
+
+def test_a_wall_is_passed_at_its_end():
+    found = terrain((-0.2, -5.0, 0.2, 2.0))
+    path = find_path(found, PlanarPose(-2.0, 0.0, 0.0), (2.0, 0.0))
+    assert_free(found, path)
+    shortest = 2.0 * math.hypot(2.0 - 0.2, 2.3) + 0.4
+    assert path.length < 1.25 * shortest
+
+
+def test_a_door_is_passed_straight():
+    found = terrain((-0.1, -5.0, 0.1, -0.5), (-0.1, 0.5, 0.1, 5.0))
+    path = find_path(found, PlanarPose(-2.0, -2.0, 0.0), (2.0, 2.0))
+    assert_free(found, path)
+
+
+def test_a_chassis_that_steers_drives_curves():
+    found = terrain(mobility=replace(MOBILITY, min_turn_radius=1.0))
+    path = find_path(found, PlanarPose(0.0, 0.0, math.pi), (2.0, 0.0), backward=False)
+    assert path.length > 4.0, "it cannot turn on the spot"
+
+
+def test_the_way_out_of_a_dead_end_is_driven_backward():
+    corridor = ((-4.0, 0.45, 0.0, 0.6), (-4.0, -0.6, 0.0, -0.45), (-4.1, -0.6, -4.0, 0.6))
+    found = terrain(*corridor)
+    path = find_path(found, PlanarPose(-3.0, 0.0, math.pi), (2.0, 0.0))
+    assert path.points[1].backward
+    with pytest.raises(NoPath, match="wide enough"):
+        find_path(found, PlanarPose(-3.0, 0.0, math.pi), (2.0, 0.0), backward=False)
+
+
+@pytest.mark.parametrize(
+    ("goal", "boxes", "text"),
+    [
+        ((9.0, 0.0), (), "outside of the map"),
+        ((2.0, 0.0), ((1.5, -0.5, 2.5, 0.5),), "choose a goal"),
+        ((2.0, 0.0), ((0.0, -5.0, 0.1, 5.0),), "there is no way"),
+    ],
+)
+def test_without_a_way_the_reason_is_named(goal, boxes, text):
+    with pytest.raises(NoPath, match=text):
+        find_path(terrain(*boxes), PlanarPose(-2.0, 0.0, 0.0), goal)
+
+
+def test_a_large_map_is_searched_in_well_below_half_a_second():
+    """40 m x 40 m in cells of 0.1 m; processor time, since the machine has other work."""
+    rng = np.random.default_rng(4)
+    boxes = [(x, y, x + w, y + h) for x, y, w, h in rng.uniform((-18, -18, 0.2, 0.2), (16, 16, 1.5, 1.5), (100, 4))]
+    began = time.thread_time()
+    found = terrain(*boxes, side=40.0)
+    path = find_path(found, PlanarPose(-19.0, -19.0, 0.0), (19.0, 19.0))
+    assert time.thread_time() - began < 0.5
+    assert path.length < 1.25 * math.hypot(38.0, 38.0)
+    assert_free(found, path)

@@ -1,0 +1,141 @@
+"""Where a robot may stand and drive: footprint, unknown space, slopes, steps, tipping."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+pytest.importorskip("scipy", reason="planning needs scipy")
+
+from jauspy.geometry.poses import PlanarPose
+from jauspy.planning.mobility import Mobility
+from jauspy.planning.terrain_cost import TerrainCost
+
+MOBILITY = Mobility(front=0.4, back=0.4, half_width=0.3, step=0.08, flipper_step=0.2, up=0.5, down=0.5, side=0.3)
+SHAPE = (80, 80)
+ORIGIN = (-4.0, -4.0)
+
+
+@dataclass
+class Ground:
+    heights: np.ndarray
+    origin: tuple[float, float] = ORIGIN
+    resolution: float = 0.1
+
+
+def ground(height) -> Ground:
+    """Ground with the height that a function of x and y returns."""
+    places = -4.0 + (np.arange(80) + 0.5) * 0.1
+    return Ground(np.array([[height(x, y) for x in places] for y in places], np.float32))
+
+
+def terrain(elevation=None, occupied=(), *, known=True, **options) -> TerrainCost:
+    cells = np.zeros(SHAPE, bool)
+    for row, column in occupied:
+        cells[row, column] = True
+    return TerrainCost(MOBILITY, cells, np.full(SHAPE, known), ORIGIN, 0.1, elevation=elevation, **options)
+
+
+def test_a_gap_that_fits_lengthwise_does_not_fit_across():
+    wall = [(row, 40) for row in range(80) if abs(row - 40) > 4]  # 0.9 m between the centres of occupied cells
+    found = terrain(occupied=wall)
+    assert found.is_free(0.05, 0.05, 0.0)
+    assert not found.is_free(0.05, 0.05, math.pi / 2.0)
+
+
+def test_the_robot_may_leave_where_it_stands_too_near():
+    found = terrain(occupied=[(40, 45)])
+    pose = PlanarPose(0.08, 0.05, 0.0)
+    assert not found.is_free(*pose)
+    found.start_at(pose)
+    assert found.is_free(*pose)
+    assert not found.is_free(pose.x + 0.1, pose.y, 0.0), "it may not come nearer"
+
+
+def test_unknown_space_costs_more_or_is_forbidden():
+    assert terrain(known=False).cost_at(0.0, 0.0) > terrain().cost_at(0.0, 0.0)
+    assert terrain(known=False).is_free(0.0, 0.0, 0.0)
+    assert not terrain(known=False, allow_unknown=False).is_free(0.0, 0.0, 0.0)
+
+
+def test_outside_of_the_map_nothing_is_free():
+    assert not terrain().is_free(5.0, 0.0, 0.0)
+    assert math.isinf(terrain().cost_at(5.0, 0.0))
+
+
+@pytest.mark.parametrize(("grade", "ahead", "across"), [(0.15, True, True), (0.4, True, False), (0.8, False, False)])
+def test_a_slope_is_driven_up_but_not_across_where_it_would_tip(grade, ahead, across):
+    found = terrain(ground(lambda x, _: grade * max(0.0, x)))
+    assert found.is_free(2.0, 0.0, 0.0) is ahead
+    assert found.is_free(2.0, 0.0, math.pi / 2.0) is across
+
+
+def test_a_low_step_is_ground_a_high_one_a_wall():
+    assert terrain(ground(lambda x, _: 0.06 * (x > 0.0))).is_free(0.0, 0.0, 0.0)
+    assert not terrain(ground(lambda x, _: 0.35 * (x > 0.0))).is_free(0.0, 0.0, 0.0)
+
+
+def test_flippers_climb_a_step_straight_and_never_down():
+    found = terrain(ground(lambda x, _: 0.15 * (x > 0.0)))
+    assert found.needs_flippers(0.05, 0.0)
+    assert found.is_free(0.05, 0.0, 0.0)
+    assert not found.is_free(0.05, 0.0, math.radians(60.0)), "askew"
+    assert not found.is_free(0.05, 0.0, math.pi), "down the kerb"
+
+
+def test_a_step_that_is_seen_in_part_of_a_cell_is_one():
+    kerb = ground(lambda x, _: 0.12 if x > 0.1 else 0.06 if x > 0.0 else 0.0)
+    assert terrain(kerb).needs_flippers(0.05, 0.0)
+    ramp = terrain(ground(lambda x, _: min(0.6, 0.5 * max(0.0, x))))
+    assert not any(ramp.needs_flippers(x / 10.0 + 0.05, 0.0) for x in range(-10, 20))
+
+
+def test_no_part_of_the_robot_is_on_a_step_that_it_does_not_climb_straight():
+    found = terrain(ground(lambda x, _: 0.15 * (x > 0.0)))
+    assert not found.is_free(-0.2, 0.0, math.pi / 2.0), "along the kerb, with a track on it"
+    assert found.is_free(-0.6, 0.0, math.pi / 2.0)
+    assert found.is_free(-0.2, 0.0, 0.0)
+    assert found.is_free(-0.2, 0.0, 0.0, backward=True), "away from its foot"
+    assert not found.is_free(0.05, 0.0, 0.0, backward=True), "down"
+    beside = PlanarPose(-0.2, 0.0, math.pi / 2.0)
+    found.start_at(beside)
+    assert found.is_free(*beside), "it may leave"
+
+
+def test_ground_beside_a_wall_is_driven_and_the_edge_above_it_is_not():
+    found = terrain(ground(lambda x, _: 0.5 * (x > 0.0)))
+    assert found.cell(-0.05, 0.0) is not None
+    assert not found.blocked[found.cell(-0.05, 0.0)]
+    assert found.blocked[found.cell(0.05, 0.0)]
+    assert not found.needs_flippers(-0.05, 0.0)
+
+
+def test_ground_that_an_edge_hides_is_taken_for_as_low_as_what_is_beyond():
+    seen = ground(lambda x, _: 0.5 if x < 0.0 else math.nan if x < 1.0 else 0.0)
+    assert not terrain(seen).is_free(0.0, 0.0, 0.0)
+    walls = terrain(ground(lambda x, _: 1.0 if 0.6 < abs(x) < 0.8 else 0.0 if abs(x) > 0.8 else math.nan))
+    assert not walls.blocked[walls.cell(0.0, 0.0)], "between two walls nothing is known"
+    level = ground(lambda x, _: math.nan if 0.0 < x < 1.0 else 0.0)
+    assert terrain(level).is_free(0.0, 0.0, 0.0)
+
+
+def test_a_wall_is_where_the_lidar_saw_it():
+    """Heights, whose cells are coarser, make a door narrower by a cell at each side."""
+    posts = ground(lambda x, y: 1.0 if abs(x) < 0.1 and abs(y - 0.05) > 0.25 else 0.0)
+    wall = [(row, 40) for row in range(80) if abs(row - 40) > 3]
+    assert terrain(posts, wall, scan_height=0.44).is_free(0.05, 0.05, 0.0)
+    assert not terrain(posts, scan_height=0.44).is_free(0.05, 0.05, 0.0), "not seen by the lidar"
+
+
+def test_a_ramp_that_the_lidar_takes_for_a_wall_is_ground():
+    ramp = ground(lambda x, _: min(0.6, 0.3 * max(0.0, x)))
+    wall = [(row, 55) for row in range(80)]  # x = 1.5, where the ramp is 0.45 m high
+    assert terrain(ramp, wall, scan_height=0.44).is_free(1.5, 0.0, 0.0)
+    assert not terrain(None, wall, scan_height=0.44).is_free(1.5, 0.0, 0.0)
+
+
+def test_echoes_block_at_once():
+    found = terrain(points=np.array([[1.0, 0.0], [9.0, 9.0], [-1e9, 0.0]]))
+    assert not found.is_free(1.0, 0.0, 0.0)
+    assert found.is_free(-1.0, 0.0, 0.0)

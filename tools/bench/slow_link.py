@@ -1,0 +1,246 @@
+"""Driving a robot through the house over a slow link: contacts, time, false stops, and from the key to the motion.
+
+python tools/bench/slow_link.py [--delays 0 100 300] [--loss 0.02] [--goals 2] [--seed 1] [--presses 20] [--json FILE]
+
+The link between console and robot carries JAUS: each datagram is delayed (milliseconds, each way) and lost at random,
+by the network in memory, on virtual time, so that the load of the machine changes nothing. inc1 drives in MuJoCo's
+physics. The operator is a program that has what a person has: the pose that the robot has reported, late by the link,
+and the deflection of a stick, 20 times a second, through the same `Operation` as that of a browser. It follows a way
+that a search has found in the true map, slower on slower links.
+
+    contacts     steps of the physics in which the robot touches walls or movable things
+    false stops  stops for silence, refused commands, and times in which the robot stands for 0.3 s after the stick was
+                 deflected for 1 s
+    key          from a press while the robot stands until it moves with 0.02 m/s: link and robot, without the browser,
+                 whose part `tools/bench/console.py` measures
+
+Pictures need cameras' processes and real time, and are not part of this. A search for a goal has a second of real time:
+on a loaded machine fewer goals are found, and the row says how many.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import json
+import math
+import statistics
+from collections.abc import Sequence
+from itertools import pairwise
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from navigation import STARTS, Watched, a_goal, true_heights, true_terrain
+
+from jauspy.console.operation import MAX_TURN_RATE, Operation
+from jauspy.errors import JausError
+from jauspy.geometry.poses import PlanarPose
+from jauspy.ocu import OCU
+from jauspy.ocu.robot import Robot
+from jauspy.planning.mobility import mobility_of
+from jauspy.planning.path_search import find_path
+from jauspy.platform.description import RobotModel
+from jauspy.robot import robot_files
+from jauspy.robot.robot_files import robot_model
+from jauspy.robot.runner import RobotRunner
+from jauspy.testing import VirtualNetwork
+from jauspy.virtual.environment import VirtualTime
+
+WORLD: Final = "house"
+PERIOD: Final = 0.05
+"""Seconds between two messages of the stick."""
+AHEAD: Final = 0.45
+"""Metres along the way at which the operator looks."""
+REACHED: Final = 0.25
+"""Metres from the end of a way."""
+LIMIT: Final = 240.0
+"""Seconds for one goal."""
+MOVES: Final = 0.02
+"""m/s with which a robot counts as moving."""
+SEARCHES: Final = 5
+"""Times that a goal is looked for: on a loaded machine a search may not end in its second."""
+PAGE: Final = "operator"
+"""Stands for the token of a page."""
+
+
+def speed_for(delay: float) -> float:
+    """The speed that the operator chooses, m/s, for seconds of delay each way."""
+    return 0.4 / (1.0 + 4.0 * delay)
+
+
+class Operator:
+    """Sees what the robot reports, and deflects the stick."""
+
+    def __init__(self, robot: Robot, operation: Operation, watched: Watched) -> None:
+        self.operation, self.robot, self.watched = operation, robot, watched
+        self.pose = PlanarPose()
+        self.problems: list[str] = []
+        self._deflected = self._stood = 0.0
+        self._stands = False
+
+    async def look(self) -> None:
+        """Follow the reported pose for ever; a lost report is asked for again."""
+        while True:
+            try:
+                found = await self.robot.pose()
+                self.pose = PlanarPose(found.x, found.y, found.yaw)
+            except JausError as error:
+                self.problems.append(f"pose: {error}")
+            await asyncio.sleep(PERIOD)
+
+    async def deflect(self, forward: float, left: float) -> None:
+        """Deflect the stick for one period, and note whether the robot stands although it should not."""
+        if why_not := self.operation.drive(PAGE, forward, left):
+            self.problems.append(why_not)
+        await asyncio.sleep(PERIOD)
+        moving = speed_of(self.watched)
+        self._deflected = self._deflected + PERIOD if max(abs(forward), abs(left)) > 0.3 else 0.0
+        self._stood = self._stood + PERIOD if self._deflected > 1.0 and moving < MOVES else 0.0
+        if self._stood > 0.3 and not self._stands:
+            self.problems.append("the robot stood although the stick was deflected")
+        self._stands = self._stood > 0.3
+
+    async def follow(self, way: Sequence[PlanarPose]) -> bool:
+        """Drive along a way of the local frame; false if it took too long."""
+        began = asyncio.get_running_loop().time()
+        at = 0
+        while asyncio.get_running_loop().time() - began < LIMIT:
+            here = self.pose
+            if math.dist(here[:2], way[-1][:2]) < REACHED:
+                await self.deflect(0.0, 0.0)
+                return True
+            while at < len(way) - 1 and math.dist(here[:2], way[at][:2]) < AHEAD:
+                at += 1
+            off = math.remainder(math.atan2(way[at].y - here.y, way[at].x - here.x) - here.yaw, math.tau)
+            turn = max(-1.0, min(1.0, 1.2 * off / MAX_TURN_RATE))
+            await self.deflect(max(0.0, 1.0 - abs(off) / 0.5), turn)
+        return False
+
+    async def stand(self, seconds: float) -> None:
+        """Release the stick, which a page tells once, and wait."""
+        await self.deflect(0.0, 0.0)
+        await asyncio.sleep(seconds)
+
+
+def speed_of(watched: Watched) -> float:
+    """The true speed: metres, and half metres of a turn, per second."""
+    assert watched.robot is not None
+    twist = watched.robot.drive.twist()
+    return math.hypot(twist.vx, twist.vy) + 0.5 * abs(twist.wz)
+
+
+def dense(points: Sequence[PlanarPose]) -> list[PlanarPose]:
+    """The way with points at most 0.1 m apart."""
+    found = [points[0]]
+    for begin, end in pairwise(points):
+        steps = max(1, math.ceil(math.dist(begin[:2], end[:2]) / 0.1))
+        for step in range(1, steps + 1):
+            part = step / steps
+            found.append(PlanarPose(begin.x + part * (end.x - begin.x), begin.y + part * (end.y - begin.y), end.yaw))
+    return found
+
+
+async def measure(delay: float, arguments: argparse.Namespace) -> dict[str, Any]:
+    """The row of one delay, in seconds each way."""
+    config = robot_files.load("inc1")
+    modules = tuple(module for module in config.modules if module.type not in ("CM-VIS", "CM-AUD"))
+    config = config.model_copy(update={"modules": modules, "cameras": (), "microphones": (), "loudspeakers": ()})
+    watched = Watched(STARTS.get(WORLD))
+    async with (
+        VirtualNetwork(seed=arguments.seed) as network,
+        RobotRunner(config, network.transport, backend=watched, world=WORLD, realtime=VirtualTime),
+        OCU("42.1.1", transport=network.transport("42.1.1")) as ocu,
+    ):
+        robot = await ocu.robot(101)
+        events: list[str] = []
+        operation = Operation(robot, events.append)
+        operation.speed_limit = speed_for(delay)
+        if problem := await operation.take(PAGE, 127):
+            raise SystemExit(problem)
+        network.delay, network.loss = delay, arguments.loss
+        operator = Operator(robot, operation, watched)
+        looking = asyncio.create_task(operator.look())
+        await operator.stand(3.0)
+        clock = asyncio.get_running_loop().time
+        watched.contacts.clear()
+        began, reached = clock(), 0
+        course = ways(watched, operator.pose, robot_model(config), arguments)
+        for way in course:
+            reached += await operator.follow(way)
+            await operator.stand(2.0)
+        seconds, contacts = clock() - began, dict(watched.contacts)
+        presses = []
+        for number in range(arguments.presses):
+            began, forward = clock(), 1.0 if number % 2 else -1.0
+            while speed_of(watched) < MOVES and clock() - began < 5.0:
+                operation.drive(PAGE, forward, 0.0)
+                await asyncio.sleep(0.005)
+            presses.append(1000.0 * (clock() - began))
+            await operator.stand(2.0)
+        looking.cancel()
+        network.delay = network.loss = 0.0
+        await operation.release()
+    stops = [event for event in events if "stopped" in event] + operator.problems
+    return {
+        "delay_ms": round(1000.0 * delay),
+        "loss": arguments.loss,
+        "speed": round(speed_for(delay), 2),
+        "goals": len(course),
+        "reached": reached,
+        "seconds": round(seconds, 1),
+        "contacts": contacts,
+        "false_stops": len(stops),
+        "said": sorted(set(stops))[:5],
+        "key_p50_ms": round(statistics.median(presses)),
+        "key_p95_ms": round(float(np.percentile(presses, 95))),
+    }
+
+
+def ways(
+    watched: Watched, reported: PlanarPose, model: RobotModel, arguments: argparse.Namespace
+) -> list[list[PlanarPose]]:
+    """Ways to the goals, each from the goal before, in the local frame of the robot."""
+    assert watched.robot is not None
+    pose = watched.robot.drive.pose()
+    here = PlanarPose(pose.x, pose.y, pose.yaw)
+    to_local = reported @ here.inverse()
+    mobility = mobility_of(model)
+    heights = true_heights(watched.robot, mobility.flipper_step)
+    terrain = true_terrain(heights, mobility)
+    rng, ways_found = np.random.default_rng(arguments.seed), list[list[PlanarPose]]()
+    for _ in range(arguments.goals):
+        terrain.start_at(here)
+        goal = next(
+            (found for _ in range(SEARCHES) if (found := a_goal(terrain, heights, here, rng)) is not None), None
+        )
+        if goal is None:
+            break  # the row tells how many there were
+        points = find_path(terrain, here, goal[0], backward=False, seconds=30.0).points
+        poses = [PlanarPose(point.x, point.y) for point in points]
+        ways_found.append(dense([to_local @ each for each in poses]))
+        last, before = points[-1], points[-2]
+        here = PlanarPose(last.x, last.y, math.atan2(last.y - before.y, last.x - before.x))
+    return ways_found
+
+
+def main() -> None:
+    """Measure all."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--delays", type=float, nargs="+", default=[0.0, 100.0, 300.0], help="ms, each way")
+    parser.add_argument("--loss", type=float, default=0.02)
+    parser.add_argument("--goals", type=int, default=2)
+    parser.add_argument("--presses", type=int, default=20)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--json", type=Path)
+    arguments = parser.parse_args()
+    rows = []
+    for delay in arguments.delays:
+        rows.append(asyncio.run(measure(delay / 1000.0, arguments)))
+        print(json.dumps(rows[-1]), flush=True)
+    if arguments.json:
+        arguments.json.write_text(json.dumps(rows, indent=2))
+
+
+if __name__ == "__main__":
+    main()
