@@ -454,7 +454,7 @@ def test_a_robot_that_is_killed_is_reported_and_found_again(page: Any) -> None:
         page.get_by_role("button", name="take", exact=True).click()
         page.get_by_text("you operate this robot").wait_for()
         doomed.process.kill()
-        page.get_by_text(re.compile(r"robot 101 inc1 does not answer any more")).wait_for()
+        page.locator(".alarm-text", has_text="robot 101 inc1 does not answer any more").wait_for()
         page.get_by_text("Looking for robots").wait_for()
         page.get_by_text("jauspy up inc1").wait_for()
 

@@ -87,7 +87,7 @@ class Operator:
         goal = dict(zip(self.model.groups["arm"].joints, rows[-1]["positions"], strict=True))
         file = json.dumps({"robot": "inc1", "joints": list(goal), "rows": rows})
         self.page.get_by_role("tab", name="Trajectory").click()
-        self.page.locator("input[type=file]").set_input_files(
+        self.page.locator("input[type=file][accept='.json']").set_input_files(
             {"name": "tour.json", "mimeType": "application/json", "buffer": file.encode()}
         )
         last = f"[aria-label='{next(reversed(goal))} of row {len(rows)}']"

@@ -10,6 +10,7 @@ import time
 from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager, closing, suppress
 from dataclasses import dataclass
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated, Final
@@ -79,6 +80,8 @@ def flight_recorder(
     known = definitions(schemas)
     prefix = "all" if subsystem is None else str(subsystem)
     suffix = ".mcap" if find_spec("foxglove") is not None else ".pcapng"
+    if suffix == ".mcap":
+        import_module("jauspy.recording.feed")  # takes most of a second, during which an incident's traffic would wait
     with stoppable(), suppress(KeyboardInterrupt), closing(LiveCapture(root)) as capture:
         recorder = FlightRecorder(
             Folder(output, prefix, suffix),
@@ -99,6 +102,8 @@ class _Listener:
         self._recorder, self._root = recorder, root
         self._lock = threading.Lock()
         """Held while the recorder works: the traffic and the clock come from two threads."""
+        self._recorded = time.monotonic()
+        """When the last datagram was given to the recorder."""
 
     def run(self, capture: LiveCapture) -> None:
         """Listen until interrupted."""
@@ -119,6 +124,7 @@ class _Listener:
             for datagram in capture:
                 with self._lock:
                     self._recorder.add(datagram)
+                    self._recorded = time.monotonic()
                 if capture.lost > told:
                     told = capture.lost
                     console.print_if_read(f"{told} packets were lost so far: not read in time", file=sys.stderr)
@@ -133,7 +139,9 @@ class _Listener:
         while True:
             time.sleep(TICK)
             with self._lock:
-                self._recorder.tick(time.time())
+                # datagrams tell the time themselves; after a slow one, as the first of a file, others wait to be read
+                if time.monotonic() - self._recorded >= TICK:
+                    self._recorder.tick(time.time())
 
 
 def parse_kinds(text: str, option: str) -> tuple[Kind, ...]:

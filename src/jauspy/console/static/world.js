@@ -3,6 +3,8 @@
 
 jauspy.world = {
   MAX_TRACK: 5000,
+  SLOW_PICTURE: 50,  // ms
+  MAX_PAUSE: 500,  // ms
   robot: 0,
   socket: null,
   model: null,
@@ -118,10 +120,22 @@ jauspy.world = {
     }
     world.changed();
   },
+  // Draw soon. Without a GPU a picture takes a tenth of a second, and the page answers to nothing meanwhile: so the next
+  // one waits twice as long as the last one took.
   changed() {
-    if (jauspy.world.drawing) return;
-    jauspy.world.drawing = true;
-    requestAnimationFrame(() => { jauspy.world.drawing = false; jauspy.view.update(); jauspy.map.draw(); });
+    const world = jauspy.world;
+    world.stale = true;
+    if (world.drawing) return;
+    world.drawing = true;
+    requestAnimationFrame((begun) => {
+      world.stale = false;
+      jauspy.view.update();
+      jauspy.map.draw();
+      requestAnimationFrame((shown) => {
+        const pause = shown - begun > world.SLOW_PICTURE ? Math.min(2 * (shown - begun), world.MAX_PAUSE) : 0;
+        setTimeout(() => { world.drawing = false; if (world.stale) world.changed(); }, pause);
+      });
+    });
   },
   colours() {
     const dark = document.body.classList.contains("body--dark");
