@@ -20,7 +20,7 @@ ATTACK_ARGS ?=
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo cell test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
+.PHONY: help setup dev demo cell test test-slow test-together test-alone coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
@@ -53,8 +53,16 @@ test: dev
 coverage: dev
 	$(PYTEST) -m '' --cov --cov-report=term $(PYTEST_ARGS)
 
+# first those that share the machine, and then those that need it for themselves
 test-slow: dev
-	$(PYTEST) -m slow $(PYTEST_ARGS)
+	$(MAKE) --no-print-directory test-together
+	$(MAKE) --no-print-directory test-alone
+
+test-together: dev
+	$(PYTEST) -m 'slow and not alone' $(PYTEST_ARGS)
+
+test-alone: dev
+	$(BIN)/pytest -m 'slow and alone' $(PYTEST_ARGS)
 
 check: types docs lint imports security
 

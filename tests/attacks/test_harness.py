@@ -12,6 +12,8 @@ from tools.attack.attack import Attack, Attacker, Bounds, Layout, NotPossible, R
 from tools.attack.attacks import ALL
 from tools.attack.hosts import Lan
 
+pytestmark = pytest.mark.alone
+
 ROOT = Path(__file__).parents[2]
 ALONE = Lan({}, "this is a test")
 

@@ -9,6 +9,8 @@ import pytest
 from tools.attack.attacks import ALL
 from tools.attack.mutants import MUTANTS
 
+pytestmark = pytest.mark.alone
+
 ROOT = Path(__file__).parents[2]
 SECONDS = 8
 NAMES = sorted({name for mutant in MUTANTS.values() for name in mutant.noticed_by})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 from hypothesis import given, strategies as st
@@ -10,8 +11,7 @@ from hypothesis import given, strategies as st
 from jauspy.cell import trials
 from jauspy.cell.measurements import Measured, figure_text
 from jauspy.cell.session import Disturbances
-from jauspy.cell.trials import mean_of, run_trials, summarised, wilson
-from jauspy.errors import ConfigError
+from jauspy.cell.trials import mean_of, read_results, run_trials, summarised, wilson, write_results
 
 COUNTS = st.integers(1, 400).flatmap(lambda runs: st.tuples(st.integers(0, runs), st.just(runs)))
 
@@ -76,7 +76,7 @@ def test_the_mean_is_that_of_the_runs_that_have_the_figure() -> None:
 def test_one_process_runs_the_seeds_in_order(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[tuple[str, int, Disturbances | None]] = []
 
-    def run_seed(task: str, seed: int, disturbances: Disturbances | None) -> Measured:
+    def run_seed(task: str, disturbances: Disturbances | None, seed: int) -> Measured:
         asked.append((task, seed, disturbances))
         return run(seed)
 
@@ -87,22 +87,19 @@ def test_one_process_runs_the_seeds_in_order(monkeypatch: pytest.MonkeyPatch) ->
     assert [each.seed for each in run_trials("lift", [7])] == [7], "one run needs no other process"
 
 
-def test_a_cluster_needs_a_package_and_a_scheduler(monkeypatch: pytest.MonkeyPatch) -> None:
-    def missing(name: str) -> object:
-        raise ImportError(name)
+def test_an_interrupted_write_leaves_the_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "trials-lift.json"
+    write_results(path, [run(2), run(1)])
+    assert [row.seed for row in read_results(path)] == [1, 2]
 
-    monkeypatch.setattr(trials, "import_module", missing)
-    with pytest.raises(ConfigError, match=r"pip install 'jauspy\[cell-cluster\]'"):
-        list(run_trials("lift", [1, 2], cluster="tcp://127.0.0.1:1"))
+    def full(path: Path, text: str) -> None:
+        path.write_bytes(text[:20].encode())
+        raise OSError("no space left")
 
-    class Distributed:
-        @staticmethod
-        def Client(address: str, timeout: str) -> object:  # noqa: N802 - as Dask names it
-            raise OSError("refused")
-
-    monkeypatch.setattr(trials, "import_module", lambda _: Distributed)
-    with pytest.raises(ConfigError, match=r"no Dask scheduler answers at 'tcp://127\.0\.0\.1:1': refused"):
-        list(run_trials("lift", [1, 2], cluster="tcp://127.0.0.1:1"))
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(OSError, match="no space"):
+        write_results(path, [run(3)])
+    assert [row.seed for row in read_results(path)] == [1, 2]
 
 
 @pytest.mark.parametrize(

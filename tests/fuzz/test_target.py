@@ -22,6 +22,8 @@ from jauspy.ids import JausID
 from jauspy.messages.core import Shutdown
 from jauspy.protocol import judp
 
+pytestmark = pytest.mark.alone
+
 TARGET = Path(__file__).parent / "faulty_target.py"
 SERVICES = frozenset(
     (f"urn:jaus:jss:core:{name}", "1.1") for name in ("Transport", "Events", "AccessControl", "Management", "Discovery")

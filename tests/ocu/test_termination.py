@@ -17,6 +17,8 @@ from jauspy.robot import robot_files
 from jauspy.robot.runner import RobotRunner
 from jauspy.testing.assertions import until
 
+pytestmark = pytest.mark.alone
+
 DRIVER = JausID(101, 1, 102)
 CONTROL_TIMEOUT = 2
 

@@ -19,6 +19,8 @@ from jauspy.robot.robot_files import load
 from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LocalTransport
 
+pytestmark = pytest.mark.alone
+
 
 async def silence(poses: Subscription[Any]) -> None:
     """Until what was under way has arrived and no more comes."""

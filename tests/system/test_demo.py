@@ -40,6 +40,8 @@ from jauspy.robot.robot_files import load, robot_model
 from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LocalTransport
 
+pytestmark = pytest.mark.alone
+
 INC1 = load("inc1")
 
 

@@ -21,6 +21,8 @@ from jauspy.recording.mcap_capture import open_capture_file
 pytest.importorskip("foxglove", reason="foxglove-sdk is of the extra `recording`")
 pytest.importorskip("mcap", reason="mcap is of the extra `recording`")
 
+pytestmark = pytest.mark.alone
+
 
 def up(root: Path, port: int, *options: str) -> tuple[str, ...]:
     where = ("--port", str(port), "--interface", "127.0.0.1", "--local-root", str(root), "--plain")

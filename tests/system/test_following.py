@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 from tests.helpers.command_line import JAUSPY
 
+pytestmark = pytest.mark.alone
+
 
 @pytest.mark.slow
 def test_a_robot_follows_the_other_of_one_up(free_port: int, root: Path, start: Callable[..., object]) -> None:

@@ -27,6 +27,8 @@ from jauspy.ocu.robot import Robot
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Broadcast, Packet
 
+pytestmark = pytest.mark.alone
+
 HERE, BEHIND = "101.1.102", "101.2.102"
 DISTANCE = 0.1  # metres
 GATEWAY = """

@@ -22,6 +22,8 @@ from typing import Any
 
 import pytest
 
+pytestmark = pytest.mark.alone
+
 ROBOT = """
 import asyncio, json, sys
 from pathlib import Path

@@ -19,6 +19,8 @@ from jauspy.robot.robot_files import load
 from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LocalTransport
 
+pytestmark = pytest.mark.alone
+
 EFFORTS = {101: 60.0, 102: -60.0}
 """By subsystem, in percent; opposite ones, so that no robot can be taken for the other."""
 DISTANCE = 0.1  # metres

@@ -1,15 +1,16 @@
-"""Many seeded runs of a task: in processes of this machine, or on a Dask cluster."""
+"""Many seeded runs of a task, in processes of this machine or on a Dask cluster, and what they say together."""
 
 from __future__ import annotations
 
 import asyncio
+import json
 import math
 import multiprocessing
 import os
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
-from dataclasses import dataclass
-from importlib import import_module
+from dataclasses import asdict, dataclass
+from functools import partial
 from pathlib import Path
 from statistics import fmean, median
 from typing import Final
@@ -19,11 +20,12 @@ from pydantic import TypeAdapter, ValidationError
 from jauspy.cell.measurements import Measured
 from jauspy.cell.session import Disturbances
 from jauspy.cell.tasks import run_one
+from jauspy.cluster import spread
 from jauspy.errors import ConfigError
 from jauspy.user_files import read_file
 
 
-def run_seed(task: str, seed: int, disturbances: Disturbances | None) -> Measured:
+def run_seed(task: str, disturbances: Disturbances | None, seed: int) -> Measured:
     """Run a task once, in the calling process."""
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     return asyncio.run(run_one(task, seed, disturbances))
@@ -37,34 +39,19 @@ def run_trials(
     jobs: int | None = None,
     cluster: str | None = None,
 ) -> Iterator[Measured]:
-    """Yield the results as they come, in any order; `cluster` is the address of a Dask scheduler."""
+    """Yield the results as they come, in any order; `cluster` as in `jauspy.cluster.spread`."""
     wanted = list(seeds)
     if cluster is not None:
-        yield from _on_cluster(cluster, task, wanted, disturbances)
+        yield from spread(cluster, partial(run_seed, task, disturbances), wanted)
     elif jobs == 1 or len(wanted) == 1:
         for seed in wanted:
-            yield run_seed(task, seed, disturbances)
+            yield run_seed(task, disturbances, seed)
     else:
         context = multiprocessing.get_context("spawn")
         with ProcessPoolExecutor(jobs or os.cpu_count(), mp_context=context) as pool:
-            futures = [pool.submit(run_seed, task, seed, disturbances) for seed in wanted]
+            futures = [pool.submit(run_seed, task, disturbances, seed) for seed in wanted]
             for future in as_completed(futures):
                 yield future.result()
-
-
-def _on_cluster(address: str, task: str, seeds: list[int], disturbances: Disturbances | None) -> Iterator[Measured]:
-    try:
-        distributed = import_module("distributed")
-    except ImportError:
-        raise ConfigError("--cluster needs Dask's `distributed`; run: pip install 'jauspy[cell-cluster]'") from None
-    try:
-        client = distributed.Client(address, timeout="10s")
-    except (OSError, ValueError) as error:
-        raise ConfigError(f"no Dask scheduler answers at {address!r}: {error}") from error
-    with client:
-        futures = [client.submit(run_seed, task, seed, disturbances, pure=False) for seed in seeds]
-        for _, result in distributed.as_completed(futures, with_results=True):
-            yield result
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +116,13 @@ def mean_of(results: Iterable[Measured], name: str) -> float:
 MAX_RESULTS: Final = 256 << 20
 """Bytes of a file of results."""
 _RESULTS: Final = TypeAdapter(list[Measured])
+
+
+def write_results(path: Path, results: Iterable[Measured]) -> None:
+    """Write the file that `read_results` reads; one that is interrupted leaves the file as it was."""
+    unfinished = path.with_name(f"{path.name}.unfinished")
+    unfinished.write_text(json.dumps([asdict(run) for run in results], indent=1))
+    unfinished.replace(path)
 
 
 def read_results(path: Path) -> list[Measured]:

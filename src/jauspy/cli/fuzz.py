@@ -14,7 +14,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.text import Text
 
 from jauspy.cli import console
-from jauspy.cli.options import Json
+from jauspy.cli.options import ClusterOption, Json
 from jauspy.codec.message import counted
 from jauspy.errors import ConfigError, SchemaError
 from jauspy.fuzz.campaign import CHECK as IDENTITY, CampaignPlan, CampaignResult, fuzzer, run
@@ -27,15 +27,6 @@ SchemasOption = Annotated[
         "--schemas",
         metavar="FILE",
         help="Your own JSIDL files, folders or patterns; their messages are tested instead of the built-in ones.",
-    ),
-]
-ClusterOption = Annotated[
-    str | None,
-    typer.Option(
-        "--cluster",
-        metavar="ADDRESS",
-        help="Spread the cases over the Dask cluster of this scheduler, tcp://HOST:PORT; `local` starts workers here. "
-        "What a lost worker did is done again by another one.",
     ),
 ]
 PackageOption = Annotated[

@@ -11,8 +11,7 @@ from typing import Annotated
 import typer
 
 from jauspy.cli import console
-from jauspy.cli.fuzz import ClusterOption
-from jauspy.cli.options import Json
+from jauspy.cli.options import ClusterOption, Json
 from jauspy.codec.message import counted
 from jauspy.errors import ConfigError
 from jauspy.fuzz.target.address import target_address

@@ -114,6 +114,15 @@ def file_mode(text: str) -> int:
     )
 
 
+ClusterOption = Annotated[
+    str | None,
+    typer.Option(
+        "--cluster",
+        metavar="ADDRESS",
+        help="Spread the work over the Dask cluster of this scheduler, tcp://HOST:PORT; `local` starts workers here. "
+        "What a lost worker did is done again by another one.",
+    ),
+]
 Authority = Annotated[int, typer.Option("--authority", min=0, max=255, help="Authority with which control is taken.")]
 World = Annotated[
     str | None,

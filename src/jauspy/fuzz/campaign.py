@@ -16,11 +16,11 @@ from random import Random
 from typing import Final
 
 from jauspy import __version__
+from jauspy.cluster import spread
 from jauspy.codec.build import load_schema
 from jauspy.codec.registry import MessageEntry, Registry
 from jauspy.errors import ConfigError
 from jauspy.fuzz.checks import MEMORY_INTERVAL, Checks, CostLimit
-from jauspy.fuzz.cluster import spread
 from jauspy.fuzz.findings import MAX_TRIES, FuzzFinding, Problem, minimise
 from jauspy.fuzz.messages import FuzzTarget, MessageMaker, Style, targets
 from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate, offsets_of

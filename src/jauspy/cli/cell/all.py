@@ -135,12 +135,12 @@ def _once(
 
 
 def _trials(task: str, count: int, need: float, jobs: int | None, out: Path) -> tuple[list[Promise], Section]:
-    from jauspy.cell.trials import run_trials
+    from jauspy.cell.trials import run_trials, write_results
 
     console.note(f"{count} runs of {task}")
     results = run_trials(task, range(count), jobs=jobs)
     found = sorted(with_progress(task, count, results), key=lambda run: run.seed)
-    (out / f"trials-{task}.json").write_text(json.dumps([asdict(run) for run in found], indent=1))
+    write_results(out / f"trials-{task}.json", found)
     return _many(found, f"{count} runs of {task}", need, out / f"trials-{task}.svg")
 
 
@@ -233,14 +233,14 @@ def _filled(figures: str, found: Measured) -> str:
 
 def _kitting(out: Path, seeds: int, jobs: int | None) -> tuple[list[Promise], Section]:
     from jauspy.cell.report import Promise, Section, Table
-    from jauspy.cell.trials import mean_of, run_trials
+    from jauspy.cell.trials import mean_of, run_trials, write_results
 
     console.note(f"{seeds} kitting orders, each way")
     rows: list[Sequence[str]] = [("way", "runs", "mean score", "of", "mean time of an order, s", "building, s")]
     results: dict[str, list[Measured]] = {}
     for task, way in WAYS.items():
         results[task] = found = list(with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)))
-        (out / f"{task}.json").write_text(json.dumps([asdict(run) for run in found], indent=1))
+        write_results(out / f"{task}.json", found)
         figures = [f"{mean_of(found, name):.2f}" for name in ("score", "most_points", "order_time", "build_time")]
         rows.append((way, str(len(found)), *figures))
     done = all(run.success for found in results.values() for run in found)

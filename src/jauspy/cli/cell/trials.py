@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import asdict, replace
@@ -12,7 +11,7 @@ import typer
 
 from jauspy.cli import console
 from jauspy.cli.cell.options import OUTPUT, Exact, Jobs, Out, Seeds, check_extra
-from jauspy.cli.options import Json
+from jauspy.cli.options import ClusterOption, Json
 
 if TYPE_CHECKING:
     from jauspy.cell.measurements import Measured
@@ -39,12 +38,11 @@ def trials(
     seeds: Seeds = 100,
     first: Annotated[int, typer.Option("--first", min=0, metavar="N", help="The first seed.")] = 0,
     jobs: Jobs = None,
-    cluster: Annotated[
-        str | None,
-        typer.Option(
-            "--cluster", metavar="ADDRESS", help="Run on the cluster of this Dask scheduler, tcp://HOST:PORT."
-        ),
-    ] = None,
+    cluster: ClusterOption = None,
+    resume: Annotated[
+        bool,
+        typer.Option("--resume", help="Keep the results in DIR of an interrupted run with the same options."),
+    ] = False,
     exact: Exact = False,
     scatter: Annotated[
         bool, typer.Option("--scatter", help="Have the parts lie anywhere in their bins, turned at will.")
@@ -60,30 +58,33 @@ def trials(
     Parts' poses are off by up to 10 mm and 5 degrees, 2 % of the grasps fail at random, and the part sensor is
     noisy. Writes DIR/trials-TASK.json and a plot, DIR/trials-TASK.svg.
 
-    Example:
+    Examples:
       jauspy cell trials assemble --seeds 100 --jobs 4
+      jauspy cell trials demo --seeds 100 --resume
     """
     check_extra()
     from jauspy.cell.report import plot_trials
     from jauspy.cell.session import UNDISTURBED, Disturbances
     from jauspy.cell.tasks import NAMES
-    from jauspy.cell.trials import run_trials, summarised
+    from jauspy.cell.trials import read_results, run_trials, summarised, write_results
     from jauspy.cli.cell.ariac import summary_tables
     from jauspy.cli.cell.tables import trials_table
 
     if task not in NAMES:
         raise typer.BadParameter(f"{task!r} is not a task; the tasks are: {', '.join(NAMES)}", param_hint="TASK")
-    found: list[Measured] = []
     out.mkdir(parents=True, exist_ok=True)
     path = out / f"trials-{task}.json"
+    found = read_results(path) if resume and path.exists() else []
+    found = [run for run in found if first <= run.seed < first + seeds]
+    wanted = sorted(set(range(first, first + seeds)) - {run.seed for run in found})
     disturbances = replace(UNDISTURBED if exact else Disturbances(), scatter=scatter)
-    results = run_trials(task, range(first, first + seeds), disturbances, jobs=jobs, cluster=cluster)
-    for run in with_progress(task, seeds, results):
+    results = run_trials(task, wanted, disturbances, jobs=jobs, cluster=cluster)
+    for run in with_progress(task, len(wanted), results):
         found.append(run)
-        path.write_text(json.dumps([asdict(every) for every in found], indent=1))
+        write_results(path, found)
     found.sort(key=lambda run: run.seed)
     summary = summarised(found)
-    path.write_text(json.dumps([asdict(run) for run in found], indent=1))
+    write_results(path, found)
     plot_trials(found, summary, out / f"trials-{task}.svg")
     if as_json:
         console.print_json(asdict(summary))
@@ -109,7 +110,7 @@ def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT, as_json:
       jauspy cell kitting --seeds 20 --jobs 4
     """
     check_extra()
-    from jauspy.cell.trials import run_trials
+    from jauspy.cell.trials import run_trials, write_results
 
     out.mkdir(parents=True, exist_ok=True)
     results: dict[str, list[Measured]] = {}
@@ -117,7 +118,7 @@ def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT, as_json:
         results[task] = []
         for run in with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)):
             results[task].append(run)
-            (out / f"{task}.json").write_text(json.dumps([asdict(every) for every in results[task]], indent=1))
+            write_results(out / f"{task}.json", results[task])
     if as_json:
         console.print_json({task: [asdict(run) for run in found] for task, found in results.items()})
     else:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import Final
 
-from jauspy.fuzz.cluster import spread
+from jauspy.cluster import spread
 from jauspy.fuzz.target.address import Address, free_port
 from jauspy.fuzz.target.cases import EPISODE, Cases
 from jauspy.fuzz.target.findings import TargetFinding, code_of, minimised

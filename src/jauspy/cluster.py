@@ -1,4 +1,4 @@
-"""Parts of a campaign on a Dask cluster, in order. A part whose worker is lost is done again by another worker."""
+"""Parts of a campaign (fuzzing, trials) on a Dask cluster, in order. Another worker does again what a lost one did."""
 
 from __future__ import annotations
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from jauspy.cluster import spread
 from jauspy.errors import ConfigError
 from jauspy.fuzz.campaign import CampaignPlan, run
-from jauspy.fuzz.cluster import spread
 
 distributed = pytest.importorskip("distributed", reason="needs jauspy[cell-cluster]")
 pytestmark = pytest.mark.filterwarnings("default")  # of Dask, about its own processes
@@ -35,7 +35,7 @@ def fatal(number: int) -> int:
 
 @pytest.fixture
 def cluster(monkeypatch):
-    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(Path(__file__).parents[2]), *sys.path]))
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(Path(__file__).parents[1]), *sys.path]))
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as made:
         yield made.scheduler_address
 
@@ -58,6 +58,15 @@ def test_a_campaign_on_a_cluster_is_the_same(cluster):
     plan = CampaignPlan(1500, 2, only=("ConfirmControl",))
     there, here = run(plan, cluster=cluster), run(plan)
     assert (there.cases, there.accepted, there.findings) == (here.cases, here.accepted, here.findings)
+
+
+def test_a_missing_package_is_an_error(monkeypatch):
+    def missing(name):
+        raise ImportError(name)
+
+    monkeypatch.setattr("jauspy.cluster.import_module", missing)
+    with pytest.raises(ConfigError, match=r"pip install 'jauspy\[cell-cluster\]'"):
+        list(spread("tcp://127.0.0.1", fatal, [1]))
 
 
 def test_no_scheduler_is_an_error():
