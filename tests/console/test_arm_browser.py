@@ -19,7 +19,7 @@ TURN, SHOULDER = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2"
 
 @pytest.fixture(scope="module")
 def robot() -> Iterator[RunningRobot]:
-    with shared_robot() as running:
+    with shared_robot(few_pictures=True) as running:
         yield running
 
 

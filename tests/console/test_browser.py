@@ -14,7 +14,7 @@ pytestmark = BROWSER_MARKS
 
 @pytest.fixture(scope="module")
 def robot() -> Iterator[RunningRobot]:
-    with shared_robot() as running:
+    with shared_robot(few_pictures=True) as running:
         yield running
 
 

@@ -15,7 +15,7 @@ pytestmark = BROWSER_MARKS
 
 @pytest.fixture(scope="module")
 def url() -> Iterator[str]:
-    with shared_robot() as running, console_for(running.local) as (address, _):
+    with shared_robot(few_pictures=True) as running, console_for(running.local) as (address, _):
         yield address
 
 

@@ -449,7 +449,7 @@ def test_the_robot_stands_when_the_server_is_killed(browser: Any, robot: Watched
 
 
 def test_a_robot_that_is_killed_is_reported_and_found_again(page: Any) -> None:
-    with shared_robot() as doomed, console_for(doomed.local) as (address, _):
+    with shared_robot(few_pictures=True) as doomed, console_for(doomed.local) as (address, _):
         page.goto(address)
         page.get_by_role("button", name="take", exact=True).click()
         page.get_by_text("you operate this robot").wait_for()

@@ -23,7 +23,7 @@ DRIVE, ARM = 4, 5
 
 @pytest.fixture
 def url() -> Iterator[str]:
-    with shared_robot() as robot, console_for(robot.local) as (address, _):
+    with shared_robot(few_pictures=True) as robot, console_for(robot.local) as (address, _):
         yield address
 
 

@@ -22,7 +22,7 @@ MIDDLE = """index => {
 
 @pytest.fixture(scope="module")
 def url() -> Iterator[str]:
-    with shared_robot() as robot, console_for(robot.local) as (address, _):
+    with shared_robot(few_pictures=True) as robot, console_for(robot.local) as (address, _):
         yield address
 
 

@@ -34,7 +34,7 @@ def files(tmp_path: Path) -> Path:
 def url(files: Path) -> Iterator[str]:
     names = ("users.toml", "certificate.pem", "key.pem")
     users, certificate, key = (str(files / f"console-{name}") for name in names)
-    with shared_robot() as robot:
+    with shared_robot(few_pictures=True) as robot:
         options = ("--users", users, "--certificate", certificate, "--key", key)
         with console_for(robot.local, *options) as (address, _):
             yield address

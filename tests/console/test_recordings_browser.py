@@ -21,7 +21,10 @@ pytestmark = BROWSER_MARKS
 def url(tmp_path: Path) -> Iterator[str]:
     run = write_run(tmp_path / "circle.mcap")
     (tmp_path / "cut.mcap").write_bytes(run.read_bytes()[:5000])
-    with shared_robot() as robot, console_for(robot.local, "--recordings", str(tmp_path)) as (address, _):
+    with (
+        shared_robot(few_pictures=True) as robot,
+        console_for(robot.local, "--recordings", str(tmp_path)) as (address, _),
+    ):
         yield address
 
 

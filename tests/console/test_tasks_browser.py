@@ -23,7 +23,7 @@ STRICT = "101.1.110"
 
 @pytest.fixture(scope="module")
 def robot() -> Iterator[RunningRobot]:
-    with shared_robot() as running:
+    with shared_robot(few_pictures=True) as running:
         yield running
 
 

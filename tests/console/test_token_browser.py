@@ -47,7 +47,7 @@ def other_site(text: str) -> Iterator[str]:
 def test_the_token_opens_the_console_and_other_sites_do_not(monkeypatch: pytest.MonkeyPatch) -> None:
     opened: list[str] = []
     monkeypatch.setattr(webbrowser, "open", opened.append)
-    with shared_robot() as robot, console_for(robot.local) as (url, _), chromium() as browser:
+    with shared_robot(few_pictures=True) as robot, console_for(robot.local) as (url, _), chromium() as browser:
         base = url.partition("?")[0]
         stranger = new_page(browser)
         stranger.goto(base)

@@ -32,7 +32,7 @@ SMALL = """() => [...document.querySelectorAll('.bar button, .tabs button, .pane
 def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     poses = tmp_path_factory.mktemp("poses") / "poses.toml"
     poses.write_text("[inc1.ahead]\nbase_link_to_arm_link_1 = 0.2\n[inc1.other]\nno_such_joint = 1.0\n")
-    with shared_robot() as robot, console_for(robot.local, "--poses", str(poses)) as (address, _):
+    with shared_robot(few_pictures=True) as robot, console_for(robot.local, "--poses", str(poses)) as (address, _):
         yield address
 
 

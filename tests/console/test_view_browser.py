@@ -17,7 +17,7 @@ NAMED = (*FIELDS, "button", "dialog", "link", "region", "tab")
 
 @pytest.fixture(scope="module")
 def url() -> Iterator[str]:
-    with shared_robot() as robot, console_for(robot.local) as (address, _):
+    with shared_robot(few_pictures=True) as robot, console_for(robot.local) as (address, _):
         yield address
 
 

@@ -45,13 +45,34 @@ def console_for(
         yield process.stdout.readline().strip().rpartition(" ")[2], process
 
 
+_kept: dict[str, Any] = {}
+"""Playwright and its browser: of all tests of a module, since their start takes seconds."""
+
+
 @contextmanager
 def chromium() -> Iterator[Any]:
-    """A browser without a window."""
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+    """A browser without a window; its pages are closed at the end of the block."""
+    if "browser" not in _kept or not _kept["browser"].is_connected():
+        close_chromium()
+        _kept["playwright"] = sync_api.sync_playwright().start()
+        options = {"executable_path": CHROMIUM, "args": ["--no-sandbox", "--disable-gpu"]}
+        _kept["browser"] = _kept["playwright"].chromium.launch(**options)
+    browser = _kept["browser"]
+    before = list(browser.contexts)
+    try:
         yield browser
+    finally:
+        for context in browser.contexts:
+            if context not in before:
+                context.close()
+
+
+def close_chromium() -> None:
+    """End the browser, if there is one."""
+    if (browser := _kept.pop("browser", None)) is not None:
         browser.close()
+    if (playwright := _kept.pop("playwright", None)) is not None:
+        playwright.stop()
 
 
 def new_page(browser: Any, **options: Any) -> Any:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
+import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -106,10 +109,34 @@ class RunningRobot:
         assert_gone(self.family)
 
 
+def with_few_pictures(folder: Path) -> str:
+    """The file of an inc1 that sends few and small pictures: its cameras and a browser take turns on two cores."""
+    cameras = [
+        camera | {"size": [320, 240], "rate": 5}
+        for camera in tomllib.loads((files("jauspy.robots") / "inc1.toml").read_text())["cameras"]
+    ]
+    path = folder / "inc1.toml"
+    path.write_text(f'extends = "inc1"\nname = "inc1"\ncameras = {_toml(cameras)}\n')
+    return str(path)
+
+
+def _toml(value: object) -> str:
+    """A value as TOML, without line breaks."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{name} = {_toml(part)}" for name, part in value.items()) + " }"
+    if isinstance(value, list):
+        return f"[{', '.join(map(_toml, value))}]"
+    return json.dumps(value)
+
+
 @contextmanager
-def shared_robot(name: str = "inc1", *, backend: str = "kinematic") -> Iterator[RunningRobot]:
+def shared_robot(
+    name: str = "inc1", *, backend: str = "kinematic", few_pictures: bool = False
+) -> Iterator[RunningRobot]:
     """A process `jauspy up` for several tests, which leave it as they found it; port and folder are its own."""
     root = Path(tempfile.mkdtemp(prefix="jauspy-"))
+    if few_pictures:
+        name = with_few_pictures(root)
     try:
         robot = RunningRobot(unused_port(), root, name, backend=backend)
         try:
