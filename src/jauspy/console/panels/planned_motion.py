@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING, Final
 
 from nicegui import ui
 
-from jauspy.console.markup import call
+from jauspy.console.languages import sentence
+from jauspy.console.markup import attributes, call
 from jauspy.console.motion import Motion
+from jauspy.console.page_language import _, translated
 from jauspy.ocu.planner import PLANNER
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
@@ -26,12 +28,13 @@ class PlannedMotionRow:
         self._console, self._token = console, token
         self._motion = Motion(console, token)
         self._robot: Robot | None = None
-        with ui.element("div").classes("row tight").props('aria-label="Planned motion"') as self._row:
-            ui.label("Planned motion").classes("heading")
+        with ui.element("div").classes("row tight") as self._row:
+            attributes(self._row, aria_label=_("Planned motion"))
+            ui.label(_("Planned motion")).classes("heading")
             self._text = ui.label("").classes("hint grow").props('role="status"')
-            play = ui.checkbox("play", value=True).props("dense")
+            play = ui.checkbox(_("play"), value=True).props("dense")
             play.on_value_change(lambda event: call("jauspy.world.set", "play", bool(event.value)))
-            self._cancel = ui.button("cancel motion", on_click=self._on_cancel).props("outline no-caps")
+            self._cancel = ui.button(_("cancel motion"), on_click=self._on_cancel).props("outline no-caps")
             self._problem = ui.label("").classes("problem").props('role="alert"')
         self._row.set_visibility(False)
         ui.timer(UPDATE_INTERVAL, self._update)
@@ -55,16 +58,16 @@ class PlannedMotionRow:
             return
         text = world.planned.text
         self._row.set_visibility(bool(text))
-        self._text.set_text(printable(text))
+        self._text.set_text(printable(translated(text)))
         state = world.planned.state
         is_active = state is not None and state.phase in ("planning", "planned", "executing")
         self._cancel.set_enabled(is_active and not self._motion.is_running and not self._motion.refusal(robot.id))
-        self._problem.set_text(printable(self._motion.problem))
+        self._problem.set_text(printable(translated(self._motion.problem)))
 
     def _on_cancel(self) -> None:
         robot = self._robot
         if robot is not None:
-            self._motion.begin(robot.id, self._take_over(robot), "cancelling the planned motion")
+            self._motion.begin(robot.id, self._take_over(robot), sentence("cancelling the planned motion"))
 
     async def _take_over(self, robot: Robot) -> None:
         """Take control of the planners for a moment: whoever loses it loses plan and motion, too."""

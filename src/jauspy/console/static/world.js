@@ -58,7 +58,7 @@ jauspy.world = {
     if (state.model) {
       world.model = state.model;
       const left = state.left_out.length;
-      world.tell("source", state.model.source + (left ? `; ${left} meshes of other formats are not shown` : ""));
+      world.tell("source", state.model.source + (left ? `; ${jauspy._("{count} meshes of other formats are not shown", { count: left })}` : ""));
       jauspy.view.build();
       return;
     }
@@ -78,7 +78,7 @@ jauspy.world = {
     if (state.geo) world.geo = state.geo;
     if (state.others) world.others = state.others;
     if (state.notes) world.tell("notes", state.notes.join("; "));
-    world.tell("age", state.age ? `the pose is ${state.age} s old` : "");
+    world.tell("age", state.age ? jauspy._("the pose is {age} s old", { age: state.age }) : "");
     if (state.track) {
       world.track.push(...state.track);
       if (world.track.length > world.MAX_TRACK) world.track.splice(0, world.track.length - world.MAX_TRACK);
@@ -90,10 +90,10 @@ jauspy.world = {
     const { renderer, starting, missing } = jauspy.view;
     const { model, socket } = jauspy.world;
     let text = "";
-    if (starting && !renderer) text = "starting the 3-D view \u2026";
-    else if (!model && socket?.readyState !== WebSocket.OPEN) text = "connecting to the console \u2026";
-    else if (!model) text = "asking the robot what it looks like \u2026";
-    else if (missing) text = `loading shapes: ${missing} left`;
+    if (starting && !renderer) text = jauspy._("starting the 3-D view \u2026");
+    else if (!model && socket?.readyState !== WebSocket.OPEN) text = jauspy._("connecting to the console \u2026");
+    else if (!model) text = jauspy._("asking the robot what it looks like \u2026");
+    else if (missing) text = jauspy._("loading shapes: {count} left", { count: missing });
     jauspy.world.tell("waiting", jauspy.view.failed ? "" : text);
   },
   tell(what, text) {
@@ -204,7 +204,7 @@ jauspy.view = {
       view.renderer = new THREE.WebGLRenderer({ antialias: true });
     } catch {
       view.failed = true;
-      place.replaceChildren(Object.assign(document.createElement("p"), { className: "hint", textContent: "This browser has no WebGL, so there is no 3-D view; the map works." }));
+      place.replaceChildren(Object.assign(document.createElement("p"), { className: "hint", textContent: jauspy._("This browser has no WebGL, so there is no 3-D view; the map works.") }));
       return;
     }
     view.library = library;
@@ -396,7 +396,7 @@ jauspy.view = {
         const mesh = loaded.isBufferGeometry ? add(loaded) : place.add(loaded.clone());
         mesh.scale.set(...shape.scale);
         jauspy.world.changed();
-      }, () => jauspy.world.tell("notes", "a mesh of the robot cannot be loaded")).finally(ended);
+      }, () => jauspy.world.tell("notes", jauspy._("a mesh of the robot cannot be loaded"))).finally(ended);
     }
   },
   async load(url, format) {
