@@ -26,6 +26,8 @@ UPDATE_INTERVAL: Final = 0.4
 DEFAULT_SHARE: Final = 0.5
 """The initial force, as a share of the greatest one."""
 ALL_FIELDS: Final = 0xFFFF_FFFF
+NO_FORCE: Final = 0.5
+"""Newtons of a finger below which it counts as free: friction and noise."""
 
 
 class GripperPanel:
@@ -41,8 +43,7 @@ class GripperPanel:
         self._has_width = False
         with ui.element("section").classes("panel gripper") as self._panel:
             with ui.element("div").classes("row"):
-                ui.label(_("Gripper")).classes("heading")
-                self._state = ui.label("").classes("hint grow")
+                ui.label(_("Gripper")).classes("heading grow")
                 self._open = ui.button(_("open"), on_click=lambda: self._grip(close=False)).props(
                     "outline no-caps dense"
                 )
@@ -51,6 +52,7 @@ class GripperPanel:
                     "outline no-caps dense"
                 )
                 self._close.classes("grip-close")
+            self._state = ui.label("").classes("hint")
             with ui.element("div").classes("row"):
                 with ui.element("div").classes("setting") as self._force_part:
                     self._force_text = ui.label("").classes("hint")
@@ -122,17 +124,24 @@ class GripperPanel:
             self._show_force()
             self._show_opening()
         if self._has_width:
-            self._state.set_text(f"fingers open {1000.0 * await gripper.width():.0f} mm{await self._wrist()}")
+            parts = [_("fingers open {width:.0f} mm", width=1000.0 * await gripper.width())]
+            if (force := await gripper.force()) is not None:
+                parts.append(pressing_text(force))
+            if (weight := await self._wrist()) is not None:
+                parts.append(_("wrist {force:.1f} N", force=weight))
+            self._state.set_text(", ".join(parts))
             return
         fingers = ", ".join(f"{value:.3f}" for value in (await gripper.joints()).positions.values())
-        self._state.set_text(f"fingers at {fingers}" if fingers else "does not report its fingers")
+        self._state.set_text(
+            _("fingers at {positions}", positions=fingers) if fingers else _("does not report its fingers")
+        )
 
-    async def _wrist(self) -> str:
-        """The force that the wrist measures, such as the weight of what is held; empty for a robot without sensor."""
+    async def _wrist(self) -> float | None:
+        """Newtons that the wrist measures, such as the weight of what is held; None for a robot without sensor."""
         robot = self._robot
         if robot is None or not any(robot.info.offering(FORCE_TORQUE)):
-            return ""
-        return f", wrist {math.hypot(*(await robot.force_torque()).force):.1f} N"
+            return None
+        return math.hypot(*(await robot.force_torque()).force)
 
     def _show_force(self) -> None:
         unit = "N" if self._max_force else "%"
@@ -161,6 +170,15 @@ class GripperPanel:
 
         if self._robot is not None:
             self._motion.begin(self._robot.id, run(), what)
+
+
+def pressing_text(force: float) -> str:
+    """The measured force of each finger as text; inwards is positive."""
+    if abs(force) < NO_FORCE:
+        return _("without force")
+    if force > 0.0:
+        return _("press {force:.0f} N", force=force)
+    return _("push outwards {force:.0f} N", force=-force)
 
 
 async def switch(connector: ServiceClient, *, on: bool) -> None:
