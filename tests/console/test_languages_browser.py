@@ -28,7 +28,7 @@ TEXTS = """() => {
 OF_ROBOTS = re.compile(
     r"[\d\W_]*"  # numbers and signs
     r"|[a-zA-Z]{1,2}[+\u2212\u2191\u2193 ]*"  # axes, units
-    r"|(?:\u21e7)?[A-Z]|Esc|F8|rad|(?:ready|standby|emergency|failure)\b.*"  # keys, states
+    r"|(?:\u21e7)?[A-Z]|Esc|F8|rad|\W*(?:ready|standby|emergency|failure)\b.*"  # keys, states
     r"|.*\b(?:\d+\.\d+|101|inc1|jauspy|JAUS|REP-103|CM-[A-Z]+|WebGL|CSV|Hz|Lidar|arm_link\w*|\w+_\w+)\b.*"
     r"|.*\b(?:\d+ (?:m|N|ms|mm|s|mm/s|%|V|W|kB|MB|/s)|\d+/s|\d+°/s)\b.*|English|Deutsch|Français"
 )

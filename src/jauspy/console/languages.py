@@ -80,7 +80,7 @@ def language_of(cookie: str | None, accepted: str | None) -> str:
 
     Nothing that a browser sends is an error: what is not understood counts as not sent.
     """
-    if cookie in LANGUAGES:
+    if cookie is not None and cookie in LANGUAGES:
         return cookie
     wishes = []
     for place, part in enumerate((accepted or "")[:MAX_HEADER].split(",")):

@@ -27,7 +27,7 @@ UPDATE_INTERVAL: Final = 0.25
 VIEWS: Final = {"joints": sentence("joints"), "tool": sentence("tool"), "poses": sentence("poses")}
 AXES: Final = (("x", "I", "K"), ("y", "J", "L"), ("z", "U", "O"))
 """Axes with the keys that move along them, and, with Shift, turn about them."""
-TURNS: Final = ("roll", "pitch", "yaw")
+TURNS: Final = (sentence("roll"), sentence("pitch"), sentence("yaw"))
 MAX_ROBOT_POSES: Final = 64
 """Poses of the robot that are shown."""
 AT_LIMIT: Final = 0.02
@@ -212,8 +212,9 @@ class ArmPanel:
                 for number, (axis, plus, minus) in enumerate(AXES):
                     _jog_button(f"{axis} \u2212", number, -1, minus)
                     _jog_button(f"{axis} +", number, 1, plus)
-                    _jog_button(f"{TURNS[number]} \u2212", number + 3, -1, f"\u21e7{minus}")
-                    _jog_button(f"{TURNS[number]} +", number + 3, 1, f"\u21e7{plus}")
+                    turn = translated(TURNS[number])
+                    _jog_button(f"{turn} \u2212", number + 3, -1, f"\u21e7{minus}")
+                    _jog_button(f"{turn} +", number + 3, 1, f"\u21e7{plus}")
             with ui.element("div").classes("row"):
                 linear = _slider(_("linear"), (10, round(1000 * MAX_SPEED), 10), 50, "mm/s")
                 linear.on_value_change(lambda event: attributes(self._jog, data_linear=event.value / 1000.0))
