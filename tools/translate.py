@@ -63,7 +63,7 @@ def catalogue(language: str, domain: str) -> Catalog:
     )
     for text, names in sorted(sources(domain).items()):
         before = known.get(text)
-        new.add(text, before.string if before is not None else "", [(name, None) for name in sorted(names)])
+        new.add(text, before.string if before is not None else "", [(name, 0) for name in sorted(names)])
     return new
 
 

@@ -92,10 +92,10 @@ class PlannedMotion:
         state, plan = self.state, self.plan
         if state is None or state.phase == "idle":
             return ""
-        words = [PHASES.get(state.phase, state.phase)]
+        words: list[str] = [PHASES.get(state.phase, state.phase)]
         if state.phase == "executing":
             words.append(f"{100.0 * state.progress:.0f} %")
-        parts = [joined(words, " ")]
+        parts: list[str] = [joined(words, " ")]
         if plan is not None:
             parts.append(f"{plan.duration:.1f} s")
             if plan.clearance == plan.clearance:  # no NaN

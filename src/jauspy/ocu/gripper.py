@@ -106,6 +106,7 @@ class Gripper:
         if self.info.find(FORCE_SENSOR) is None or not await self.has_width():
             return None
         report = await self._connection.query(self.info.id, QueryJointForceTorques(), expects=ReportJointForceTorques)
+        assert isinstance(report, ReportJointForceTorques)
         pressing = [
             -math.copysign(1.0, joint.width_rate) * record.joint_force_torque.value
             for joint, record in zip(

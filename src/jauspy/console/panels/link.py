@@ -55,11 +55,12 @@ class LinkPanel:
         if robot is None or self._asks:
             return
         self._asks = True
+        state, problem, summary = "", "", ""
         try:
             health = await robot.link()
             reports = await robot.health() if any(robot.info.offering(HEALTH)) else []
         except JausError:
-            state, problem, summary = "", sentence("the robot does not answer"), sentence("no link")
+            problem, summary = sentence("the robot does not answer"), sentence("no link")
         else:
             state, problem = described(health), alarm(health) or queue_alarm(reports)
             summary = in_short(health)

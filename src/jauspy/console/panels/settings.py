@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 from nicegui import ui
@@ -11,7 +12,7 @@ from jauspy.console.languages import LANGUAGES, sentence
 from jauspy.console.markup import attributes, call, plain_text
 from jauspy.console.page_language import _, page_language, translated
 
-_LABELS: Final = {
+_LABELS: Final[Mapping[str, tuple[str, Mapping[str, str]]]] = {
     "axes": (sentence("Axes"), {REP_103: "REP-103", JAUS: "JAUS"}),
     "length": (sentence("Lengths"), {METRES: sentence("metres"), FEET: sentence("feet")}),
     "angle": (sentence("Angles"), {DEGREES: sentence("degrees"), RADIANS: sentence("radians")}),
