@@ -7,7 +7,8 @@ emergency is set. `watchdog` does the latter when the console itself is killed.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from typing import Final
 
@@ -28,6 +29,10 @@ MAX_TURN_RATE: Final = 1.2
 """rad/s at full deflection of the stick."""
 VELOCITY_MODE, EFFORT = "velocity", "effort"
 """Modes of driving: m/s and rad/s, or shares of the robot's full effort."""
+RETURN_TIME: Final = 5.0
+"""Seconds in which a component that was lent must be released by who had it."""
+RETURN_INTERVAL: Final = 0.2
+"""Seconds between two attempts to take it back."""
 REQUEST_TIME: Final = 30.0
 """Seconds in which the operator may answer another one who asks for control."""
 
@@ -79,6 +84,10 @@ class Operation:
         """The robot as it was discovered last."""
         self._missing: set[JausID] = set()
         """Components in control that the last discovery has not found."""
+        self._lent: set[JausID] = set()
+        """Components that another client controls for a while, as a planner the arm."""
+        self._returning: asyncio.Task[None] | None = None
+        """Takes a lent component back."""
         self._refused: set[JausID] = set()
         """Components that have appeared, and whose control was not granted."""
         self._following: asyncio.Task[None] | None = None
@@ -200,7 +209,7 @@ class Operation:
         control, self._control, self.operator = self._control, None, ""
         self._dead_man.end()
         self._wanted, self.commanded = None, (0.0, 0.0)
-        self._missing, self._refused = set(), set()
+        self._missing, self._refused, self._lent = set(), set(), set()
         if control is not None:
             await control.__aexit__(None, None, None)
             if self._watchdog is not None:
@@ -222,7 +231,7 @@ class Operation:
         missing = set(control.ids) - wanted
         gone, self._missing = missing & self._missing, missing
         self._refused &= wanted
-        new = wanted - set(control.ids) - self._refused
+        new = wanted - set(control.ids) - self._refused - self._lent
         if self._following is None or self._following.done():
             kept = {component.id: component for component in self.robot.components if component.id in missing - gone}
             if not kept:
@@ -257,6 +266,51 @@ class Operation:
                     )
             if self._watchdog is not None:
                 self._watchdog.hold(self.robot.id, control.ids)
+
+    @asynccontextmanager
+    async def lent(self, component: JausID) -> AsyncIterator[None]:
+        """Within this another client may control a component; the operation has it again afterwards, if it still can.
+
+        It is put in Standby and released; the other components stay controlled.
+        """
+        async with self._busy:
+            control = self._control
+            is_held = control is not None and component in control.ids
+            if control is not None and is_held:
+                self._lent.add(component)
+                await control.exclude([component])
+        try:
+            yield
+        finally:
+            if control is not None and is_held:
+                self._returning = asyncio.create_task(
+                    self._take_back(control, component), name=f"console: {component} comes back"
+                )
+                await asyncio.shield(self._returning)
+
+    async def _take_back(self, control: RobotControl, component: JausID) -> None:
+        """Control a lent component again; who had it may need a moment to stop and release it."""
+        clock = asyncio.get_running_loop().time
+        end = clock() + RETURN_TIME
+        while self._control is control:
+            try:
+                async with self._busy:
+                    if self._control is control:
+                        await control.include([component])
+            except JausError as error:
+                if clock() > end:
+                    self._refused.add(component)
+                    self.problem = sentence(
+                        "{component} was lent, and is not operated any more: {error}", component=component, error=error
+                    )
+                    self._on_event(self.problem)
+                    break
+                await asyncio.sleep(RETURN_INTERVAL)
+            else:
+                break
+        self._lent.discard(component)
+        if self._watchdog is not None and self._control is control:
+            self._watchdog.hold(self.robot.id, control.ids)
 
     async def release(self, token: str = "") -> None:
         """Stop, put the robot in Standby and release control; with a token only if that browser operates the robot.

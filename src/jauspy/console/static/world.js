@@ -238,6 +238,7 @@ jauspy.view = {
     view.local.add(view.track, view.route, view.origin);
     view.watchSize();
     view.controls.addEventListener("start", () => { view.turned = true; });
+    view.listenToClicks(view.renderer.domElement);
     if (jauspy.world.model) view.build();
   },
   watchSize() {
@@ -485,6 +486,34 @@ jauspy.view = {
       } else if (kind === "prismatic") group.position.copy(axis).multiplyScalar(value);
       else group.quaternion.setFromAxisAngle(axis, value);
     });
+  },
+  // A click on a thing, while the operator has asked for that: its place in the robot's frame goes to the console.
+  pick(on) {
+    jauspy.view.picking = on;
+    document.getElementById("world-3d")?.classList.toggle("picking", on);
+  },
+  listenToClicks(canvas) {
+    let pressed = null;
+    canvas.addEventListener("pointerdown", (event) => { pressed = event.button === 0 ? [event.clientX, event.clientY] : null; });
+    canvas.addEventListener("pointerup", (event) => {
+      if (!jauspy.view.picking || !pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 6) return;
+      const thing = jauspy.view.thingAt(canvas, event);
+      if (thing) emitEvent("reach_pointed", { x: thing.x, y: thing.y, z: thing.z });
+    });
+  },
+  // What the ray through the pointer meets first: a point of a cloud or scan, a wall of the map, or the ground.
+  thingAt(canvas, event) {
+    const view = jauspy.view;
+    const { THREE } = view.library;
+    const box = canvas.getBoundingClientRect();
+    const caster = new THREE.Raycaster();
+    caster.params.Points.threshold = 0.02; // metres
+    caster.setFromCamera(new THREE.Vector2((2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height), view.camera);
+    const clouds = [...view.links.values()].map(({ cloud }) => cloud).filter((cloud) => cloud?.visible);
+    const [met] = caster.intersectObjects([...clouds, ...(view.scan.visible ? [view.scan] : []), ...view.mapped.children], false);
+    const ground = caster.ray.intersectPlane(new THREE.Plane(new THREE.Vector3(0, 0, 1), 0), new THREE.Vector3());
+    const place = met?.point ?? ground;
+    return place && view.robot.worldToLocal(place.clone());
   },
   // The planned motion: a transparent copy of the robot that moves along it again and again.
   updateGhost() {
