@@ -481,11 +481,6 @@ async def test_a_width_is_the_distance_between_the_fingers_in_the_simulation():
                     assert measured == pytest.approx(width, abs=0.008)
                     assert measured == pytest.approx(await inc1.gripper.width(), abs=0.002)
                 assert await inc1.gripper.force() == pytest.approx(0.0, abs=3.0), "they hold, and press nothing"
-                for force in (15.0, 30.0):
-                    await inc1.gripper.close(force=force)
-                    assert await inc1.gripper.force() == pytest.approx(force, rel=0.2)
-                await inc1.gripper.open()
-                assert await inc1.gripper.force() < 0.0, "they press against their stops outwards"
 
 
 async def test_an_arm_that_presses_on_something_stops_and_says_which_joint(caplog):
