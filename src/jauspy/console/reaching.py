@@ -78,10 +78,11 @@ def pointed_at(asked: object) -> Vector | None:
     if not isinstance(asked, dict):
         return None
     values = [asked.get(axis) for axis in ("x", "y", "z")]
-    if not all(isinstance(value, int | float) and not isinstance(value, bool) for value in values):
+    numbers = [value for value in values if isinstance(value, int | float) and not isinstance(value, bool)]
+    if len(numbers) != len(values):
         return None
     try:
-        x, y, z = map(float, values)
+        x, y, z = (float(number) for number in numbers)
     except OverflowError:
         return None
     return (x, y, z) if math.hypot(x, y, z) < MAX_DISTANCE else None  # not for NaN
