@@ -114,6 +114,7 @@ format: dev
 generate: dev
 	$(BIN)/python tools/generate_messages.py
 	$(BIN)/python tools/generate_sync.py
+	$(BIN)/python tools/translate.py
 
 clean:
 	rm -rf $(VENV) dist build site .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache

@@ -10,6 +10,7 @@ import sys
 import tempfile
 import tomllib
 from pathlib import Path
+from zipfile import ZipFile
 
 ROOT = Path(__file__).resolve().parents[1]
 WHEELHOUSE = Path(sys.prefix) / "wheelhouse"
@@ -52,6 +53,8 @@ def main() -> None:
         folder = Path(name)
         run(sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, ROOT)
         (wheel,) = folder.glob("*.whl")
+        with ZipFile(wheel) as archive:
+            expect("jauspy/console/locale/de/LC_MESSAGES/console.mo", " ".join(archive.namelist()))
         run(sys.executable, "-m", "venv", folder / "venv")
         python, jauspy = folder / "venv" / "bin" / "python", folder / "venv" / "bin" / "jauspy"
         install = (python, "-m", "pip", "install", "-q", "--no-index", "--find-links", WHEELHOUSE)

@@ -480,6 +480,7 @@ async def test_a_width_is_the_distance_between_the_fingers_in_the_simulation():
                     measured = mujoco.mj_geomDistance(model, data, *solids, 1.0, None)
                     assert measured == pytest.approx(width, abs=0.008)
                     assert measured == pytest.approx(await inc1.gripper.width(), abs=0.002)
+                assert await inc1.gripper.force() == pytest.approx(0.0, abs=3.0), "they hold, and press nothing"
 
 
 async def test_an_arm_that_presses_on_something_stops_and_says_which_joint(caplog):

@@ -45,6 +45,8 @@ async def test_a_thing_is_found_grasped_and_lifted(virtual_network: VirtualNetwo
         thing = await robot.steps.look(Wanted(name))
         assert math.dist(thing.centre[:2], robot.in_base()[:2]) < 0.025
         held = await robot.steps.grasp(thing)
+        gripper = robot.robot.gripper
+        assert await gripper.force() == pytest.approx(0.6 * await gripper.max_force(), rel=0.1)  # 60 % is asked for
         assert robot.lifted > LIFTED
         assert held.lifted == pytest.approx(robot.lifted, abs=0.02)
         assert held.weight == pytest.approx(WEIGHTS[name], abs=0.06)

@@ -9,6 +9,7 @@ from contextlib import AbstractAsyncContextManager, nullcontext
 from dataclasses import dataclass, fields
 from typing import Any, Final
 
+from jauspy.console.languages import sentence
 from jauspy.errors import JausError, RequestError
 from jauspy.messages.environment_sensing.v2_0.digital_video import (
     QueryDigitalVideoSensorCapabilitiesExt,
@@ -44,16 +45,16 @@ VARIABLE_LEVELS: Final = 15
 
 _Lens = SetVisualSensorConfiguration
 _LENS_MODES: Final = (
-    ("zoom_mode", "zoom by", "zoom_modes", _Lens.ZoomMode),
-    ("focus_mode", "focus", "focus_modes", _Lens.FocusMode),
-    ("exposure_mode", "exposure", "exposure_modes", _Lens.ExposureMode),
-    ("metering_mode", "metering", "metering_modes", _Lens.MeteringMode),
-    ("light_sensitivity", "sensitivity", "light_sensitivity_levels", _Lens.LightSensitivity),
-    ("white_balance", "white balance", "white_balance", _Lens.WhiteBalance),
-    ("imaging_mode", "image", "imaging_modes", _Lens.ImagingMode),
+    ("zoom_mode", sentence("zoom by"), "zoom_modes", _Lens.ZoomMode),
+    ("focus_mode", sentence("focus"), "focus_modes", _Lens.FocusMode),
+    ("exposure_mode", sentence("exposure"), "exposure_modes", _Lens.ExposureMode),
+    ("metering_mode", sentence("metering"), "metering_modes", _Lens.MeteringMode),
+    ("light_sensitivity", sentence("sensitivity"), "light_sensitivity_levels", _Lens.LightSensitivity),
+    ("white_balance", sentence("white balance"), "white_balance", _Lens.WhiteBalance),
+    ("imaging_mode", sentence("image"), "imaging_modes", _Lens.ImagingMode),
 )
 """Field of the configuration, label, bit field of the capabilities, and the numbers, in the order of the bits."""
-_PRESETS: Final = {0: "low latency", 1: "slow connection", 5: "best quality"}
+_PRESETS: Final = {0: sentence("low latency"), 1: sentence("slow connection"), 5: sentence("best quality")}
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +134,7 @@ async def _configure(service: ServiceClient, request: Any) -> None:
     answer = await service.query(request, expects=ConfirmSensorConfiguration)
     for confirmation in answer.confirm_sensor_list:
         if (said := getattr(confirmation, "error_message", None)) is not None:
-            raise RequestError(f"{service.id} refuses that: {said}")
+            raise RequestError(sentence("{service} refuses that: {said}", service=service.id, said=said))
 
 
 async def _switch_light(service: ServiceClient, name: str, level: int) -> None:
@@ -147,7 +148,11 @@ async def _switch_light(service: ServiceClient, name: str, level: int) -> None:
             return
         await asyncio.sleep(LIGHT_CHECK_INTERVAL)
     raise RequestError(
-        f"{service.id} did not switch {name.replace('_', ' ')}; some robots do so in the state READY only"
+        sentence(
+            "{service} did not switch {name}; some robots do so in the state READY only",
+            service=service.id,
+            name=name.replace("_", " "),
+        )
     )
 
 
@@ -178,11 +183,21 @@ async def _read_video(service: ServiceClient, sensor: int) -> list[Setting]:
         pixels = {int(size): FRAME_SIZES[size] for size, offered in sizes.items() if offered}
         ordered = sorted(pixels, key=lambda size: (math.prod(pixels[size]), size))
         choices = {size: "{} x {}".format(*pixels[size]) for size in ordered}
-        found.append(Setting(VIDEO, "frame_size", "size", is_now.frame_size, choices))
+        found.append(Setting(VIDEO, "frame_size", sentence("size"), is_now.frame_size, choices))
     if can.maximum_frame_rate:
         low, high = can.minimum_frame_rate or 1, can.maximum_frame_rate
         found.append(
-            Setting(VIDEO, "frame_rate", "pictures", is_now.frame_rate, None, low=low, high=high, step=1, unit="/s")
+            Setting(
+                VIDEO,
+                "frame_rate",
+                sentence("pictures"),
+                is_now.frame_rate,
+                None,
+                low=low,
+                high=high,
+                step=1,
+                unit="/s",
+            )
         )
     if can.maximum_bit_rate:
         low, high = can.minimum_bit_rate or 0, can.maximum_bit_rate
@@ -190,7 +205,9 @@ async def _read_video(service: ServiceClient, sensor: int) -> list[Setting]:
         offered_rates = {rate: text for rate, text in rates.items() if low <= rate <= high}
         if (present := is_now.maximum_bit_rate) is not None:
             offered_rates.setdefault(present, f"{present / 1000:g} Mbit/s")
-        found.append(Setting(VIDEO, "maximum_bit_rate", "bit rate", present, dict(sorted(offered_rates.items()))))
+        found.append(
+            Setting(VIDEO, "maximum_bit_rate", sentence("bit rate"), present, dict(sorted(offered_rates.items())))
+        )
     return found
 
 
@@ -209,7 +226,7 @@ async def _read_encoding(service: ServiceClient, sensor: int) -> list[Setting]:
     known = {int(name): name.name.lower().replace("_", " ") for name in names} | _PRESETS
     choices = {number: known[number] for number in offered if number in known}
     record = getattr(is_now, "h264_configuration_rec", is_now)
-    return [Setting(ENCODING, "preset", "quality", record.preset, choices)]
+    return [Setting(ENCODING, "preset", sentence("quality"), record.preset, choices)]
 
 
 async def _read_lens(service: ServiceClient, sensor: int) -> list[Setting]:
@@ -230,11 +247,21 @@ async def _read_lens(service: ServiceClient, sensor: int) -> list[Setting]:
             choices = {number: name for number, name in names.items() if able_to.get(number)}
             found.append(Setting(LENS, field, label, getattr(is_now, field), choices))
     if is_now.zoom_level is not None and is_now.zoom_mode != _Lens.ZoomMode.OFF:
-        found.insert(0, Setting(LENS, "zoom_level", "zoom", is_now.zoom_level, None, low=0, high=100, step=1, unit="%"))
+        found.insert(
+            0, Setting(LENS, "zoom_level", sentence("zoom"), is_now.zoom_level, None, low=0, high=100, step=1, unit="%")
+        )
     if is_now.focus_value is not None and is_now.focus_mode == _Lens.FocusMode.MANUAL_FOCUS:
         found.append(
             Setting(
-                LENS, "focus_value", "focus, near to far", is_now.focus_value, None, low=0, high=100, step=1, unit="%"
+                LENS,
+                "focus_value",
+                sentence("focus, near to far"),
+                is_now.focus_value,
+                None,
+                low=0,
+                high=100,
+                step=1,
+                unit="%",
             )
         )
     exposure = _Lens.ExposureMode
@@ -244,7 +271,7 @@ async def _read_lens(service: ServiceClient, sensor: int) -> list[Setting]:
             Setting(
                 LENS,
                 "shutter_speed",
-                "exposure time",
+                sentence("exposure time"),
                 is_now.shutter_speed,
                 None,
                 low=low,
@@ -257,7 +284,17 @@ async def _read_lens(service: ServiceClient, sensor: int) -> list[Setting]:
         low, high = can.minimum_aperture or 0.0, can.maximum_aperture
         if high > low:
             found.append(
-                Setting(LENS, "aperture", "aperture", is_now.aperture, None, low=low, high=high, step=0.1, unit="f")
+                Setting(
+                    LENS,
+                    "aperture",
+                    sentence("aperture"),
+                    is_now.aperture,
+                    None,
+                    low=low,
+                    high=high,
+                    step=0.1,
+                    unit="f",
+                )
             )
     return [setting for setting in found if setting.choices is None or len(setting.choices) > 1]
 
@@ -276,7 +313,7 @@ async def _read_lights(service: ServiceClient, _: int) -> list[Setting]:
         if field.name.startswith("variable"):
             found.append(Setting(LIGHTS, field.name, label, value, None, low=0, high=VARIABLE_LEVELS))
         else:
-            found.append(Setting(LIGHTS, field.name, label, value, {0: "off", 1: "on"}))
+            found.append(Setting(LIGHTS, field.name, label, value, {0: sentence("off"), 1: sentence("on")}))
     return found
 
 

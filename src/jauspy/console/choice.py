@@ -11,10 +11,11 @@ import json
 from collections.abc import Mapping
 from typing import Final
 
+from jauspy.console.languages import sentence
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
 
-NOBODY_CHOSEN: Final = "Click the name of a robot in the list Fleet. The console chooses none by itself."
+NOBODY_CHOSEN: Final = sentence("Click the name of a robot in the list Fleet. The console chooses none by itself.")
 MAX_TEXT: Final = 2000
 """Characters of a choice that a browser has kept."""
 
@@ -63,9 +64,14 @@ class Choice:
             return NOBODY_CHOSEN
         chosen = f"{self._id} {printable(self._name)}".rstrip()
         if (found := robots.get(self._id)) is None:
-            return f"Robot {chosen} does not answer. It is shown when it does; or click the name of another one."
-        other = printable(found.name) or "a robot without a name"
-        return (
-            f"You chose robot {chosen}; now {other} answers with this number. "
-            "Click its name in the list Fleet if that is right."
+            return sentence(
+                "Robot {chosen} does not answer. It is shown when it does; or click the name of another one.",
+                chosen=chosen,
+            )
+        other = printable(found.name) or sentence("a robot without a name")
+        return sentence(
+            "You chose robot {chosen}; now {other} answers with this number. "
+            "Click its name in the list Fleet if that is right.",
+            chosen=chosen,
+            other=other,
         )

@@ -7,17 +7,20 @@ from typing import Final
 
 from nicegui import ui
 
+from jauspy.console.markup import attributes
+from jauspy.console.page_language import _
+
 ANSWER_TIME: Final = 60.0
 """Seconds until no answer counts as no."""
 
 
 async def confirmed(question: str, action: str) -> bool:
     """Ask in the page of the present event; true if the user chooses `action`."""
-    with ui.dialog().props('aria-label="question"') as dialog, ui.card():
+    with attributes(ui.dialog(), aria_label=_("question")) as dialog, ui.card():
         ui.label(question)
         with ui.element("div").classes("row"):
             ui.button(action, on_click=lambda: dialog.submit(result=True)).props("unelevated no-caps color=negative")
-            ui.button("cancel", on_click=lambda: dialog.submit(result=False)).props("outline no-caps")
+            ui.button(_("cancel"), on_click=lambda: dialog.submit(result=False)).props("outline no-caps")
     try:
         async with asyncio.timeout(ANSWER_TIME):
             return await dialog is True

@@ -14,6 +14,7 @@ from jauspy.console.emergency import Emergencies, destination
 from jauspy.console.fleet import NOTHING, Fleet
 from jauspy.console.handoffs import Handoffs
 from jauspy.console.killed_console import Watchdog
+from jauspy.console.languages import ENGLISH, sentence
 from jauspy.console.listening import Levels
 from jauspy.console.map_tiles import TileSource
 from jauspy.console.motion import Jogging
@@ -42,7 +43,7 @@ MAX_EVENT: Final = 500
 """Characters of a line of the log."""
 BY_ITSELF: Final = "(console)"
 """The operator of commands without a user, in the audit log; no user has this name."""
-NO_ANSWER: Final = "no component answered"
+NO_ANSWER: Final = sentence("no component answered")
 RECORDINGS: Final = Path.home() / "jauspy-recordings"
 
 
@@ -58,7 +59,11 @@ class Event:
     @property
     def line(self) -> str:
         """The line in the log; only that of a user begins with a bracket."""
-        return f"{self.time:%H:%M:%S}  [{self.user}] {self.text}" if self.user else f"{self.time:%H:%M:%S}  {self.text}"
+        return self.line_of(self.text)
+
+    def line_of(self, text: str) -> str:
+        """The line with the text in another language."""
+        return f"{self.time:%H:%M:%S}  [{self.user}] {text}" if self.user else f"{self.time:%H:%M:%S}  {text}"
 
 
 class Console:
@@ -116,7 +121,13 @@ class Console:
         user = current_user()
         self._add_event(text, user)
         if self._audit is not None and user is not None:
-            self._audit.note({"operator": user.name, "role": user.role, "event": printable(text)[:MAX_EVENT]})
+            self._audit.note(
+                {
+                    "operator": user.name,
+                    "role": user.role,
+                    "event": printable(text)[:MAX_EVENT],
+                }
+            )
 
     def _add_event(self, text: str, user: User | None) -> None:
         text, name = printable(text), "" if user is None else user.name
@@ -125,10 +136,10 @@ class Console:
         self.traffic.event(text, name)
         self.total_events += 1
 
-    def new_browser(self, remove: Callable[[], object]) -> tuple[str, User] | None:
+    def new_browser(self, remove: Callable[[], object], language: str = ENGLISH) -> tuple[str, User] | None:
         """A token for one page, and its user; None when there are too many pages. For `remove` see `OpenPages.add`."""
         user = current_user() or LOCAL
-        token = self.pages.add(user, current.get(), remove)
+        token = self.pages.add(user, current.get(), remove, language)
         return None if token is None else (token, user)
 
     def refused(self, name: str, reason: str) -> None:
@@ -137,7 +148,15 @@ class Console:
         self.counters[key] += 1
         if (count := self.counters[key]).bit_count() == 1:  # the 1st, 2nd, 4th, 8th ...
             user = current_user() or LOCAL
-            self.note(f"messages on {name} that were refused: {count}, {reason}; the last one of {user.name}")
+            self.note(
+                sentence(
+                    "messages on {name} that were refused: {count}, {reason}; the last one of {user}",
+                    name=name,
+                    count=count,
+                    reason=reason,
+                    user=user.name,
+                )
+            )
 
     def files(self, robot: Robot) -> SavedFiles:
         """The saved poses and trajectories of a robot, for the user of the present task."""
@@ -157,7 +176,13 @@ class Console:
     async def _release_all_of(self, token: str) -> None:
         for operation in self._operations.values():
             if operation.operator == token:
-                self.note(f"robot {operation.robot.id}: the browser of {operation.user.name} has left")
+                self.note(
+                    sentence(
+                        "robot {robot}: the browser of {user} has left",
+                        robot=operation.robot.id,
+                        user=operation.user.name,
+                    )
+                )
                 await operation.release(token)
         await self.handoffs.forget(token)
         await self.worlds.forget(token)
@@ -233,7 +258,7 @@ class Console:
 
         `page` is the token of the page that asks for it.
         """
-        what = "STOP ALL" if target == "all" else "an emergency stop"
+        what = sentence("STOP ALL") if target == "all" else sentence("an emergency stop")
         for operation in self._operations.values():
             if destination(target).subsystem in (65535, operation.robot.id) and operation.operator:
                 operation.drive(operation.operator, 0.0, 0.0)
@@ -243,19 +268,23 @@ class Console:
     async def _stopped(self, target: str, reports: Awaitable[Reports]) -> str:
         found = await reports
         obeyed = sum(obeys(report, release=False) for report in found.values())
-        text = f"{obeyed} of {len(found)} components stopped" if found else NO_ANSWER
-        self.act(f"emergency stop of {target}: {text}")
+        text = sentence("{obeyed} of {all} components stopped", obeyed=obeyed, all=len(found)) if found else NO_ANSWER
+        self.act(sentence("emergency stop of {target}: {text}", target=target, text=text))
         return text
 
     async def release(self, target: str) -> str:
         """Clear the emergency of a robot or of all; returns a text with the components that obeyed."""
         found = await self.emergencies.release(target)
         if found is None:
-            text = "not released: a stop came meanwhile"
+            text = sentence("not released: a stop came meanwhile")
         else:
             obeyed = sum(obeys(report, release=True) for report in found.values())
-            text = f"{obeyed} of {len(found)} components released from the emergency" if found else NO_ANSWER
-        self.act(f"emergency release of {target}: {text}")
+            text = (
+                sentence("{obeyed} of {all} components released from the emergency", obeyed=obeyed, all=len(found))
+                if found
+                else NO_ANSWER
+            )
+        self.act(sentence("emergency release of {target}: {text}", target=target, text=text))
         return text
 
     async def close(self) -> None:

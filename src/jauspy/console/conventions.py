@@ -10,6 +10,8 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
+from jauspy.console.languages import sentence
+
 REP_103, JAUS = "REP-103", "JAUS"
 METRES, FEET = "m", "ft"
 DEGREES, RADIANS = "deg", "rad"
@@ -20,8 +22,8 @@ CHOICES: Final[Mapping[str, tuple[str, str]]] = {
 }
 """What can be chosen; the first of each is the default."""
 AXES: Final = {
-    REP_103: "x forward, y left, z up; angles counterclockwise (REP-103)",
-    JAUS: "x forward, y right, z down; angles clockwise (JAUS)",
+    REP_103: sentence("x forward, y left, z up; angles counterclockwise (REP-103)"),
+    JAUS: sentence("x forward, y right, z down; angles clockwise (JAUS)"),
 }
 FOOT: Final = 0.3048
 """Metres of a foot (international)."""
@@ -73,12 +75,16 @@ class Conventions:
     def yaw(self, yaw: float) -> str:
         """A yaw of REP-103 in radians as text: of JAUS as a heading of 0 to 360 degrees."""
         if self.axes == REP_103:
-            return f"yaw {self.angle_text(math.remainder(yaw, math.tau))}"
-        return f"heading {self.angle_text(-yaw % math.tau)}"
+            return sentence("yaw {angle}", angle=self.angle_text(math.remainder(yaw, math.tau)))
+        return sentence("heading {angle}", angle=self.angle_text(-yaw % math.tau))
 
     def attitude(self, pitch: float, roll: float) -> str:
         """Pitch and roll of REP-103 in radians as text."""
-        return f"pitch {self.angle_text(self._turned(pitch))}, roll {self.angle_text(roll)}"
+        return sentence(
+            "pitch {pitch}, roll {roll}",
+            pitch=self.angle_text(self._turned(pitch)),
+            roll=self.angle_text(roll),
+        )
 
     def angle_text(self, angle: float) -> str:
         """An angle in radians as text."""

@@ -8,6 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, Final
 
+from jauspy.console.languages import sentence
 from jauspy.errors import JausError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
@@ -99,9 +100,11 @@ class Fleet:
 
     def _take(self, robots: dict[int, Robot]) -> None:
         for id in robots.keys() - self.robots.keys():
-            self.on_event(f"robot {id} {printable(robots[id].name)} has appeared")
+            self.on_event(sentence("robot {id} {name} has appeared", id=id, name=printable(robots[id].name)))
         for id in self.robots.keys() - robots.keys():
-            self.on_event(f"robot {id} {printable(self.robots[id].name)} does not answer any more")
+            self.on_event(
+                sentence("robot {id} {name} does not answer any more", id=id, name=printable(self.robots[id].name))
+            )
         self.robots = dict(sorted(robots.items()))
         self.on_robots(self.robots)
         known = {component.id for robot in robots.values() for component in robot.components}
@@ -138,6 +141,15 @@ class Fleet:
         before = self.states.get(id, NOTHING)
         self.states[id] = new
         if before.heard and before.status != new.status:
-            self.on_event(f"{id} is in {new.status}, was in {before.status}")
+            self.on_event(
+                sentence("{id} is in {status}, was in {before}", id=id, status=new.status, before=before.status)
+            )
         if before.heard and before.controller != new.controller:
-            self.on_event(f"{id} is controlled by {new.controller or 'nobody'}, was by {before.controller or 'nobody'}")
+            self.on_event(
+                sentence(
+                    "{id} is controlled by {new}, was by {before}",
+                    id=id,
+                    new=new.controller or sentence("nobody"),
+                    before=before.controller or sentence("nobody"),
+                )
+            )

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.console.languages import sentence
 from jauspy.console.operation import Operation
 from jauspy.console.users import User
 from jauspy.errors import JausError
@@ -80,7 +81,14 @@ class Handoffs:
         """Ask the client in control, and take what it hands over; returns why not, or an empty string."""
         if problem := self._refusal(token, user, component, authority):
             return problem
-        self._on_event(f"{user.name} asks for control of {component}: {printable(reason)}")
+        self._on_event(
+            sentence(
+                "{user} asks for control of {component}: {reason}",
+                user=user.name,
+                component=component,
+                reason=printable(reason),
+            )
+        )
         try:
             await self._ocu.request_handoff(component, reason, authority=authority)
         except JausError as error:
@@ -92,15 +100,18 @@ class Handoffs:
         if not self.may_answer(token, component) or (entry := self._shown.pop((component, id), None)) is None:
             return
         self._ocu.answer_handoff(component, id, Decision.GRANTED if grant else Decision.DENIED)
-        done = "is handed over" if grant else "is not handed over"
-        self._on_event(f"{component} {done} to {entry[0].client}")
+        values = {"component": component, "client": entry[0].client}
+        if grant:
+            self._on_event(sentence("{component} is handed over to {client}", **values))
+        else:
+            self._on_event(sentence("{component} is not handed over to {client}", **values))
 
     async def release(self, token: str, component: JausID) -> None:
         """Release a component; without effect for other pages."""
         if (held := self._held.get(component)) is not None and held.token == token:
             del self._held[component]
             await held.control.__aexit__(None, None, None)
-            self._on_event(f"{component} was released by {held.user.name}")
+            self._on_event(sentence("{component} was released by {user}", component=component, user=held.user.name))
 
     async def forget(self, token: str) -> None:
         """Release what a page holds that has ended."""
@@ -114,12 +125,19 @@ class Handoffs:
 
     def _refusal(self, token: str, user: User, component: JausID, authority: int) -> str:
         if not user.may_operate:
-            return f"{user.name} may only observe ({user.role})"
+            return sentence("{user} may only observe ({role})", user=user.name, role=user.role)
         if authority > user.authority:
-            return f"{user.name} has an authority of at most {user.authority} ({user.role})"
+            return sentence(
+                "{user} has an authority of at most {authority} ({role})",
+                user=user.name,
+                authority=user.authority,
+                role=user.role,
+            )
         held = self.held(component)
         if held is not None and held.token != token:
-            return f"{held.user.name} holds {component} in another browser of this console"
+            return sentence(
+                "{user} holds {component} in another browser of this console", user=held.user.name, component=component
+            )
         return ""
 
     async def _enter(self, token: str, user: User, component: JausID, authority: int) -> str:
@@ -132,17 +150,31 @@ class Handoffs:
             control = robot.component(component).service(SERVICE).control(authority=authority)
             await control.__aenter__()
         except KeyError:
-            return f"robot {component.subsystem} has gone"
+            return sentence("robot {subsystem} has gone", subsystem=component.subsystem)
         except JausError as error:
             return str(error)
         self._held[component] = Held(token, user, control)
-        self._on_event(f"{user.name} holds {component} with authority {authority}")
+        self._on_event(
+            sentence(
+                "{user} holds {component} with authority {authority}",
+                user=user.name,
+                component=component,
+                authority=authority,
+            )
+        )
         return ""
 
     def _on_request(self, component: JausID, request: HandoffRequest) -> Decision | None:
         """Show a request, and leave it open until a page answers."""
         if (component, request.id) not in self._shown:
-            self._on_event(f"{request.client} asks for control of {component}: {printable(request.explanation)}")
+            self._on_event(
+                sentence(
+                    "{client} asks for control of {component}: {explanation}",
+                    client=request.client,
+                    component=component,
+                    explanation=printable(request.explanation),
+                )
+            )
         self._shown[component, request.id] = (request, asyncio.get_running_loop().time())
         while len(self._shown) > MAX_SHOWN:
             del self._shown[next(iter(self._shown))]

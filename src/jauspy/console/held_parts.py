@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import aclosing
 from typing import Final, NamedTuple
 
+from jauspy.console.languages import sentence
 from jauspy.console.reports import reports_of
 from jauspy.console.robot_geometry import output_joint, part_joint
 from jauspy.errors import JausError
@@ -103,7 +104,9 @@ class HeldParts:
                         group.create_task(self._follow_connector(id, events, number, carrier, row.connector_name))
             except* JausError as errors:
                 self._forget(id)
-                self.problems[str(id)] = f"{id}: what its connectors hold is not known: {errors.exceptions[0]}"
+                self.problems[str(id)] = sentence(
+                    "{id}: what its connectors hold is not known: {error}", id=id, error=errors.exceptions[0]
+                )
             await asyncio.sleep(RETRY_INTERVAL)
 
     async def _follow_connector(self, id: JausID, events: bool, number: int, carrier: str, connector: str) -> None:

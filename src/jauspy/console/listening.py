@@ -14,6 +14,7 @@ from fastapi import FastAPI, HTTPException
 from fastapi.responses import StreamingResponse
 
 from jauspy.audio import need_audio
+from jauspy.console.languages import sentence
 from jauspy.console.users import current_user
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
@@ -81,7 +82,10 @@ def add_listening(app: FastAPI, console: Console) -> None:
         if not console.is_of(token, current_user()):
             raise HTTPException(404)
         if levels.of(token) is not None or levels.count >= MAX_LISTENERS:
-            raise HTTPException(429, f"at most {MAX_LISTENERS} pages listen at once, each to one microphone")
+            raise HTTPException(
+                429,
+                sentence("at most {most} pages listen at once, each to one microphone", most=MAX_LISTENERS),
+            )
         if (problem := _problem(console, component)) is not None:
             raise HTTPException(404, problem)
         id = JausID.parse(component)
@@ -99,7 +103,7 @@ def _problem(console: Console, component: str) -> str | None:
     robot = console.fleet.robots.get(id.subsystem)
     parts = () if robot is None else robot.components
     found = any(part.id == id and part.find(MICROPHONE) for part in parts)
-    return None if found else f"there is no microphone {id}"
+    return None if found else sentence("there is no microphone {id}", id=id)
 
 
 async def _wav(console: Console, id: JausID, token: str) -> AsyncIterator[bytes]:
@@ -119,7 +123,11 @@ async def _wav(console: Console, id: JausID, token: str) -> AsyncIterator[bytes]
                 whole = samples[: len(samples) // STEP * STEP].reshape(-1, STEP).mean(axis=1)
                 yield (np.clip(whole, -1.0, 1.0) * 32767.0).astype("<i2").tobytes()
     except (JausError, KeyError) as error:
-        problem = str(error) if isinstance(error, JausError) else f"robot {id.subsystem} has gone"
+        problem = (
+            str(error)
+            if isinstance(error, JausError)
+            else sentence("robot {subsystem} has gone", subsystem=id.subsystem)
+        )
     finally:
         levels.end(token, problem)
 

@@ -19,6 +19,7 @@ from starlette.responses import HTMLResponse, PlainTextResponse, RedirectRespons
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from jauspy.console.connections import Connections
+from jauspy.console.languages import COOKIE, language_of, sentence, translated
 from jauspy.console.login_limit import LoginLimit, Turns
 from jauspy.console.peer_user import peer_user
 from jauspy.console.users import LIFETIME, LOCAL, NAME, Session, Sessions, Users, current
@@ -42,7 +43,7 @@ _OPEN_PATHS: Final = ("/static/theme.css",)
 _FOREIGN: Final = "this page of another site may not use the console"
 _EMBEDDED: Final = frozenset({"iframe", "frame", "embed", "object", "fencedframe"})
 """Values of Sec-Fetch-Dest for a page within another one."""
-_CLOSED: Final = (
+_CLOSED: Final = sentence(
     "This console opens only at the address with its token that `jauspy console` prints when it starts; "
     "open that address, or start the console again."
 )
@@ -98,7 +99,7 @@ class LoginMiddleware:
             await self._handle(scope, receive, send)
 
     async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
-        headers = {name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]}
+        headers = _headers(scope)
         problem = self._foreign(scope, headers)
         if problem:
             await _refuse(scope, receive, send, PlainTextResponse(problem, 403))
@@ -124,7 +125,7 @@ class LoginMiddleware:
             await _refuse(scope, receive, send, RedirectResponse("/", 303))
         elif self._users is not None and scope["path"] == "/logout" and scope["method"] == "POST":
             self._sessions.end(session)
-            self._note(f"{session.user.name} has signed out")
+            self._note(sentence("{user} has signed out", user=session.user.name))
             response = RedirectResponse("/login", 303)
             response.delete_cookie(self._cookie, path="/", secure=True, httponly=True, samesite="strict")
             await _refuse(scope, receive, send, response)
@@ -160,7 +161,7 @@ class LoginMiddleware:
     def _entered(self, token: str, session: Session | None, scope: Scope, headers: dict[str, str]) -> Response:
         """Exchange the token in an address for a cookie, and send the browser to the address without it."""
         if not hmac.compare_digest(token.encode("utf-8", "replace"), self._token):
-            return _sentence_page(_CLOSED, 403)
+            return _sentence_page(_language(headers), _CLOSED, 403)
         response: Response = RedirectResponse("/", 303)
         if headers.get("sec-fetch-site", "none") in ("cross-site", "same-site"):
             response = HTMLResponse(_CONTINUE)  # after a redirect, a link of another page would still bring no cookie
@@ -177,7 +178,7 @@ class LoginMiddleware:
         if scope["type"] == "websocket":
             await send({"type": "websocket.close", "code": 4401})
         elif self._users is None:
-            await _refuse(scope, receive, send, _sentence_page(_CLOSED, 403))
+            await _refuse(scope, receive, send, _sentence_page(_language(_headers(scope)), _CLOSED, 403))
         elif scope["path"] in _OPEN_PATHS:
             await self._app(scope, receive, _with_headers(send))
         elif scope["path"] != "/login":
@@ -187,29 +188,31 @@ class LoginMiddleware:
         elif scope["method"] == "POST":
             await _refuse(scope, receive, send, await self._login(scope, receive))
         else:
-            await _refuse(scope, receive, send, _login_page())
+            await _refuse(scope, receive, send, _login_page(_language(_headers(scope))))
 
     async def _login(self, scope: Scope, receive: Receive) -> Response:
         assert self._users is not None
         users = self._users
         address = str((scope.get("client") or ("?",))[0])
-        form = await _form(receive)
+        form, language = await _form(receive), _language(_headers(scope))
         name, password = (form.get(field, [""])[0] for field in ("name", "password"))
         device = self._device(name, scope)
         trusted = self._limit.trusts(device, _now())
         wait = self._limit.wait(address, name, device, _now())
         if wait or not self._turns.has_room(address, trusted=trusted):
-            return self._too_many(name, address, wait)
+            return self._too_many(name, address, wait, language)
         succeeded = self._limit.begin(address, name, device, _now())
         user = await self._turns.take(lambda: users.verified(name, password), address, trusted=trusted)
         if user is None:
-            self._note(f"login of {_shown(name)} from {address} failed")
-            return _login_page("Name or password is wrong.", name, 403)
+            self._note(sentence("login of {name} from {address} failed", name=_shown(name), address=address))
+            return _login_page(language, sentence("Name or password is wrong."), name, 403)
         succeeded()
         session = self._sessions.begin(user, address, _now())
         if session is None:
-            return _login_page("Too many users are logged in.", name, 503)
-        self._note(f"{user.name} ({user.role}) has logged in from {address}")
+            return _login_page(language, sentence("Too many users are logged in."), name, 503)
+        self._note(
+            sentence("{user} ({role}) has logged in from {address}", user=user.name, role=user.role, address=address)
+        )
         device = device or secrets.token_urlsafe(16)
         response = RedirectResponse("/", 303)
         for cookie, value, lifetime in (
@@ -221,13 +224,16 @@ class LoginMiddleware:
             )
         return response
 
-    def _too_many(self, name: str, address: str, wait: float) -> Response:
+    def _too_many(self, name: str, address: str, wait: float, language: str) -> Response:
         self._refused += 1
         if _is_power_of_two(self._refused):
             attempts = f"{self._refused} so far"
             self._note(f"login of {_shown(name)} from {address} was refused: too many attempts ({attempts})")
-        when = f"try again in {max(1, round(wait / 60))} min." if wait else "try again in a few seconds."
-        return _login_page(f"Too many attempts; {when}", name, 429)
+        if wait:
+            text = sentence("Too many attempts; try again in {minutes} min.", minutes=max(1, round(wait / 60)))
+        else:
+            text = sentence("Too many attempts; try again in a few seconds.")
+        return _login_page(language, text, name, 429)
 
     def _device_cookie(self, name: str) -> str:
         return f"{self._cookie}-device-{name}"
@@ -237,7 +243,7 @@ class LoginMiddleware:
         assert self._users is not None
         if not NAME.fullmatch(name):
             return ""
-        headers = {key.decode("latin-1"): value.decode("latin-1") for key, value in scope["headers"]}
+        headers = _headers(scope)
         device, _, tag = cookie_parser(headers.get("cookie", "")).get(self._device_cookie(name), "").partition(".")
         expected = self._users.device_tag(name, device)
         return device if expected and hmac.compare_digest(tag.encode("utf-8", "replace"), expected.encode()) else ""
@@ -314,6 +320,15 @@ def _peer(scope: Scope) -> int | None:
     return peer_user(tuple(client), tuple(server)) if client and server else None
 
 
+def _headers(scope: Scope) -> dict[str, str]:
+    return {name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]}
+
+
+def _language(headers: dict[str, str]) -> str:
+    """The code of the language of a browser."""
+    return language_of(cookie_parser(headers.get("cookie", "")).get(COOKIE), headers.get("accept-language"))
+
+
 def _split(url: str) -> SplitResult:
     """The parts of an address; empty ones if it is none."""
     try:
@@ -363,12 +378,15 @@ def _with_headers(send: Send) -> Send:
     return with_headers
 
 
-def _sentence_page(sentence: str, status: int) -> Response:
-    return HTMLResponse(_SENTENCE.format(sentence=escape(sentence)), status)
+def _sentence_page(language: str, text: str, status: int) -> Response:
+    return HTMLResponse(_SENTENCE.format(language=language, sentence=escape(translated(text, language))), status)
 
 
-def _login_page(problem: str = "", name: str = "", status: int = 200) -> Response:
-    return HTMLResponse(_LOGIN.format(problem=escape(problem), name=escape(name[:32], quote=True)), status)
+def _login_page(language: str, problem: str = "", name: str = "", status: int = 200) -> Response:
+    texts = {name: escape(translated(text, language)) for name, text in _LOGIN_TEXTS.items()}
+    said = escape(translated(problem, language))
+    shown = escape(name[:32], quote=True)
+    return HTMLResponse(_LOGIN.format(language=language, problem=said, name=shown, **texts), status)
 
 
 _CONTINUE: Final = """<!doctype html>
@@ -376,22 +394,27 @@ _CONTINUE: Final = """<!doctype html>
 <meta http-equiv="refresh" content="0; url=/"></head><body><a href="/">jauspy console</a></body></html>
 """
 _SENTENCE: Final = """<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>jauspy console</title>
+<html lang="{language}"><head><meta charset="utf-8"><title>jauspy console</title>
 <meta name="viewport" content="width=device-width, initial-scale=1"><meta name="color-scheme" content="light dark">
 </head><body><p>{sentence}</p></body></html>
 """
+_LOGIN_TEXTS: Final = {
+    "of_name": sentence("Name"),
+    "of_password": sentence("Password"),
+    "of_button": sentence("Sign in"),
+}
 _LOGIN: Final = """<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><title>jauspy console: sign in</title>
+<html lang="{language}"><head><meta charset="utf-8"><title>jauspy console: {of_button}</title>
 <meta name="viewport" content="width=device-width, initial-scale=1"><meta name="color-scheme" content="light dark">
 <link rel="stylesheet" href="/static/theme.css"></head>
 <body class="login"><main><form method="post" action="/login" class="sign-in">
 <h1>jauspy console</h1>
-<label for="name">Name</label>
+<label for="name">{of_name}</label>
 <input id="name" name="name" value="{name}" autocomplete="username" autofocus required
  autocapitalize="none" spellcheck="false">
-<label for="password">Password</label>
+<label for="password">{of_password}</label>
 <input id="password" name="password" type="password" autocomplete="current-password" required>
 <p class="problem" role="alert">{problem}</p>
-<button type="submit">Sign in</button>
+<button type="submit">{of_button}</button>
 </form></main></body></html>
 """

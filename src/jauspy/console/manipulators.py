@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Final, TypeAlias
 
 from jauspy.codec.message import Message
+from jauspy.console.languages import sentence
 from jauspy.errors import ConfigError, JausError, RequestError
 from jauspy.messages.cell import (
     HoldModularArm,
@@ -123,7 +124,7 @@ class Manipulator(ABC):
 
     async def move_to(self, name: str) -> None:
         """Move to one of these poses, and wait until the joints are there."""
-        raise ConfigError(f"{self.info.id} knows no pose {name!r}")
+        raise ConfigError(sentence("{component} knows no pose {name!r}", component=self.info.id, name=name))
 
     @abstractmethod
     async def stop(self) -> None:
@@ -235,7 +236,9 @@ class ModularArm(Manipulator):
         known = {joint.name for joint in await self.joints()}
         for number, (_, positions) in enumerate(rows, 1):
             if missing := positions.keys() - known:
-                raise ConfigError(f"row {number}: there is no joint {sorted(missing)[0]!r} now")
+                raise ConfigError(
+                    sentence("row {number}: there is no joint {joint!r} now", number=number, joint=sorted(missing)[0])
+                )
         try:
             if len(rows) > 1 and all(seconds > 0.0 and row.keys() == rows[0][1].keys() for seconds, row in rows):
                 await self._flow(rows, progress)
@@ -278,7 +281,7 @@ class ModularArm(Manipulator):
     async def _move(self, positions: Mapping[str, float], duration: float) -> None:
         names = [joint.name for joint in (await self._state()).joint_list]
         if missing := positions.keys() - set(names):
-            raise ConfigError(f"there is no joint {sorted(missing)[0]!r} now")
+            raise ConfigError(sentence("there is no joint {joint!r} now", joint=sorted(missing)[0]))
         command = motion_command([positions.get(name, math.nan) for name in names], duration)
         await self._perform(command, duration)
 

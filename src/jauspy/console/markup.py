@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from html import escape
 from typing import Any, Final, Literal, TypeVar
 
@@ -53,7 +53,7 @@ class _Text(TextElement):
     """An element with a text."""
 
 
-def plain_text(text: str, tag: Literal["b", "button", "kbd", "span"] = "span") -> TextElement:
+def plain_text(text: str, tag: Literal["b", "button", "h2", "kbd", "p", "span", "summary"] = "span") -> TextElement:
     """An element with this text."""
     return _Text(tag=tag, text=text)
 
@@ -63,6 +63,13 @@ def breakable(parts: Iterable[str]) -> ui.html:
     return ui.html("<wbr>".join(escape(printable(part)) for part in parts), sanitize=False)
 
 
+def with_code(text: str) -> ui.html:
+    """An element with a text; what is between backquotes is shown as code."""
+    parts = [escape(printable(part)) for part in text.split("`")]
+    parts[1::2] = [f"<code>{part}</code>" for part in parts[1::2]]
+    return ui.html("".join(parts), sanitize=False, tag="span")
+
+
 def call(function: str, *arguments: object) -> None:
     """Call a function of the page's own scripts, as `jauspy.plot`; the arguments arrive as data."""
     if not all(part.isidentifier() for part in function.split(".")):
@@ -70,11 +77,15 @@ def call(function: str, *arguments: object) -> None:
     ui.run_javascript(f"{function}({', '.join(json.dumps(_finite(argument)) for argument in arguments)})")
 
 
-def page_files(styles: Iterable[str], scripts: Iterable[str], token: str) -> None:
-    """Load the page's own style sheets and scripts, which find the page's token as an attribute of their elements."""
+def page_files(styles: Iterable[str], scripts: Iterable[str], token: str, texts: Mapping[str, str]) -> None:
+    """Load the page's own style sheets and scripts, which find the page's token as an attribute of their elements.
+
+    `texts` are translations of the scripts' texts, which are in an element of the page.
+    """
     links = "".join(f'<link rel="stylesheet" href="/static/{escape(name)}.css">' for name in styles)
     ui.add_head_html(f'<script src="/static/trusted.js"></script>{links}')
     data = f'data-token="{escape(token)}"'
+    ui.add_body_html(f'<div id="texts" hidden data-texts="{escape(json.dumps(texts))}"></div>')
     ui.add_body_html("".join(f'<script src="/static/{escape(name)}.js" {data}></script>' for name in scripts))
 
 

@@ -16,6 +16,7 @@ from typing import Annotated, Any, Final, Literal, TypeAlias
 from pydantic import BaseModel, ConfigDict, Field
 
 from jauspy.console.geographic_frame import GeographicFrame
+from jauspy.console.languages import joined, sentence
 from jauspy.console.route import MAX_WAYPOINTS, Waypoint
 from jauspy.console.trajectory import UNKNOWN, Author, read_model
 from jauspy.errors import ConfigError
@@ -45,8 +46,10 @@ class Wait(_Strict):
     kind: Literal["wait"] = "wait"
     seconds: Annotated[float, Field(gt=0.0, le=MAX_WAIT)]
 
-    def __str__(self) -> str:
-        return f"wait {self.seconds:g} s"
+    @property
+    def text(self) -> str:
+        """The action in words."""
+        return sentence("wait {seconds:g} s", seconds=self.seconds)
 
 
 class Look(_Strict):
@@ -56,8 +59,14 @@ class Look(_Strict):
     pan: Annotated[float, Field(ge=-math.pi, le=math.pi)]
     tilt: Annotated[float, Field(ge=-math.pi, le=math.pi)] = 0.0
 
-    def __str__(self) -> str:
-        return f"look {math.degrees(self.pan):.0f}\u00b0, {math.degrees(self.tilt):.0f}\u00b0"
+    @property
+    def text(self) -> str:
+        """The action in words."""
+        return sentence(
+            "look {pan:.0f}\u00b0, {tilt:.0f}\u00b0",
+            pan=math.degrees(self.pan),
+            tilt=math.degrees(self.tilt),
+        )
 
 
 class Still(_Strict):
@@ -66,8 +75,12 @@ class Still(_Strict):
     kind: Literal["still"] = "still"
     camera: Annotated[str, Field(max_length=64)] = ""
 
-    def __str__(self) -> str:
-        return f"still {printable(self.camera)}".rstrip()
+    @property
+    def text(self) -> str:
+        """The action in words."""
+        if not self.camera:
+            return sentence("still image")
+        return sentence("still image of {camera}", camera=printable(self.camera))
 
 
 Action: TypeAlias = Wait | Look | Still
@@ -107,9 +120,11 @@ class Step:
     speed: float | None = None
     action: Action | None = None
 
-    def __str__(self) -> str:
+    @property
+    def text(self) -> str:
+        """Speed and action in words; empty without both."""
         speed = [] if self.speed is None else [f"{self.speed:g} m/s"]
-        return ", ".join([*speed, *([] if self.action is None else [str(self.action)])])
+        return joined([*speed, *([] if self.action is None else [self.action.text])], ", ")
 
 
 PLAIN: Final = Step()
@@ -167,13 +182,25 @@ class Mission:
         """Read a file; raises `ConfigError` with place and reason. Global ones need `frame`."""
         data = read_model(_FileModel, text, name, guide="docs/missions.md")
         if data.frame == "global" and frame is None:
-            raise ConfigError(f"{name}: is in degrees, and this robot does not report where it is on the globe")
+            raise ConfigError(
+                sentence("{name}: is in degrees, and this robot does not report where it is on the globe", name=name)
+            )
 
         def local(at: str, model: _PointModel) -> Point:
             given = {key for key in ("x", "y", "latitude", "longitude") if getattr(model, key) is not None}
             wanted = {"x", "y"} if data.frame == "local" else {"latitude", "longitude"}
             if given != wanted:
-                raise ConfigError(f"{name}: {at}: needs {' and '.join(sorted(wanted))}, as frame is {data.frame!r}")
+                one, other = sorted(wanted)
+                raise ConfigError(
+                    sentence(
+                        "{name}: {at}: needs {one} and {other}, as frame is {frame!r}",
+                        name=name,
+                        at=at,
+                        one=one,
+                        other=other,
+                        frame=data.frame,
+                    )
+                )
             if data.frame == "local":
                 assert model.x is not None
                 assert model.y is not None
@@ -183,7 +210,14 @@ class Mission:
             assert model.longitude is not None
             x, y = frame.to_local(model.latitude, model.longitude)
             if not math.hypot(x, y) < MAX_DISTANCE:
-                raise ConfigError(f"{name}: {at}: is {math.hypot(x, y) / 1000.0:.0f} km from the robot's origin")
+                raise ConfigError(
+                    sentence(
+                        "{name}: {at}: is {distance:.0f} km from the robot's origin",
+                        name=name,
+                        at=at,
+                        distance=math.hypot(x, y) / 1000.0,
+                    )
+                )
             return round(x, 3), round(y, 3)
 
         places = [local(f"waypoints.{index}", each) for index, each in enumerate(data.waypoints)]
@@ -206,12 +240,12 @@ class Mission:
 def crossing(points: Sequence[Point], areas: Sequence[Area]) -> str:
     """The leg of a way that leads into an area, as text; empty if none does. The first point is where the robot is."""
     for number, area in enumerate(areas, 1):
-        called, edges = f"the no-go area {area.name or number}", list(_edges(area.corners))
+        called, edges = sentence("the no-go area {area}", area=area.name or number), list(_edges(area.corners))
         for index, (begin, end) in enumerate(pairwise(points), 1):
             if is_inside(end, area.corners):
-                return f"waypoint {index} is in {called}"
+                return sentence("waypoint {index} is in {called}", index=index, called=called)
             if any(_cross(begin, end, *edge) for edge in edges):
-                return f"the way to waypoint {index} leads through {called}"
+                return sentence("the way to waypoint {index} leads through {called}", index=index, called=called)
     return ""
 
 

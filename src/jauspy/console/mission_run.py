@@ -15,6 +15,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Final
 
+from jauspy.console.languages import sentence
 from jauspy.console.mission import Action, Look, Mission, Still, Wait
 from jauspy.console.route import LOOK_INTERVAL, NEAR, Route
 from jauspy.errors import ConfigError, JausError
@@ -53,7 +54,7 @@ class MissionRun:
             for first, last in _legs(self.mission):
                 await self._drive(first, last)
                 if (action := self.mission.steps[last].action) is not None:
-                    self.doing = str(action)
+                    self.doing = action.text
                     await self._act(last, action)
                     self.doing = ""
             self.at, self.is_done = len(self.mission.waypoints), True
@@ -71,7 +72,13 @@ class MissionRun:
             await route.look()
             known = known if route.problem else clock()
             if clock() - known > PATIENCE:
-                raise ConfigError(f"the way to waypoint {self.at + 1} is not known any more: {route.problem}")
+                raise ConfigError(
+                    sentence(
+                        "the way to waypoint {number} is not known any more: {problem}",
+                        number=self.at + 1,
+                        problem=route.problem,
+                    )
+                )
             if route.active is not None:
                 moving, before, self.at = clock(), self.at, first + route.active
                 if self.at != before and not route.is_paused and self._speed_at(self.at) != self._speed_at(before):
@@ -79,7 +86,7 @@ class MissionRun:
             elif self._is_at(last):
                 return
             elif clock() - moving > PATIENCE:
-                raise ConfigError(f"the robot stopped on the way to waypoint {self.at + 1}")
+                raise ConfigError(sentence("the robot stopped on the way to waypoint {number}", number=self.at + 1))
             await asyncio.sleep(LOOK_INTERVAL)
 
     def _is_at(self, index: int) -> bool:
@@ -101,7 +108,7 @@ class MissionRun:
     async def _look(self, action: Look) -> None:
         found = [component for component in self._robot.components if component.find(PAN_TILT_DRIVER)]
         if not found:
-            raise ConfigError("this robot has no camera that turns, and the mission asks for a look")
+            raise ConfigError(sentence("this robot has no camera that turns, and the mission asks for a look"))
         unit = self._robot.manipulator(found[0].id)
         pan, tilt = tuple(await unit.joints())[:2]
         await unit.move({pan: action.pan, tilt: action.tilt})
@@ -110,15 +117,19 @@ class MissionRun:
         photo = await self._robot.camera(action.camera or None).still()
         suffix = SUFFIXES.get(photo.format)
         if suffix is None:
-            raise ConfigError(f"the camera sends a picture of the format {photo.format!r}, which is not saved")
+            raise ConfigError(
+                sentence("the camera sends a picture of the format {format!r}, which is not saved", format=photo.format)
+            )
         name = re.sub(r"[^\w-]+", "_", self._robot.name)[:40]
         stamp = f"{datetime.now().astimezone():%Y%m%d-%H%M%S}"
         path = self._folder / f"{name or self._robot.id}-{stamp}-waypoint-{index + 1}{suffix}"
         try:
             await asyncio.to_thread(_write, path, photo.content)
         except OSError as error:
-            raise ConfigError(f"{path}: cannot be written: {error.strerror}") from error
-        self._note(f"robot {self._robot.id}: saved {path.name}")
+            raise ConfigError(
+                sentence("{path}: cannot be written: {strerror}", path=path, strerror=error.strerror)
+            ) from error
+        self._note(sentence("robot {robot}: saved {path}", robot=self._robot.id, path=path.name))
 
 
 def _write(path: Path, content: bytes) -> None:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
 from jauspy.console.browser_messages import ToolVelocity
 from jauspy.console.dead_man import DeadMan
+from jauspy.console.languages import sentence
 from jauspy.console.operation import Operation
 from jauspy.console.users import Session, current
 from jauspy.errors import JausError
@@ -78,7 +79,7 @@ class Jogging:
             self._stop()
 
     def _stop_silent(self) -> None:
-        self._on_event(f"the arm {self._id} was stopped: its operator's browser is silent")
+        self._on_event(sentence("the arm {id} was stopped: its operator's browser is silent", id=self._id))
         self._stop()
 
     def _stop(self) -> None:
@@ -132,11 +133,13 @@ class Motion:
     def refusal(self, subsystem: int) -> str:
         """Why this page may not command a robot now; empty if it may."""
         operation = self._console.operation(subsystem)
-        return "the robot has gone" if operation is None else operation.refusal(self._token)
+        return sentence("the robot has gone") if operation is None else operation.refusal(self._token)
 
     def begin(self, subsystem: int, motion: Coroutine[Any, Any, Any], what: str) -> None:
         """Begin a motion of a robot, unless one is running or another browser operates it; see `problem`."""
-        self.problem = "another motion is running: stop it first" if self.is_running else self.refusal(subsystem)
+        self.problem = (
+            sentence("another motion is running: stop it first") if self.is_running else self.refusal(subsystem)
+        )
         if self.problem:
             motion.close()
             return
@@ -153,7 +156,7 @@ class Motion:
             while not inner.done():
                 await asyncio.wait([inner], timeout=CHECK_INTERVAL)
                 if not inner.done() and (why := self.refusal(subsystem)):
-                    self.problem = f"{what} was stopped: {why}"
+                    self.problem = sentence("{what} was stopped: {why}", what=what, why=why)
                     break
         finally:
             inner.cancel()
@@ -163,4 +166,6 @@ class Motion:
                 raise error
             self.problem = str(error)
         if self.problem:
-            self._console.note(f"{what} of robot {subsystem}: {self.problem}")
+            self._console.note(
+                sentence("{what} of robot {subsystem}: {problem}", what=what, subsystem=subsystem, problem=self.problem)
+            )

@@ -8,6 +8,7 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.console.languages import ENGLISH
 from jauspy.console.users import User
 
 MAX_PAGES: Final = 64
@@ -19,6 +20,7 @@ class _Page:
     user: User
     session: Hashable
     remove: Callable[[], object]
+    language: str
     is_connected: bool = False
 
 
@@ -31,7 +33,7 @@ class OpenPages:
     def __len__(self) -> int:
         return len(self._pages)
 
-    def add(self, user: User, session: Hashable, remove: Callable[[], object]) -> str | None:
+    def add(self, user: User, session: Hashable, remove: Callable[[], object], language: str = ENGLISH) -> str | None:
         """A token for one more page; None when too many are connected.
 
         `remove` is called when the page is given up because it has not connected and others need its place.
@@ -42,7 +44,7 @@ class OpenPages:
         if len(self._pages) >= MAX_PAGES and not self._give_up_oldest(self._of_largest_session()):
             return None
         token = secrets.token_urlsafe(16)
-        self._pages[token] = _Page(user, session, remove)
+        self._pages[token] = _Page(user, session, remove, language)
         return token
 
     def connected(self, token: str) -> None:
@@ -54,6 +56,11 @@ class OpenPages:
         """The user of a page that is open."""
         page = self._pages.get(token)
         return None if page is None else page.user
+
+    def language(self, token: str) -> str:
+        """The code of the language of a page; English for one that is not open."""
+        page = self._pages.get(token)
+        return ENGLISH if page is None else page.language
 
     def forget(self, token: str) -> None:
         """Handle the end of a page."""

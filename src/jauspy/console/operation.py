@@ -7,12 +7,14 @@ emergency is set. `watchdog` does the latter when the console itself is killed.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.console.dead_man import DeadMan
 from jauspy.console.killed_console import Watchdog
+from jauspy.console.languages import sentence
 from jauspy.console.manipulators import operated
 from jauspy.console.users import LOCAL, Session, User, current
 from jauspy.errors import JausError
@@ -27,6 +29,10 @@ MAX_TURN_RATE: Final = 1.2
 """rad/s at full deflection of the stick."""
 VELOCITY_MODE, EFFORT = "velocity", "effort"
 """Modes of driving: m/s and rad/s, or shares of the robot's full effort."""
+RETURN_TIME: Final = 5.0
+"""Seconds in which a component that was lent must be released by who had it."""
+RETURN_INTERVAL: Final = 0.2
+"""Seconds between two attempts to take it back."""
 REQUEST_TIME: Final = 30.0
 """Seconds in which the operator may answer another one who asks for control."""
 
@@ -69,7 +75,7 @@ class Operation:
         self._control: RobotControl | None = None
         self._dead_man = DeadMan(self._stop_silent)
         self._stop: tuple[str, str] | None = None
-        """Token and text of the emergency stop that this console has sent since control was taken."""
+        """Token and name of the emergency stop that this console has sent since control was taken."""
         self._busy = asyncio.Lock()
         self._wanted: tuple[float, float] | None = None
         self._sending: asyncio.Task[None] | None = None
@@ -78,6 +84,10 @@ class Operation:
         """The robot as it was discovered last."""
         self._missing: set[JausID] = set()
         """Components in control that the last discovery has not found."""
+        self._lent: set[JausID] = set()
+        """Components that another client controls for a while, as a planner the arm."""
+        self._returning: asyncio.Task[None] | None = None
+        """Takes a lent component back."""
         self._refused: set[JausID] = set()
         """Components that have appeared, and whose control was not granted."""
         self._following: asyncio.Task[None] | None = None
@@ -101,14 +111,21 @@ class Operation:
     async def take(self, token: str, authority: int, user: User = LOCAL) -> str:
         """Take control for a browser, or take it over from another one; returns why not, or an empty string."""
         if not user.may_operate:
-            return f"{user.name} may only observe ({user.role})"
+            return sentence("{user} may only observe ({role})", user=user.name, role=user.role)
         if authority > user.authority:
-            return f"{user.name} has an authority of at most {user.authority} ({user.role})"
+            return sentence(
+                "{user} has an authority of at most {authority} ({role})",
+                user=user.name,
+                authority=user.authority,
+                role=user.role,
+            )
         async with self._busy:
             if token != self.operator and not self.may_take_over(user, authority):
-                return (
-                    f"{self.user.name} operates this robot with authority {self.authority}; ask for it, or take it "
-                    "over with a higher authority"
+                return sentence(
+                    "{user} operates this robot with authority {authority}; ask for it, or take it over "
+                    "with a higher authority",
+                    user=self.user.name,
+                    authority=self.authority,
                 )
             return await self._enter(token, authority, user)
 
@@ -118,7 +135,14 @@ class Operation:
             self._request = ControlRequest(
                 token, user, min(authority, user.authority), asyncio.get_running_loop().time()
             )
-            self._on_event(f"{user.name} asks {self.user.name} for control of robot {self.robot.id}")
+            self._on_event(
+                sentence(
+                    "{user} asks {operator} for control of robot {robot}",
+                    user=user.name,
+                    operator=self.user.name,
+                    robot=self.robot.id,
+                )
+            )
 
     async def answer(self, token: str, *, grant: bool) -> str:
         """Handle the operator's answer to a request for control.
@@ -131,7 +155,14 @@ class Operation:
                 return ""
             if grant:
                 return await self._enter(request.token, request.authority, request.user)
-            self._on_event(f"{self.user.name} does not hand over robot {self.robot.id} to {request.user.name}")
+            self._on_event(
+                sentence(
+                    "{user} does not hand over robot {robot} to {asker}",
+                    user=self.user.name,
+                    robot=self.robot.id,
+                    asker=request.user.name,
+                )
+            )
             return ""
 
     async def _enter(self, token: str, authority: int, user: User) -> str:
@@ -148,7 +179,14 @@ class Operation:
             except JausError as error:
                 self._renewing.user = before
                 self.problem = str(error)
-                self._on_event(f"control of robot {self.robot.id} was not granted to {user.name}: {error}")
+                self._on_event(
+                    sentence(
+                        "control of robot {robot} was not granted to {user}: {error}",
+                        robot=self.robot.id,
+                        user=user.name,
+                        error=error,
+                    )
+                )
                 return self.problem
             finally:
                 current.reset(reset)
@@ -157,14 +195,21 @@ class Operation:
                 self._watchdog.hold(self.robot.id, control.ids)
         self.operator, self.user, self.authority, self.problem, self._request = token, user, authority, "", None
         self._renewing.user = user
-        self._on_event(f"{user.name} operates robot {self.robot.id} with authority {authority}")
+        self._on_event(
+            sentence(
+                "{user} operates robot {robot} with authority {authority}",
+                user=user.name,
+                robot=self.robot.id,
+                authority=authority,
+            )
+        )
         return ""
 
     async def _leave(self) -> None:
         control, self._control, self.operator = self._control, None, ""
         self._dead_man.end()
         self._wanted, self.commanded = None, (0.0, 0.0)
-        self._missing, self._refused = set(), set()
+        self._missing, self._refused, self._lent = set(), set(), set()
         if control is not None:
             await control.__aexit__(None, None, None)
             if self._watchdog is not None:
@@ -186,7 +231,7 @@ class Operation:
         missing = set(control.ids) - wanted
         gone, self._missing = missing & self._missing, missing
         self._refused &= wanted
-        new = wanted - set(control.ids) - self._refused
+        new = wanted - set(control.ids) - self._refused - self._lent
         if self._following is None or self._following.done():
             kept = {component.id: component for component in self.robot.components if component.id in missing - gone}
             if not kept:
@@ -200,19 +245,72 @@ class Operation:
             if self._control is not control:
                 return
             for component in sorted(gone):
-                self._on_event(f"{component} has gone, and is not operated any more")
+                self._on_event(sentence("{component} has gone, and is not operated any more", component=component))
             await control.exclude(gone)
             for component in sorted(new):
                 try:
                     await control.include([component])
                 except JausError as error:
                     self._refused.add(component)
-                    self.problem = f"{component} has appeared, and is not operated: {error}"
+                    self.problem = sentence(
+                        "{component} has appeared, and is not operated: {error}", component=component, error=error
+                    )
                     self._on_event(self.problem)
                 else:
-                    self._on_event(f"{component} has appeared, and is operated by {self.user.name} too")
+                    self._on_event(
+                        sentence(
+                            "{component} has appeared, and is operated by {user} too",
+                            component=component,
+                            user=self.user.name,
+                        )
+                    )
             if self._watchdog is not None:
                 self._watchdog.hold(self.robot.id, control.ids)
+
+    @asynccontextmanager
+    async def lent(self, component: JausID) -> AsyncIterator[None]:
+        """Within this another client may control a component; the operation has it again afterwards, if it still can.
+
+        It is put in Standby and released; the other components stay controlled.
+        """
+        async with self._busy:
+            control = self._control
+            is_held = control is not None and component in control.ids
+            if control is not None and is_held:
+                self._lent.add(component)
+                await control.exclude([component])
+        try:
+            yield
+        finally:
+            if control is not None and is_held:
+                self._returning = asyncio.create_task(
+                    self._take_back(control, component), name=f"console: {component} comes back"
+                )
+                await asyncio.shield(self._returning)
+
+    async def _take_back(self, control: RobotControl, component: JausID) -> None:
+        """Control a lent component again; who had it may need a moment to stop and release it."""
+        clock = asyncio.get_running_loop().time
+        end = clock() + RETURN_TIME
+        while self._control is control:
+            try:
+                async with self._busy:
+                    if self._control is control:
+                        await control.include([component])
+            except JausError as error:
+                if clock() > end:
+                    self._refused.add(component)
+                    self.problem = sentence(
+                        "{component} was lent, and is not operated any more: {error}", component=component, error=error
+                    )
+                    self._on_event(self.problem)
+                    break
+                await asyncio.sleep(RETURN_INTERVAL)
+            else:
+                break
+        self._lent.discard(component)
+        if self._watchdog is not None and self._control is control:
+            self._watchdog.hold(self.robot.id, control.ids)
 
     async def release(self, token: str = "") -> None:
         """Stop, put the robot in Standby and release control; with a token only if that browser operates the robot.
@@ -225,13 +323,20 @@ class Operation:
             had_control = self._control is not None
             await self._leave()
             if had_control:
-                author = f" by {self.user.name}" if token else ", since the console ends"
-                self._on_event(f"control of robot {self.robot.id} was released{author}")
+                if token:
+                    text = sentence(
+                        "control of robot {robot} was released by {user}", robot=self.robot.id, user=self.user.name
+                    )
+                else:
+                    text = sentence(
+                        "control of robot {robot} was released, since the console ends", robot=self.robot.id
+                    )
+                self._on_event(text)
 
     def refusal(self, token: str) -> str:
         """Why a browser may not command the robot now; empty if it may."""
         if token != self.operator or self._control is None:
-            return "another browser operates this robot" if self.operator else "take control first"
+            return sentence("another browser operates this robot") if self.operator else sentence("take control first")
         if self._control.lost:
             self.problem = self._loss(self._control.lost)
             return self.problem
@@ -240,14 +345,18 @@ class Operation:
     def stopped(self, token: str, what: str) -> None:
         """Take note of an emergency stop from a page of this console, named by its token; `what` as STOP ALL."""
         if self.is_controlled:
-            self._stop = token, f"{what} by {{page}} has ended it; clear the emergency, then take control again"
+            self._stop = token, what
 
     def _loss(self, reason: str) -> str:
         """Why control was lost: by a stop of this console, or as the component has told."""
         if self._stop is None:
             return reason
-        token, text = self._stop
-        return text.format(page="this page" if token == self.operator else "another page of this console")
+        token, what = self._stop
+        return sentence(
+            "{what} by {page} has ended it; clear the emergency, then take control again",
+            what=what,
+            page=sentence("this page") if token == self.operator else sentence("another page of this console"),
+        )
 
     def drive(self, token: str, forward: float, left: float) -> str:
         """Drive with deflections of -1..1, repeated within `dead_man.DEAD_MAN_TIME`; other numbers stop the robot.
@@ -264,7 +373,7 @@ class Operation:
         else:
             self._dead_man.end()
         self._want(linear, angular)
-        return "" if is_valid else "stopped: a deflection is a number from -1 to 1"
+        return "" if is_valid else sentence("stopped: a deflection is a number from -1 to 1")
 
     def set_limit(self, token: str, limit: float) -> None:
         """Set the limit of the speed, at most `MAX_SPEED`; without effect for a browser that does not operate."""
@@ -274,12 +383,14 @@ class Operation:
     def set_mode(self, token: str, mode: str) -> str:
         """Switch between velocities and efforts; the robot stops first. Returns why not, or an empty string."""
         if token != self.operator or self._control is None:
-            return "take control first"
+            return sentence("take control first")
         if mode not in modes_of(self.robot):
-            return f"this robot does not offer the mode {mode}"
+            return sentence("this robot does not offer the mode {mode}", mode=mode)
         self._stop_driving()
         self.mode = mode
-        self._on_event(f"{self.user.name} drives robot {self.robot.id} by {mode}")
+        self._on_event(
+            sentence("{user} drives robot {robot} by {mode}", user=self.user.name, robot=self.robot.id, mode=mode)
+        )
         return ""
 
     def _full_deflection(self) -> tuple[float, float]:
@@ -289,7 +400,7 @@ class Operation:
         return self.speed_limit, MAX_TURN_RATE * min(1.0, self.speed_limit / 0.5)
 
     def _stop_silent(self) -> None:
-        self._on_event(f"robot {self.robot.id} was stopped: its operator's browser is silent")
+        self._on_event(sentence("robot {robot} was stopped: its operator's browser is silent", robot=self.robot.id))
         self._want(0.0, 0.0)
 
     def _want(self, linear: float, angular: float) -> None:

@@ -5,20 +5,22 @@ from __future__ import annotations
 import time
 from typing import Final
 
-from fastapi import FastAPI
+from fastapi import FastAPI, Request
 from nicegui import core, ui
 
 from jauspy.console.camera_settings import VIDEO
 from jauspy.console.choice import Choice
 from jauspy.console.console import Console
 from jauspy.console.conventions import Conventions
+from jauspy.console.languages import COOKIE, browser_texts, language_of, sentence
 from jauspy.console.manipulators import MODULAR_ARM
-from jauspy.console.markup import attributes, call, page_files, plain_text
+from jauspy.console.markup import attributes, call, page_files, plain_text, with_code
 from jauspy.console.page_events import FrameCheck, PageEvents
+from jauspy.console.page_language import LocalizedPage, _, page_language, set_language, translated
 from jauspy.console.panels.arm import ArmPanel
 from jauspy.console.panels.control import ControlPanel
 from jauspy.console.panels.conveyor import ConveyorPanel
-from jauspy.console.panels.desk import EVENTS, Desk
+from jauspy.console.panels.desk import EVENTS, VIEWS, Desk
 from jauspy.console.panels.drive import DRIVERS, DrivePanel
 from jauspy.console.panels.fleet import FleetPanel
 from jauspy.console.panels.guards import GuardsPanel
@@ -41,7 +43,7 @@ from jauspy.printable import printable
 
 REFRESH_INTERVAL: Final = 0.4
 """Seconds between two updates of the page."""
-TABS: Final = ("Video", "World", "Trajectory", "Tasks", "Plots", "Log", "Recordings")
+TABS: Final = tuple(name for name in VIEWS if name != EVENTS)
 OFFERED: Final = {
     "Video": (VIDEO,),
     "World": ("LocalPoseSensor", "RangeSensor", POSITION_SENSOR, PAN_TILT_SENSOR, MODULAR_ARM),
@@ -60,14 +62,15 @@ SCRIPTS: Final = (
 STYLES: Final = ("theme", "console", "desk", "video", "world", "arm", "recordings")
 SCHEMES: Final = {"system": None, "light": False, "dark": True}
 """Colour schemes, in the order of the switch."""
-NO_ROBOTS: Final = """
-<h2>Looking for robots \u2026</h2>
-<p>No robot has answered yet. The console asks all the time, and shows each one as it appears.</p>
-<ul><li>To try it, run a robot on this machine: <code>jauspy up inc1</code></li>
-<li>Robots of the network need a node manager on this machine (<code>jauspy node-manager</code>), or
-<code>jauspy console --connect</code> to another one</li>
-<li>See what answers: <code>jauspy ls</code></li></ul>
-"""
+NO_ROBOTS: Final = (
+    sentence("To try it, run a robot on this machine: `jauspy up inc1`"),
+    sentence(
+        "Robots of the network need a node manager on this machine (`jauspy node-manager`), or "
+        "`jauspy console --connect` to another one"
+    ),
+    sentence("See what answers: `jauspy ls`"),
+)
+"""What can be done while no robot answers."""
 
 
 def add_page(app: FastAPI, console: Console) -> None:
@@ -76,12 +79,14 @@ def add_page(app: FastAPI, console: Console) -> None:
     app.add_middleware(FrameCheck, refused=console.refused)
     events = PageEvents(core.sio, console.refused, time.monotonic)
 
-    @ui.page("/", title="jauspy console", favicon="\U0001f6f0", dark=None)
-    def index() -> None:
+    @LocalizedPage("/", title="jauspy console", favicon="\U0001f6f0", dark=None)
+    def index(request: Request) -> None:
         client = ui.context.client
-        browser = console.new_browser(client.delete)
+        language = language_of(request.cookies.get(COOKIE), request.headers.get("accept-language"))
+        set_language(client, language)
+        browser = console.new_browser(client.delete, language)
         if browser is None:
-            ui.label("too many pages of this console are open; close one, then load this page again")
+            ui.label(_("too many pages of this console are open; close one, then load this page again"))
             return
         token, user = browser
         events.add(ui.context.client, user)
@@ -113,14 +118,15 @@ class _Page:
         self._logged = 0
         self._conventions = Conventions()
         ui.colors(primary="#1a63d6")
-        page_files(STYLES, SCRIPTS, token)
+        page_files(STYLES, SCRIPTS, token, browser_texts(page_language()))
         with ui.element("header").classes("bar"):
             self._build_bar(user)
         with ui.element("div").classes("status"):
             self._status = StatusBar(console, token)
         with ui.element("main").classes("grid") as main:
             self._desk = Desk(main, self._show_arranged)
-            with ui.element("section").classes("panel fleet").props('aria-label="Fleet"'):
+            with ui.element("section").classes("panel fleet") as fleet:
+                attributes(fleet, aria_label=_("Fleet"))
                 self._fleet = FleetPanel(console, self._select)
             with ui.element("section").classes("centre"):
                 self._build_centre(token, user)
@@ -163,27 +169,40 @@ class _Page:
         if user != LOCAL:
             with ui.element("form").props('method="post" action="/logout"').classes("user"):
                 plain_text(f"{user.name}, {user.role}")
-                plain_text("sign out", tag="button").classes("quiet")
+                plain_text(_("sign out"), tag="button").classes("quiet")
         SettingsButton(self._conventions)
         dark = ui.dark_mode(None)
         ui.on("scheme", lambda event: dark.set_value(SCHEMES.get(str(event.args))))
         ui.on("remembered", lambda event: self._remember(event.args))
         # These buttons need console.js only, so that they work when the rest of the page hangs.
-        ui.html('<button id="scheme" class="quiet" data-do="scheme">\u25d0 system</button>', sanitize=False)
-        ui.html('<button class="quiet" data-do="clear" data-to="all">clear emergency</button>', sanitize=False)
-        ui.html(
-            '<button id="stop" data-do="stop" data-to="all">STOP ALL <kbd>Esc</kbd> <kbd>F8</kbd></button>',
-            sanitize=False,
-        )
+        ui.html('<button id="scheme" class="quiet" data-do="scheme">\u25d0</button>', sanitize=False)
+        clear = plain_text(_("clear emergency"), tag="button").classes("quiet")
+        attributes(clear, data_do="clear", data_to="all")
+        with ui.element("button").props("id=stop") as stop:
+            plain_text(_("STOP ALL"))
+            for key in ("Esc", "F8"):
+                plain_text(" ")
+                plain_text(key, tag="kbd")
+        attributes(stop, data_do="stop", data_to="all")
 
     def _build_centre(self, token: str, user: User) -> None:
-        with ui.element("nav").classes("tabs").props('role="tablist" aria-label="Views"'):
+        with ui.element("nav").classes("tabs").props('role="tablist"') as tabs:
+            attributes(tabs, aria_label=_("Views"))
             self._tabs = {name: self._tab(name) for name in TABS}
             self._desk.build_menu(TABS)
         with ui.element("div").classes("panel empty") as self._empty:
-            self._looking = ui.html(NO_ROBOTS, sanitize=False)
+            with ui.element("div") as self._looking:
+                plain_text(_("Looking for robots \u2026"), tag="h2")
+                plain_text(
+                    _("No robot has answered yet. The console asks all the time, and shows each one as it appears."),
+                    tag="p",
+                )
+                with ui.element("ul"):
+                    for hint in NO_ROBOTS:
+                        with ui.element("li"):
+                            with_code(translated(hint))
             with ui.element("div") as self._unchosen:
-                ui.html("<h2>Choose a robot</h2>", sanitize=False)
+                plain_text(_("Choose a robot"), tag="h2")
                 self._hint = ui.label("").classes("choose").props('role="status"')
         with self._desk.frame():
             with self._desk.pane("Video"), ui.element("div").classes("videos"):
@@ -201,11 +220,12 @@ class _Page:
             with self._desk.pane("Recordings"), ui.element("div").classes("panel messages"):
                 RecordingsPanel()
             with self._desk.pane(EVENTS), ui.element("div").classes("panel log"):
-                ui.label("Events").classes("heading")
+                ui.label(_("Events")).classes("heading")
                 self._log = ui.log(max_lines=200).classes("lines")
 
     def _tab(self, name: str) -> ui.button:
-        return ui.button(name, on_click=lambda: self._want_tab(name), color=None).props('flat no-caps dense role="tab"')
+        tab = ui.button(translated(VIEWS[name]), on_click=lambda: self._want_tab(name), color=None)
+        return tab.props('flat no-caps dense role="tab"')
 
     def _want_tab(self, name: str) -> None:
         self._wanted_tab = name
@@ -249,7 +269,7 @@ class _Page:
         self._logged = self._console.total_events
         events = list(self._console.events)[-new:] if new else []
         for event in events:
-            self._log.push(event.line)
+            self._log.push(event.line_of(translated(event.text)))
         self._status.tell(events)
 
     def _follow_changes(self, robot: Robot) -> None:
@@ -279,7 +299,7 @@ class _Page:
         hint = self._choice.hint(robots)
         self._looking.set_visibility(not hint)
         self._unchosen.set_visibility(bool(hint))
-        self._hint.set_text(hint)
+        self._hint.set_text(translated(hint))
 
     def _show(self, robot: Robot | None) -> None:
         """Show this robot in all panels."""

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import Final
 
 from jauspy.console.camera_settings import VIDEO, sensor_name
+from jauspy.console.languages import sentence
 from jauspy.errors import JausError
 from jauspy.ids import JausID
 from jauspy.messages.description import QueryJointDescription, ReportJointDescription
@@ -58,11 +59,11 @@ class PartNames:
         for robot, component in new:
             key = (component.id, component)
             try:
-                name = await part_name(robot, component)
+                name = printable(await part_name(robot, component))
             except JausError:
                 self._tries[key] = self._tries.get(key, 0) + 1
                 continue
-            self._tries[key], self._names[key] = MAX_TRIES, printable(name)[:MAX_NAME]
+            self._tries[key], self._names[key] = MAX_TRIES, name if len(name) <= MAX_NAME else name[:MAX_NAME]
         for kept in (self._names, self._tries):
             while len(kept) > MAX_NAMES:
                 kept.pop(next(iter(kept)))
@@ -73,7 +74,7 @@ async def part_name(robot: Robot, component: ComponentInfo) -> str:
     client = robot.component(str(component.id))
     if component.find(VIDEO):
         name = await sensor_name(client)
-        return name if name == component.name or "camera" in name.lower() else f"{name} camera"
+        return name if name == component.name or "camera" in name.lower() else sentence("{name} camera", name=name)
     report = await client.service(DESCRIPTION).query(QueryJointDescription(), expects=ReportJointDescription)
     assert isinstance(report, ReportJointDescription)
     return table_of(report).group.replace("_", " ")

@@ -6,6 +6,7 @@ import asyncio
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
+from jauspy.console.languages import joined, sentence
 from jauspy.console.robot_geometry import RobotGeometry, positions_of
 from jauspy.errors import JausError
 from jauspy.geometry.urdf import RobotDescription
@@ -18,6 +19,14 @@ FRAMES: Final = 60
 """Postures of the ghost that browsers get, at most."""
 SHOWN: Final = ("planned", "executing", "planning")
 """Phases in which there may be a plan."""
+PHASES: Final = {
+    "planning": sentence("planning"),
+    "planned": sentence("planned"),
+    "executing": sentence("executing"),
+    "reached": sentence("reached"),
+    "failed": sentence("failed"),
+}
+"""What pages call the phases of a planner."""
 
 
 class PlannedMotion:
@@ -83,10 +92,13 @@ class PlannedMotion:
         state, plan = self.state, self.plan
         if state is None or state.phase == "idle":
             return ""
-        words = state.phase
+        words: list[str] = [PHASES.get(state.phase, state.phase)]
         if state.phase == "executing":
-            words += f" {100.0 * state.progress:.0f} %"
+            words.append(f"{100.0 * state.progress:.0f} %")
+        parts: list[str] = [joined(words, " ")]
         if plan is not None:
-            near = f", clearance {100.0 * plan.clearance:.1f} cm" if plan.clearance == plan.clearance else ""  # no NaN
-            words += f": {plan.duration:.1f} s{near}"
-        return f"{words}: {state.text}" if state.text else words
+            parts.append(f"{plan.duration:.1f} s")
+            if plan.clearance == plan.clearance:  # no NaN
+                near = sentence("clearance {distance:.1f} cm", distance=100.0 * plan.clearance)
+                parts[-1] = joined([parts[-1], near], ", ")
+        return joined([*parts, *([state.text] if state.text else [])], ": ")

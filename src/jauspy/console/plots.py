@@ -18,7 +18,9 @@ from nicegui import ui
 
 from jauspy.codec.message import Message
 from jauspy.console.conventions import JAUS, RADIANS, Conventions
+from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes, call
+from jauspy.console.page_language import _, translated
 from jauspy.console.reports import Field, fields_of, numbers_of, queries_of, reports_of
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
@@ -86,11 +88,11 @@ class Recorder:
     def add(self, component: ComponentInfo, query: Message, path: str, unit: str, rate: float) -> Trace:
         """Record a field at a rate in Hz, which then holds for all fields of this report."""
         if not 0 < rate <= MAX_RATE:
-            raise ConfigError(f"a rate of {rate:g} Hz is outside 0..{MAX_RATE:g} Hz")
+            raise ConfigError(sentence("a rate of {rate:g} Hz is outside 0..{most:g} Hz", rate=rate, most=MAX_RATE))
         source = (component.id, query.NAME)
         same = next((trace for trace in self._of(source) if trace.path == path), None)
         if same is None and len(self.traces) >= MAX_TRACES:
-            raise ConfigError(f"at most {MAX_TRACES} traces are shown; remove one first")
+            raise ConfigError(sentence("at most {most} traces are shown; remove one first", most=MAX_TRACES))
         trace = same or Trace(self._next, component.id, query, path, unit)
         self._next += same is None
         self.traces[trace.number] = trace
@@ -160,7 +162,7 @@ class Recorder:
         moment, values = self._now(), numbers_of(report)
         for trace in self._of(source):
             value = values.get(trace.path)
-            trace.problem = "" if value is not None else "the last report has no such field"
+            trace.problem = "" if value is not None else sentence("the last report has no such field")
             if value is not None:
                 trace.add(moment, value)
 
@@ -168,7 +170,7 @@ class Recorder:
 UPDATE_INTERVAL: Final = 0.25
 """Seconds between two updates of the chart."""
 DEFAULT_RATE: Final = 10.0
-SPANS: Final = {30: "30 s", 120: "2 min", 0: "all"}
+SPANS: Final = {30: sentence("30 s"), 120: sentence("2 min"), 0: sentence("all")}
 """Seconds that the chart shows; 0 is all recorded values."""
 
 
@@ -185,21 +187,23 @@ class PlotsPanel:
         self._sent: dict[int, int] = {}
         self._shown: dict[int, _Chip] = {}
         with ui.element("div").classes("choice"):
-            self._component = _select("component", self._choose_component).classes("wide named")
-            self._message = _select("message", self._choose_message).classes("wide")
-            self._field = _select("fields", lambda: None, multiple=True).classes("wide")
+            self._component = _select(_("component"), self._choose_component).classes("wide named")
+            self._message = _select(_("message"), self._choose_message).classes("wide")
+            self._field = _select(_("fields"), lambda: None, multiple=True).classes("wide")
             self._rate = (
                 ui.number("Hz", value=DEFAULT_RATE, min=0.1, max=MAX_RATE).props("dense outlined").classes("short")
             )
-            self._add = ui.button("add", on_click=self._add_traces).props("unelevated no-caps")
+            self._add = ui.button(_("add"), on_click=self._add_traces).props("unelevated no-caps")
         self._problem = ui.label("").classes("problem")
         self._chips = ui.element("div").classes("chips")
         self._chart = ui.echart({"series": []}).classes("chart")
         with ui.element("div").classes("row"):
-            self._span = ui.toggle(SPANS, value=30).props("no-caps dense unelevated")
+            self._span = ui.toggle({span: translated(label) for span, label in SPANS.items()}, value=30).props(
+                "no-caps dense unelevated"
+            )
             self._axes = ui.label("").classes("hint grow")
-            self._pause = ui.button("pause", on_click=self._toggle).props("outline no-caps")
-            ui.button("clear", on_click=self._clear).props("outline no-caps")
+            self._pause = ui.button(_("pause"), on_click=self._toggle).props("outline no-caps")
+            ui.button(_("clear"), on_click=self._clear).props("outline no-caps")
             ui.button("CSV", on_click=self._download).props("outline no-caps")
         self._paused = False
         conventions.on_change.append(self._show_conventions)
@@ -238,7 +242,7 @@ class PlotsPanel:
         try:
             report = await self._ocu.query(component, query)
         except JausError as error:
-            self._problem.set_text(str(error))
+            self._problem.set_text(translated(str(error)))
             return
         if (component, query.NAME) != (self._component.value, self._message.value):
             return  # another one was chosen meanwhile
@@ -247,7 +251,7 @@ class PlotsPanel:
             {path: self._option(query.NAME, path, field) for path, field in self._fields.items()}, value=[]
         )
         if not self._fields:
-            self._problem.set_text(f"{report.NAME} has no numbers now")
+            self._problem.set_text(_("{name} has no numbers now", name=report.NAME))
 
     def _option(self, query: str, path: str, field: Field) -> str:
         """A field with its present value, as the plot would show it."""
@@ -256,7 +260,7 @@ class PlotsPanel:
         return f"{path}  = {text} {unit}".rstrip()
 
     def _show_axes(self) -> None:
-        self._axes.set_text(f"wheel: zoom, drag: move; {self._conventions.axes_text}")
+        self._axes.set_text(_("wheel: zoom, drag: move; {axes_text}", axes_text=self._conventions.axes_text))
 
     def _show_conventions(self) -> None:
         """Draw all anew, in other axes or units."""
@@ -268,14 +272,14 @@ class PlotsPanel:
         component, query = self._components.get(str(self._component.value)), self._queries.get(str(self._message.value))
         paths = self._field.value or []
         if component is None or query is None or not paths:
-            self._problem.set_text("choose a component, a message and one or several fields")
+            self._problem.set_text(_("choose a component, a message and one or several fields"))
             return
         self._problem.set_text("")
         try:
             for path in paths:
                 self.recorder.add(component, query, path, self._fields[path].unit, float(self._rate.value or 0.0))
         except JausError as error:
-            self._problem.set_text(str(error))
+            self._problem.set_text(translated(str(error)))
 
     # --- showing ----------------------------------------------------------------------------------------------------
 
@@ -315,7 +319,7 @@ class PlotsPanel:
     def _toggle(self) -> None:
         """Freeze the chart; recording continues."""
         self._paused = not self._paused
-        self._pause.set_text("resume" if self._paused else "pause")
+        self._pause.set_text(_("resume") if self._paused else _("pause"))
 
     def _clear(self) -> None:
         self.recorder.clear()
@@ -338,12 +342,12 @@ class _Chip:
             ui.label(printable(trace.name))
             self._problem = ui.label("").classes("problem")
             remove = ui.button("\u00d7", on_click=partial(recorder.remove, trace.number))
-            remove.props('flat dense aria-label="remove"')
+            attributes(remove.props("flat dense"), aria_label=_("remove"))
 
     def update(self, place: int) -> None:
         """Show the present problem, and the colour of this place in the chart."""
         attributes(self.element, data_place=place % 6)
-        self._problem.set_text(printable(self._trace.problem))
+        self._problem.set_text(printable(translated(self._trace.problem)))
         self._problem.set_visibility(bool(self._trace.problem))
 
 

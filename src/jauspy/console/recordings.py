@@ -22,6 +22,7 @@ import orjson
 from fastapi import FastAPI, HTTPException
 from starlette.responses import FileResponse, Response
 
+from jauspy.console.languages import ENGLISH, sentence, translated
 from jauspy.errors import ConfigError, JausError
 from jauspy.printable import printable
 
@@ -55,14 +56,14 @@ def checked_file(folder: Path, name: str) -> tuple[Path, os.stat_result]:
     """The regular file of this name in the folder; raises `ConfigError`."""
     suffix = Path(name).suffix.lower()
     if not _NAME.fullmatch(name) or len(name) > MAX_NAME or suffix not in KINDS:
-        raise ConfigError(f"{printable(name)[:MAX_NAME]!r} is not the name of a recording")
+        raise ConfigError(sentence("{name!r} is not the name of a recording", name=printable(name)[:MAX_NAME]))
     path = folder / name
     try:
         found = path.lstat()
     except OSError as error:
-        raise ConfigError(f"{name} cannot be read: {error.strerror}") from None
+        raise ConfigError(sentence("{name} cannot be read: {strerror}", name=name, strerror=error.strerror)) from None
     if not stat.S_ISREG(found.st_mode):
-        raise ConfigError(f"{name} is not a regular file")
+        raise ConfigError(sentence("{name} is not a regular file", name=name))
     return path, found
 
 
@@ -105,7 +106,9 @@ class Timelines:
     async def read(self, path: Path, found: os.stat_result) -> bytes:
         """The timeline of a file; raises `ConfigError` in one sentence."""
         if find_spec("mcap") is None or find_spec("foxglove") is None or find_spec("av") is None:
-            raise ConfigError("runs are read with packages of jauspy's extras: pip install 'jauspy[recording,video]'")
+            raise ConfigError(
+                sentence("runs are read with packages of jauspy's extras: pip install 'jauspy[recording,video]'")
+            )
         key = (str(path), found.st_mtime_ns, found.st_size)
         async with self._reading:
             content = self._kept.pop(key, None) or await self._read(path)
@@ -125,36 +128,59 @@ class Timelines:
                 while len(content) <= MAX_TIMELINE and (part := await process.stdout.read(1 << 16)):
                     content += part
         except TimeoutError:
-            raise ConfigError(f"{path.name} could not be read in {READ_TIME:.0f} s") from None
+            raise ConfigError(
+                sentence("{name} could not be read in {seconds:.0f} s", name=path.name, seconds=READ_TIME)
+            ) from None
         finally:
             if process.returncode is None:
                 process.kill()
             await process.wait()
         if len(content) > MAX_TIMELINE:
-            raise ConfigError(f"{path.name} has a timeline of more than {MAX_TIMELINE >> 20} MiB")
+            raise ConfigError(
+                sentence(
+                    "{name} has a timeline of more than {most} MiB",
+                    name=path.name,
+                    most=MAX_TIMELINE >> 20,
+                )
+            )
         try:
             found = orjson.loads(content)
         except orjson.JSONDecodeError:
-            raise ConfigError(f"{path.name} could not be read: the process that read it ended early") from None
+            raise ConfigError(
+                sentence("{name} could not be read: the process that read it ended early", name=path.name)
+            ) from None
         if problem := found.get("problem"):
             raise ConfigError(problem)
         return bytes(content)
 
 
-def add_recordings(app: FastAPI, folder: Path, is_page: Callable[[str], bool], note: Callable[[str], None]) -> None:
-    """Add the addresses; `is_page` is true for the token of a page of the present user, `note` logs what it did."""
+def add_recordings(
+    app: FastAPI,
+    folder: Path,
+    is_page: Callable[[str], bool],
+    note: Callable[[str], None],
+    *,
+    language_of: Callable[[str], str] = lambda _: ENGLISH,
+) -> None:
+    """Add the addresses; `is_page` is true for the token of a page of the present user, `note` logs what it did.
+
+    `language_of` returns the code of the language of the page of a token.
+    """
     timelines = Timelines()
+
+    def refusal(token: str, status: int, text: str) -> HTTPException:
+        return HTTPException(status, translated(text, language_of(token)))
 
     def check(token: str) -> None:
         if not is_page(token):
-            raise HTTPException(403, "this page is not open any more")
+            raise refusal(token, 403, sentence("this page is not open any more"))
 
     def file(token: str, name: str) -> tuple[Path, os.stat_result]:
         check(token)
         try:
             return checked_file(folder, name)
         except ConfigError as error:
-            raise HTTPException(404, str(error)) from None
+            raise refusal(token, 404, str(error)) from None
 
     @app.get("/recordings/{token}")
     async def files(token: str) -> Response:
@@ -176,21 +202,21 @@ def add_recordings(app: FastAPI, folder: Path, is_page: Callable[[str], bool], n
         try:
             content = await timelines.read(path, found)
         except JausError as error:
-            raise HTTPException(422, str(error)) from None
-        note(f"opened the recording {name}")
+            raise refusal(token, 422, str(error)) from None
+        note(sentence("opened the recording {name}", name=name))
         return _json(content)
 
     @app.get("/recordings/{token}/pictures/{name}")
     async def pictures(token: str, name: str, topic: str, begin: float, end: float) -> Response:
         path, _ = file(token, name)
         if not 0.0 <= end - begin <= MAX_SECONDS or not abs(begin) < 1e9:
-            raise HTTPException(422, f"pictures of 0 to {MAX_SECONDS:g} s can be read at once")
+            raise refusal(token, 422, sentence("pictures of 0 to {most:g} s can be read at once", most=MAX_SECONDS))
         from jauspy.console.run_timeline import pictures as read  # noqa: PLC0415 - of the extra `recording`
 
         try:
             content = await asyncio.to_thread(read, path, topic, begin, end)
         except JausError as error:
-            raise HTTPException(422, str(error)) from None
+            raise refusal(token, 422, str(error)) from None
         return Response(content, media_type="application/octet-stream", headers={"Cache-Control": "no-store"})
 
 

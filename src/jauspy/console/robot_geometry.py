@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
+from jauspy.console.languages import sentence
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import IDENTITY, JAUS_FROM_REP_103, Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, numbers, origin, parse_tree
@@ -146,7 +147,9 @@ def _colour(material: Element) -> tuple[float, ...] | None:
 def reported(manipulators: Mapping[JausID, ReportManipulatorSpecifications]) -> RobotGeometry:
     """The frames of the pose and of the arms, as their specifications (AS6057) tell them; a line along each link."""
     arms = ", ".join(map(str, manipulators))
-    found = RobotGeometry(f"reported by {arms}" if arms else "its services report no shape", BASE)
+    found = RobotGeometry(
+        sentence("reported by {arms}", arms=arms) if arms else sentence("its services report no shape"), BASE
+    )
     for id, report in manipulators.items():
         _add_arm(found, id, report)
     return found

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from jauspy.codec.message import Message
+from jauspy.console.languages import sentence
 from jauspy.errors import ConfigError, JausError
 from jauspy.messages.core import QueryElementList, ReportElementList
 from jauspy.messages.mobility import SetLocalWaypoint
@@ -132,7 +133,13 @@ class Route:
         uids = [element.element_uid for element in listed.element_list]
         if uids != self._uids or now - self._read_at > READ_INTERVAL:
             if len(uids) > MAX_WAYPOINTS:
-                raise ConfigError(f"the robot holds {len(uids)} waypoints; {MAX_WAYPOINTS} can be shown")
+                raise ConfigError(
+                    sentence(
+                        "the robot holds {count} waypoints; {most} can be shown",
+                        count=len(uids),
+                        most=MAX_WAYPOINTS,
+                    )
+                )
             elements = await service.waypoints.read() if uids else []
             self.waypoints = tuple(map(waypoint_of, elements))
             if uids != self._uids:
@@ -164,7 +171,7 @@ class Route:
     def _service(self) -> ServiceClient:
         robot = self._robot()
         if robot is None:
-            raise ConfigError("the robot has gone")
+            raise ConfigError(sentence("the robot has gone"))
         return robot.service(LIST_DRIVER)
 
     # --- commands; all need control, and raise `JausError` ----------------------------------------------------------
@@ -174,12 +181,18 @@ class Route:
         elements: Elements = self._service().waypoints
         if waypoints is not None:
             if len(waypoints) > MAX_WAYPOINTS:
-                raise ConfigError(f"{len(waypoints)} waypoints are too many; {MAX_WAYPOINTS} are possible")
+                raise ConfigError(
+                    sentence(
+                        "{count} waypoints are too many; {most} are possible",
+                        count=len(waypoints),
+                        most=MAX_WAYPOINTS,
+                    )
+                )
             await elements.upload([waypoint.message() for waypoint in waypoints])
         else:
             await elements.read()
         if not len(elements):
-            raise ConfigError("there is no waypoint; click on the map to set one")
+            raise ConfigError(sentence("there is no waypoint; click on the map to set one"))
         await elements.execute(speed)
         await self._changed()
 

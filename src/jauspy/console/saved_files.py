@@ -18,6 +18,7 @@ from typing import Annotated, Final, TypeAlias
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from jauspy.console.geographic_frame import GeographicFrame
+from jauspy.console.languages import sentence
 from jauspy.console.mission import Mission
 from jauspy.console.trajectory import MAX_FILE, UNKNOWN, Author, Trajectory, place
 from jauspy.console.users import User
@@ -32,7 +33,11 @@ MAX_LISTED: Final = 10_000
 """Files of a folder that are looked at."""
 TRAJECTORIES, MISSIONS = "trajectories", "missions"
 """Folders of files."""
-_ONE: Final = {TRAJECTORIES: "trajectory", MISSIONS: "mission"}
+_ONE: Final = {TRAJECTORIES: sentence("trajectory"), MISSIONS: sentence("mission")}
+_FULL: Final = {
+    TRAJECTORIES: sentence("a robot has at most {most} trajectories; delete one first", most=MAX_SAVED),
+    MISSIONS: sentence("a robot has at most {most} missions; delete one first", most=MAX_SAVED),
+}
 _NAME: Final = re.compile(r"[\w][\w .+-]*")
 _Position = Annotated[float, Field(allow_inf_nan=False)]
 
@@ -57,7 +62,7 @@ class SavedByOther(ConfigError):
     """Somebody else has saved what is to be replaced or deleted; pass `author` as `seen` when the user agrees."""
 
     def __init__(self, name: str, author: Author) -> None:
-        super().__init__(f"{name} was {author}")
+        super().__init__(sentence("{name} was {author}", name=name, author=author))
         self.author = author
 
 
@@ -72,7 +77,10 @@ def checked_name(name: str) -> str:
     name = name.strip()
     if not _NAME.fullmatch(name) or len(name) > MAX_NAME:
         raise ConfigError(
-            f"a name is 1 to {MAX_NAME} letters, digits, spaces and . + - _, and begins with a letter or digit"
+            sentence(
+                "a name is 1 to {most} letters, digits, spaces and . + - _, and begins with a letter or digit",
+                most=MAX_NAME,
+            )
         )
     return name
 
@@ -140,10 +148,10 @@ class SavedFiles:
         self._check(name, before, seen)
         own_poses[name] = {joint: round(value, 4) + 0.0 for joint, value in positions.items()}
         if len(own_poses) > MAX_SAVED:
-            raise ConfigError(f"an arm has at most {MAX_SAVED} poses; delete one first")
+            raise ConfigError(sentence("an arm has at most {most} poses; delete one first", most=MAX_SAVED))
         authors[name] = author
         self._write_poses(saved)
-        self._changed("saved", f"the pose {name} of {component}", before)
+        self._changed(sentence("saved the pose {name} of {component}", name=name, component=component), before)
 
     def delete_pose(self, component: str, name: str, *, seen: Author | None = None) -> None:
         """Delete a pose; unknown names are ignored. Raises as `save_pose`."""
@@ -155,7 +163,7 @@ class SavedFiles:
         self._check(name, before, seen)
         del saved.poses[component][name]
         self._write_poses(saved)
-        self._changed("deleted", f"the pose {name} of {component}", before)
+        self._changed(sentence("deleted the pose {name} of {component}", name=name, component=component), before)
 
     def trajectories(self) -> list[str]:
         """The names of the trajectories."""
@@ -205,9 +213,9 @@ class SavedFiles:
         before = self._author_of(kind, name)
         self._check(name, before, seen)
         if name not in known and len(known) >= MAX_SAVED:
-            raise ConfigError(f"a robot has at most {MAX_SAVED} {kind}; delete one first")
+            raise ConfigError(_FULL[kind])
         self._write(f"{kind}/{name}.json", content(author))
-        self._changed("saved", f"the {_ONE[kind]} {name}", before)
+        self._changed(sentence("saved the {kind} {name}", kind=_ONE[kind], name=name), before)
 
     def _delete(self, kind: str, name: str, seen: Author | None) -> None:
         self._author()
@@ -218,8 +226,10 @@ class SavedFiles:
         try:
             self._path(kind, name).unlink(missing_ok=True)
         except OSError as error:
-            raise ConfigError(f"{self._path(kind, name)}: cannot be deleted: {error.strerror}") from error
-        self._changed("deleted", f"the {_ONE[kind]} {name}", before)
+            raise ConfigError(
+                sentence("{path}: cannot be deleted: {strerror}", path=self._path(kind, name), strerror=error.strerror)
+            ) from error
+        self._changed(sentence("deleted the {kind} {name}", kind=_ONE[kind], name=name), before)
 
     def _path(self, kind: str, name: str) -> Path:
         return self._folder / kind / f"{checked_name(name)}.json"
@@ -227,8 +237,12 @@ class SavedFiles:
     def _author(self) -> Author:
         """The user with the present time; raises `ConfigError` unless the user may operate."""
         if self._user is None or not self._user.may_operate:
-            who = "nobody" if self._user is None else f"{self._user.name} ({self._user.role})"
-            raise ConfigError(f"{who} may not save or delete poses, trajectories and missions: this takes an operator")
+            who = sentence("nobody") if self._user is None else f"{self._user.name} ({self._user.role})"
+            raise ConfigError(
+                sentence(
+                    "{who} may not save or delete poses, trajectories and missions: this takes an operator", who=who
+                )
+            )
         return Author(by=self._user.name, at=f"{datetime.now(UTC):%Y-%m-%d %H:%M:%S} UTC")
 
     def _author_of(self, kind: str, name: str) -> Author | None:
@@ -246,10 +260,13 @@ class SavedFiles:
         if before is not None and before.by != self._user.name and before != seen:
             raise SavedByOther(name, before)
 
-    def _changed(self, what: str, of: str, before: Author | None) -> None:
+    def _changed(self, what: str, before: Author | None) -> None:
         assert self._user is not None
-        foreign = before is not None and before.by != self._user.name
-        self._on_change(f"robot {self._subsystem}: {what} {of}" + (f", which was {before}" if foreign else ""))
+        if before is None or before.by == self._user.name:
+            self._on_change(sentence("robot {robot}: {what}", robot=self._subsystem, what=what))
+            return
+        text = sentence("robot {robot}: {what}, which was {before}", robot=self._subsystem, what=what, before=before)
+        self._on_change(text)
 
     def _poses(self) -> _Poses:
         path = self._folder / "poses.json"
@@ -259,13 +276,22 @@ class SavedFiles:
             return _Poses.model_validate_json(read_file(path, MAX_FILE))
         except ValidationError as error:
             first = error.errors()[0]
-            raise ConfigError(f"{path}: {place(first['loc'])}: {first['msg']}; correct or delete the file") from None
+            raise ConfigError(
+                sentence(
+                    "{path}: {place}: {problem}; correct or delete the file",
+                    path=path,
+                    place=place(first["loc"]),
+                    problem=first["msg"],
+                )
+            ) from None
 
     def _write_poses(self, poses: _Poses) -> None:
         try:
             text = poses.model_dump_json(indent=2)
         except ValueError as error:
-            raise ConfigError(f"the poses cannot be saved: {printable(str(error))[:200]}") from error
+            raise ConfigError(
+                sentence("the poses cannot be saved: {error}", error=printable(str(error))[:200])
+            ) from error
         self._write("poses.json", text)
 
     def _write(self, name: str, text: str) -> None:
@@ -279,4 +305,6 @@ class SavedFiles:
                 stream.write(text)
             new.replace(path)
         except OSError as error:
-            raise ConfigError(f"{path}: cannot be written: {error.strerror}") from error
+            raise ConfigError(
+                sentence("{path}: cannot be written: {strerror}", path=path, strerror=error.strerror)
+            ) from error

@@ -25,6 +25,7 @@ from jauspy.console.certificates import check_certificate
 from jauspy.console.connections import Connections
 from jauspy.console.console import RECORDINGS, Console
 from jauspy.console.killed_console import Watchdog
+from jauspy.console.languages import sentence, translated
 from jauspy.console.listening import add_listening
 from jauspy.console.login import LOCAL_HOSTS, LoginMiddleware
 from jauspy.console.map_tiles import TileSource, add_tiles
@@ -65,9 +66,9 @@ def make_app(console: Console) -> FastAPI:
         async for wanted in messages(page, drive_message, partial(console.refused, "/ws/drive")):
             operation = console.operation(subsystem)
             forward, left = wanted or (0.0, 0.0)
-            problem = "the robot has gone" if operation is None else operation.drive(token, forward, left)
+            problem = sentence("the robot has gone") if operation is None else operation.drive(token, forward, left)
             if problem != said:
-                await _answer(page, problem)
+                await _answer(page, translated(problem, console.pages.language(token)))
                 said = problem
         if (operation := console.operation(subsystem)) is not None and operation.operator == token:
             operation.drive(token, 0.0, 0.0)
@@ -81,9 +82,9 @@ def make_app(console: Console) -> FastAPI:
         except ConfigError:
             camera = None
         if camera is None:
-            await page.close(4404, "there is no such camera")
+            await page.close(4404, translated(sentence("there is no such camera"), console.pages.language(token)))
             return
-        await camera.serve(page, partial(console.refused, "/ws/video"))
+        await camera.serve(page, partial(console.refused, "/ws/video"), console.pages.language(token))
 
     _add_stop(app, console)
     add_world(
@@ -91,11 +92,18 @@ def make_app(console: Console) -> FastAPI:
         console.worlds,
         lambda page, token: _accepted(page, console, token),
         lambda token: console.is_of(token, current_user()),
-        partial(console.refused, "/ws/world"),
+        refuse=partial(console.refused, "/ws/world"),
+        language_of=console.pages.language,
     )
     _add_jog(app, console)
     add_listening(app, console)
-    add_recordings(app, console.recordings, lambda token: console.is_of(token, current_user()), console.act)
+    add_recordings(
+        app,
+        console.recordings,
+        lambda token: console.is_of(token, current_user()),
+        console.act,
+        language_of=console.pages.language,
+    )
     add_tiles(app, lambda: console.map, lambda token: console.is_of(token, current_user()), console.note)
     return app
 
@@ -112,14 +120,17 @@ def _add_stop(app: FastAPI, console: Console) -> None:
         running: dict[asyncio.Task[None], StopRequest] = {}
         async for request in messages(page, stop_request, partial(console.refused, "/ws/stop"), closes=False):
             if request is None:
-                await _answer(page, "not understood: stop or release, and a robot's number or all")
+                await _answer(page, sentence("not understood: stop or release, and a robot's number or all"))
                 continue
             if request.verb == "leave":
                 console.forget(token)
                 break
             user = current_user()
             if request.verb == "release" and user is not None and not user.may_operate:
-                await _answer(page, f"{user.name} may stop robots, and not release them ({user.role})")
+                await _answer(
+                    page,
+                    sentence("{user} may stop robots, and not release them ({role})", user=user.name, role=user.role),
+                )
                 continue
             if request.verb == "stop":
                 console.emergencies.end_releases()
@@ -128,20 +139,20 @@ def _add_stop(app: FastAPI, console: Console) -> None:
             while len(running) >= MAX_REQUESTS:
                 await asyncio.wait(list(running), return_when=asyncio.FIRST_COMPLETED)
             work = console.stop(request.target, token) if request.verb == "stop" else console.release(request.target)
-            task = asyncio.create_task(_tell(page, work), name="console: emergency")
+            task = asyncio.create_task(_tell(page, work, console.pages.language(token)), name="console: emergency")
             running[task] = request
             task.add_done_callback(running.pop)
         if running:
             await asyncio.wait(list(running))
 
 
-async def _tell(page: WebSocket, work: Coroutine[Any, Any, str]) -> None:
-    """Tell a browser the result of what it has requested."""
+async def _tell(page: WebSocket, work: Coroutine[Any, Any, str], language: str) -> None:
+    """Tell a browser the result of what it has requested, in its language."""
     try:
         said = await work
     except JausError as error:
         said = str(error)
-    await _answer(page, said)
+    await _answer(page, translated(said, language))
 
 
 def _add_jog(app: FastAPI, console: Console) -> None:
@@ -153,9 +164,9 @@ def _add_jog(app: FastAPI, console: Console) -> None:
         said = ""
         async for wanted in messages(page, jog_message, partial(console.refused, "/ws/jog")):
             jogging = console.jogging(component)
-            problem = "the arm has gone" if jogging is None else jogging.move(token, wanted)
+            problem = sentence("the arm has gone") if jogging is None else jogging.move(token, wanted)
             if problem != said:
-                await _answer(page, problem)
+                await _answer(page, translated(problem, console.pages.language(token)))
                 said = problem
         if (jogging := console.jogging(component)) is not None:
             jogging.leave(token)

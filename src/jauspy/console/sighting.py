@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.console.camera_settings import LENS, sensor_name
+from jauspy.console.languages import sentence
 from jauspy.console.world import CLOUD_HEADER, World
 from jauspy.errors import ConfigError, JausError
 from jauspy.geometry.frames import FrameTree
@@ -41,7 +42,15 @@ DIRECTIONS: Final = {
     "back": (math.pi, 0.0),
     "down": (0.0, math.radians(-30.0)),
 }
-"""Directions of a camera that have names."""
+"""Directions of a camera that have names: how far to the right and up, in radians."""
+DIRECTION_NAMES: Final = {
+    "ahead": sentence("ahead"),
+    "left": sentence("to the left"),
+    "right": sentence("to the right"),
+    "back": sentence("backwards"),
+    "down": sentence("down"),
+}
+"""What pages call `DIRECTIONS`."""
 
 
 class CameraHead:
@@ -114,7 +123,11 @@ async def lens_of(robot: Robot, component: ComponentInfo, aspect: float) -> Lens
     Raises `ConfigError` for a camera that does not report it.
     """
     if not component.find(LENS):
-        raise ConfigError(f"{component.id} does not report its field of view: it offers no {LENS}")
+        raise ConfigError(
+            sentence(
+                "{component} does not report its field of view: it offers no {lens}", component=component.id, lens=LENS
+            )
+        )
     query = QueryVisualSensorConfiguration(
         [QueryVisualSensorConfiguration.QueryVisualSensorConfigurationRec(1, 0xFFFF)]
     )
@@ -123,7 +136,7 @@ async def lens_of(robot: Robot, component: ComponentInfo, aspect: float) -> Lens
         across = record.horizontal_field_of_view
         if across is not None and 0.0 < across < math.pi:
             return Lens(across, 2.0 * math.atan(math.tan(across / 2.0) / aspect))
-    raise ConfigError(f"{component.id} does not report its field of view")
+    raise ConfigError(sentence("{component} does not report its field of view", component=component.id))
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,10 +158,14 @@ async def sight(world: World, robot: Robot, component: ComponentInfo, ray: Vecto
     model, description = world.model, world.description
     setup = None if model is None else next((each for each in model.cameras if each.name == name), None)
     if setup is None or description is None or setup.link not in description.links():
-        raise ConfigError(f"where the camera {name} sits is not known here: the robot's file is not on this machine")
+        raise ConfigError(
+            sentence(
+                "where the camera {name} sits is not known here: the robot's file is not on this machine", name=name
+            )
+        )
     for cloud in list(world.clouds.values()):
         if (found := depth_along(cloud, setup.link, ray)) is not None:
-            return Sight(found, "depth camera")
+            return Sight(found, sentence("depth camera"))
     frame = FrameTree(description).pose(setup.link, world.positions)
     direction = (frame @ Transform(position=ray)).position
     direction = (direction[0] - frame.position[0], direction[1] - frame.position[1], direction[2] - frame.position[2])
@@ -157,7 +174,9 @@ async def sight(world: World, robot: Robot, component: ComponentInfo, ray: Vecto
     ground = floor_along(floor, frame.position, direction)
     told = [each for each in (echo, ground) if each is not None]
     if not told:
-        raise ConfigError("nothing tells how far away that is: no echo of a lidar in this direction, and no floor")
+        raise ConfigError(
+            sentence("nothing tells how far away that is: no echo of a lidar in this direction, and no floor")
+        )
     return min(told, key=lambda each: each.distance)
 
 
@@ -188,20 +207,20 @@ def echo_along(echoes: Iterable[tuple[float, float]], origin: Vector, direction:
         off = math.remainder(math.atan2(away[1], away[0]) - bearing, math.tau)
         if abs(off) <= NEAR_BEARING:
             nearest = min(nearest, math.hypot(*away))
-    return Sight(nearest / level, "lidar, if upright") if math.isfinite(nearest) else None
+    return Sight(nearest / level, sentence("lidar, if upright")) if math.isfinite(nearest) else None
 
 
 def floor_along(floor: float, origin: Sequence[float], direction: Sequence[float]) -> Sight | None:
     """The distance to a level floor at this height; None for a ray that does not go down."""
     if direction[2] > -1e-3 or origin[2] <= floor:
         return None
-    return Sight((floor - origin[2]) / direction[2], "floor, if level")
+    return Sight((floor - origin[2]) / direction[2], sentence("floor, if level"))
 
 
 def shown(found: Sight, width: float | None) -> str:
     """The distance as text, with the width of the gripper in metres if it is drawn."""
-    drawn = "" if width is None else f", gripper {1000.0 * width:.0f} mm"
-    return f"{found.distance:.2f} m ({found.source}){drawn}"
+    text = sentence("{distance:.2f} m ({source})", distance=found.distance, source=found.source)
+    return text if width is None else sentence("{text}, gripper {width:.0f} mm", text=text, width=1000.0 * width)
 
 
 async def gripper_width(robot: Robot) -> float | None:

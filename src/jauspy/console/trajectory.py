@@ -10,6 +10,7 @@ from typing import Annotated, Final, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from jauspy.console.languages import sentence
 from jauspy.console.manipulators import JointInfo, ModularArm, Row
 from jauspy.errors import ConfigError
 from jauspy.printable import printable
@@ -42,7 +43,11 @@ class Author(BaseModel):
     at: Annotated[str, Field(max_length=32)] = ""
 
     def __str__(self) -> str:
-        return f"saved by {printable(self.by)}, {printable(self.at)}" if self.by else "saved by an unknown user"
+        return (
+            sentence("saved by {by}, {at}", by=printable(self.by), at=printable(self.at))
+            if self.by
+            else sentence("saved by an unknown user")
+        )
 
 
 UNKNOWN: Final = Author()
@@ -76,7 +81,7 @@ class Trajectory:
     def add(self, positions: Sequence[float], seconds: float = DEFAULT_SECONDS) -> None:
         """Add a row at the end; raises `ConfigError` when there are too many."""
         if len(self.rows) >= MAX_ROWS:
-            raise ConfigError(f"a trajectory has at most {MAX_ROWS} rows")
+            raise ConfigError(sentence("a trajectory has at most {most} rows", most=MAX_ROWS))
         self.rows.append(TrajectoryRow(seconds, [round(value, 4) + 0.0 for value in positions]))
 
     def move(self, index: int, by: int) -> None:
@@ -92,21 +97,31 @@ class Trajectory:
         """Why an arm with these joints cannot follow the rows, the first of which has this number; empty if it can."""
         known = {joint.name: joint for joint in joints}
         if not self.rows:
-            return "there are no rows: add the present positions first"
+            return sentence("there are no rows: add the present positions first")
         if missing := [name for name in self.joints if name not in known]:
-            return f"this arm has no joint {printable(missing[0])}, which the trajectory moves"
+            return sentence("this arm has no joint {joint}, which the trajectory moves", joint=printable(missing[0]))
         before = now
         for number, (seconds, positions) in enumerate(self.named(), first):
             for name, value in positions.items():
                 joint = known[name]
                 if not joint.lower <= value <= joint.upper:
-                    return (
-                        f"row {number}: {name} can be {joint.lower:.4g}..{joint.upper:.4g} {joint.unit}, not {value:g}"
+                    return sentence(
+                        "row {number}: {name} can be {lower:.4g}..{upper:.4g} {unit}, not {value:g}",
+                        number=number,
+                        name=name,
+                        lower=joint.lower,
+                        upper=joint.upper,
+                        unit=joint.unit,
+                        value=value,
                     )
                 least = joint.motion.least_duration(value - before[name])
                 if seconds and seconds < least:
-                    return (
-                        f"row {number}: {name} needs at least {math.ceil(100 * least) / 100:.2f} s, not {seconds:g} s"
+                    return sentence(
+                        "row {number}: {name} needs at least {least:.2f} s, not {seconds:g} s",
+                        number=number,
+                        name=name,
+                        least=math.ceil(100 * least) / 100,
+                        seconds=seconds,
                     )
             before = {**before, **positions}
         return ""
@@ -125,11 +140,17 @@ class Trajectory:
         """Read a file; raises `ConfigError` with place and reason."""
         data = read_model(_FileModel, text, name, guide="docs/console.md")
         if len(set(data.joints)) < len(data.joints):
-            raise ConfigError(f"{name}: joints: a name is there twice")
+            raise ConfigError(sentence("{name}: joints: a name is there twice", name=name))
         for number, row in enumerate(data.rows, 1):
             if len(row.positions) != len(data.joints):
                 raise ConfigError(
-                    f"{name}: row {number} has {len(row.positions)} positions for {len(data.joints)} joints"
+                    sentence(
+                        "{name}: row {number} has {positions} positions for {joints} joints",
+                        name=name,
+                        number=number,
+                        positions=len(row.positions),
+                        joints=len(data.joints),
+                    )
                 )
         rows = [TrajectoryRow(row.seconds, list(row.positions)) for row in data.rows]
         return cls(tuple(data.joints), rows, data.author)
@@ -152,12 +173,20 @@ class Trajectory:
 def read_model(model: type[Model], text: str | bytes, name: str, *, guide: str) -> Model:
     """The content of a JSON file; raises `ConfigError` with place, reason, and the guide that has the form."""
     if len(text) > MAX_FILE:
-        raise ConfigError(f"{name}: has more than {MAX_FILE >> 20} MiB")
+        raise ConfigError(sentence("{name}: has more than {most} MiB", name=name, most=MAX_FILE >> 20))
     try:
         return model.model_validate_json(text)
     except ValidationError as error:
         first = error.errors()[0]
-        raise ConfigError(f"{name}: {place(first['loc'])}: {first['msg']}; see {guide} for the form") from None
+        raise ConfigError(
+            sentence(
+                "{name}: {place}: {problem}; see {guide} for the form",
+                name=name,
+                place=place(first["loc"]),
+                problem=first["msg"],
+                guide=guide,
+            )
+        ) from None
 
 
 def place(location: Sequence[int | str]) -> str:

@@ -17,6 +17,7 @@ from fastapi import WebSocket, WebSocketDisconnect
 
 from jauspy.codec.message import Message
 from jauspy.console.browser_messages import Refuse, messages, video_request
+from jauspy.console.languages import ENGLISH, joined, sentence, translated
 from jauspy.console.reports import reports_of
 from jauspy.console.video_recording import VideoRecording
 from jauspy.errors import JausError
@@ -136,7 +137,9 @@ robot's clock (NaN when unknown)."""
 class Watcher:
     """The send queue of one browser: pictures in order, and the newest of each kind of news."""
 
-    def __init__(self) -> None:
+    def __init__(self, language: str = ENGLISH) -> None:
+        self.language = language
+        """The code of the language of the browser's page."""
         self.choice = "all"
         self.left_out = 0
         """Pictures that were left out because the browser or its connection is slow."""
@@ -236,9 +239,9 @@ class SharedCamera:
         self._has_begun = False
         self._key_at = -math.inf
 
-    async def serve(self, socket: WebSocket, refuse: Refuse) -> None:
+    async def serve(self, socket: WebSocket, refuse: Refuse, language: str = ENGLISH) -> None:
         """Send news as JSON and requested pictures as bytes to one browser until it leaves."""
-        watcher = Watcher()
+        watcher = Watcher(language)
         self._watchers.add(watcher)
         self._start()
         self.camera.refresh()
@@ -267,7 +270,9 @@ class SharedCamera:
         """
         if self.recording is None or self.recording.ended:
             self.recording = VideoRecording(folder, self.name)
-            self._on_event(f"video of {self.name}: recording to {self.recording.path} has begun")
+            self._on_event(
+                sentence("video of {name}: recording to {path} has begun", name=self.name, path=self.recording.path)
+            )
             self._start()
             self.camera.refresh()
         return self.recording
@@ -276,7 +281,7 @@ class SharedCamera:
         """End the recording; without effect when there is none."""
         if self.recording is not None:
             await self.recording.close()
-            self._on_event(f"video of {self.name}: {self.recording.summary}")
+            self._on_event(sentence("video of {name}: {summary}", name=self.name, summary=self.recording.summary))
         self._stop_if_unused()
 
     async def close(self) -> None:
@@ -313,7 +318,7 @@ class SharedCamera:
             except JausError as error:
                 self._problem = printable(str(error))
                 if self._problem != sent:
-                    self._on_event(f"no video of {self.name}: {error}")
+                    self._on_event(sentence("no video of {name}: {error}", name=self.name, error=error))
                 sent = self._problem
                 self._has_begun = False
             await asyncio.sleep(RETRY_INTERVAL)
@@ -324,12 +329,14 @@ class SharedCamera:
             await asyncio.sleep(0.5)
             reason, note = self.why_no_picture(), self.camera.note
             if note != self._note and self._has_begun:  # before, it is the reason
-                self._on_event(f"video of {self.name}: {note or 'all that is set again'}")
+                self._on_event(
+                    sentence("video of {name}: {note}", name=self.name, note=note or sentence("all that is set again"))
+                )
                 self._note = note
             for watcher in self._watchers:
                 watcher.tell_note(note)
                 if reason:
-                    watcher.tell(reason=reason)
+                    watcher.tell(reason=translated(reason, watcher.language))
             now = asyncio.get_running_loop().time()
             if now - self._key_at >= KEY_INTERVAL and any(watcher.choice == "keys" for watcher in self._watchers):
                 self.camera.refresh()
@@ -341,7 +348,7 @@ class SharedCamera:
         if asyncio.get_running_loop().time() - self._picture_at < QUIET_TIME:
             return ""
         state = "" if self._has_begun else self._state()
-        return "; ".join(line for line in (self._problem or self.camera.waiting, state) if line)
+        return joined(line for line in (self._problem or self.camera.waiting, state) if line)
 
     def _hand_out(self, picture: Picture) -> None:
         self._picture_at = asyncio.get_running_loop().time()
@@ -384,5 +391,5 @@ async def _send(socket: WebSocket, watcher: Watcher) -> None:
 def camera_state(status: str, *, silent: bool) -> str:
     """A text that explains a missing picture by the state of the camera's component."""
     if silent:
-        return "the camera's component does not answer"
-    return f"the camera's component is in {status}" if status not in ("", "READY") else ""
+        return sentence("the camera's component does not answer")
+    return sentence("the camera's component is in {status}", status=status) if status not in ("", "READY") else ""

@@ -10,6 +10,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+from jauspy.console.languages import joined, sentence
 from jauspy.errors import ConfigError
 from jauspy.video import need_video
 from jauspy.video.h264_payload import Picture
@@ -62,12 +63,17 @@ class VideoRecording:
     @property
     def summary(self) -> str:
         """A text with duration, size and path of the recording."""
-        more = f" and {self._files - 1} more" if self._files > 1 else ""
-        lost = f", {self.left_out} left out because the disk was too slow" if self.left_out else ""
-        said = f"; {self.problem}" if self.problem else ""
         if not self.pictures:
-            return f"nothing was recorded: no picture arrived{said}"
-        return f"recorded {self.pictures} pictures ({self.size / 1e6:.1f} MB) to {self.path}{more}{lost}{said}"
+            text = sentence("nothing was recorded: no picture arrived")
+            return joined([text, self.problem]) if self.problem else text
+        values = {"pictures": self.pictures, "size": self.size / 1e6, "path": self.path}
+        parts = [sentence("recorded {pictures} pictures ({size:.1f} MB) to {path}", **values)]
+        if self._files > 1:
+            parts.append(sentence(" and {count} more", count=self._files - 1))
+        if self.left_out:
+            parts.append(sentence(", {count} left out because the disk was too slow", count=self.left_out))
+        text = joined(parts, "")
+        return joined([text, self.problem]) if self.problem else text
 
     def add(self, picture: Picture) -> None:
         """Record a picture; never waits."""
@@ -159,8 +165,13 @@ class VideoRecording:
         free = shutil.disk_usage(folder).free
         if free < self._min_free:
             raise ConfigError(
-                f"{folder} has {free / 1e6:.0f} MB left, and {self._min_free / 1e6:.0f} MB stay free: delete "
-                "something, or choose another folder with --recordings"
+                sentence(
+                    "{folder} has {free:.0f} MB left, and {min_free:.0f} MB stay free: "
+                    "delete something, or choose another folder with --recordings",
+                    folder=folder,
+                    free=free / 1000000.0,
+                    min_free=self._min_free / 1000000.0,
+                )
             )
 
 
@@ -169,5 +180,9 @@ def _make(folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise ConfigError(
-            f"recordings cannot be kept in {folder}: {error.strerror}; choose --recordings DIR"
+            sentence(
+                "recordings cannot be kept in {folder}: {strerror}; choose --recordings DIR",
+                folder=folder,
+                strerror=error.strerror,
+            )
         ) from error

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
+from jauspy.console.languages import sentence
 from jauspy.console.mission import Area
 from jauspy.console.route import MAX_WAYPOINTS, Waypoint
 from jauspy.errors import ConfigError
@@ -28,16 +29,24 @@ async def way_around(world: World, goals: Sequence[Waypoint], areas: Sequence[Ar
     Raises `NoPath` when there is no way, and `ConfigError` when map, pose or shape of the robot are not known.
     """
     if find_spec("numpy") is None or find_spec("scipy") is None:
-        raise ConfigError("a way around obstacles needs numpy and scipy: pip install 'jauspy[planning]'")
+        raise ConfigError(sentence("a way around obstacles needs numpy and scipy: pip install 'jauspy[planning]'"))
     if world.mapping is None or not world.mapping.mapper.path or world.pose is None:
-        raise ConfigError("there is no map of what is around the robot yet; wait for its first scan")
+        raise ConfigError(sentence("there is no map of what is around the robot yet; wait for its first scan"))
     if world.model is None:
-        raise ConfigError("the shape of this robot is not known here; give its file, as in `jauspy console --file`")
+        raise ConfigError(
+            sentence("the shape of this robot is not known here; give its file, as in `jauspy console --file`")
+        )
     pose = PlanarPose(world.pose.x, world.pose.y, world.pose.yaw)
     points = [(goal.x, goal.y) for goal in goals if goal.is_point]
     found = await asyncio.to_thread(_planned, world.mapping.mapper, world.model, pose, points, areas)
     if len(found) > MAX_WAYPOINTS:
-        raise ConfigError(f"the way has {len(found)} corners; {MAX_WAYPOINTS} are possible, so choose a nearer point")
+        raise ConfigError(
+            sentence(
+                "the way has {count} corners; {most} are possible, so choose a nearer point",
+                count=len(found),
+                most=MAX_WAYPOINTS,
+            )
+        )
     return found
 
 

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from jauspy.codec.message import Message
 from jauspy.console.held_parts import HeldParts
+from jauspy.console.languages import sentence
 from jauspy.console.manipulators import MODULAR_ARM
 from jauspy.console.planned_motion import PlannedMotion
 from jauspy.console.planned_way import PlannedWay
@@ -220,7 +221,7 @@ class World:
     def _found(self) -> Robot:
         robot = self._robot()
         if robot is None:
-            raise ConfigError("the robot has gone")
+            raise ConfigError(sentence("the robot has gone"))
         return robot
 
     # --- what it looks like -----------------------------------------------------------------------------------------
@@ -306,7 +307,9 @@ class World:
         sensor = "mobility:LocalPoseSensor"
         component = next((component for component in self._found().components if component.find(sensor)), None)
         if component is None:
-            self.problems["pose"] = f"this robot does not report its pose: it offers no {sensor}"
+            self.problems["pose"] = sentence(
+                "this robot does not report its pose: it offers no {sensor}", sensor=sensor
+            )
             return
         await self._follow("pose", component, QueryLocalPose(), self._take_pose)
 
@@ -369,10 +372,10 @@ class World:
     async def _follow_map(self) -> None:
         """Map while the robot is known; one robot without a lidar has no map."""
         if not any(component.find("environmentSensing:RangeSensor") for component in self._found().components):
-            self.problems["map"] = "this robot has no range sensor, so there is no map"
+            self.problems["map"] = sentence("this robot has no range sensor, so there is no map")
             return
         if find_spec("numpy") is None:
-            self.problems["map"] = "the map needs numpy: pip install 'jauspy[map]'"
+            self.problems["map"] = sentence("the map needs numpy: pip install 'jauspy[map]'")
             return
         from jauspy.mapping.live import LiveMapping  # noqa: PLC0415 - needs numpy
         from jauspy.mapping.mapper import Mapper  # noqa: PLC0415 - needs numpy
@@ -403,7 +406,7 @@ class World:
 
     async def _follow_cloud(self, address: str) -> None:
         if find_spec("pynng") is None:
-            self.problems["cloud"] = "point clouds need pynng: pip install 'jauspy[cloud]'"
+            self.problems["cloud"] = sentence("point clouds need pynng: pip install 'jauspy[cloud]'")
             return
         from jauspy.cloud.stream import CloudSubscriber  # noqa: PLC0415 - needs pynng
 
@@ -464,7 +467,11 @@ class World:
         counted.pop("scans", None)
         left_out = ", ".join(f"{count} {reason}" for reason, count in counted.items())
         held = {} if self._held is None else self._held.problems
-        return [*self.problems.values(), *held.values(), *([f"not in the map: {left_out}"] if left_out else [])]
+        return [
+            *self.problems.values(),
+            *held.values(),
+            *([sentence("not in the map: {left_out}", left_out=left_out)] if left_out else []),
+        ]
 
     @property
     def map_version(self) -> int:
@@ -520,7 +527,7 @@ def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
                 joint: position for group in groups for joint, position in zip(group.joints, group.start, strict=True)
             }
             addresses = [cloud.address for cloud in config.clouds]
-            return _Known(model, f"description of {printable(file)}", start, addresses)
+            return _Known(model, sentence("description of {file}", file=printable(file)), start, addresses)
     return None
 
 

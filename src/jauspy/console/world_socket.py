@@ -12,6 +12,7 @@ from starlette.responses import FileResponse
 
 from jauspy.console.browser_messages import Refuse, messages, nothing
 from jauspy.console.fleet_positions import FleetPositions
+from jauspy.console.languages import sentence, translated
 from jauspy.console.robot_geometry import RobotGeometry
 from jauspy.console.world import RATE, World, known_cell
 from jauspy.errors import JausError
@@ -86,18 +87,28 @@ class Worlds:
         await self.positions.close()
 
 
-def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[str], bool], refuse: Refuse) -> None:
+def add_world(
+    app: FastAPI,
+    worlds: Worlds,
+    accept: Accept,
+    is_page: Callable[[str], bool],
+    *,
+    refuse: Refuse,
+    language_of: Callable[[str], str],
+) -> None:
     """Add the socket, which is open while the tab is visible, and the files of meshes."""
 
     @app.websocket("/ws/world/{subsystem}/{token}")
     async def world(page: WebSocket, subsystem: int, token: str) -> None:
         if not await accept(page, token):
             return
-        found = worlds.opened(subsystem, token)
+        found, language = worlds.opened(subsystem, token), language_of(token)
         if found is None:
-            await page.close(4404, "there is no such robot")
+            await page.close(4404, translated(sentence("there is no such robot"), language))
             return
-        await _serve(page, found, worlds.positions, f"/world/mesh/{subsystem}/{token}/", refuse)
+        await _serve(
+            page, found, worlds.positions, f"/world/mesh/{subsystem}/{token}/", refuse=refuse, language=language
+        )
 
     @app.get("/world/mesh/{subsystem}/{token}/{number}")
     async def mesh(subsystem: int, token: str, number: int) -> FileResponse:
@@ -110,13 +121,15 @@ def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[s
         return FileResponse(meshes[number], headers={"Cache-Control": "private, max-age=3600"})
 
 
-async def _serve(page: WebSocket, world: World, positions: FleetPositions, mesh_url: str, refuse: Refuse) -> None:
+async def _serve(
+    page: WebSocket, world: World, positions: FleetPositions, mesh_url: str, *, refuse: Refuse, language: str
+) -> None:
     """Send until the browser leaves: a slow one gets fewer messages, never older ones."""
     watcher = object()
     leaving = asyncio.create_task(_until_closed(page, refuse))
     try:
         await world.watched_by(watcher)
-        await _send_states(page, world, positions, mesh_url, leaving)
+        await _send_states(page, world, positions, mesh_url, leaving, language=language)
     except (WebSocketDisconnect, RuntimeError):
         return
     except JausError as error:
@@ -127,7 +140,13 @@ async def _serve(page: WebSocket, world: World, positions: FleetPositions, mesh_
 
 
 async def _send_states(
-    page: WebSocket, world: World, positions: FleetPositions, mesh_url: str, leaving: asyncio.Task[None]
+    page: WebSocket,
+    world: World,
+    positions: FleetPositions,
+    mesh_url: str,
+    leaving: asyncio.Task[None],
+    *,
+    language: str,
 ) -> None:
     clock = asyncio.get_running_loop().time
     before, notes = "", list[str]()
@@ -138,12 +157,15 @@ async def _send_states(
         began = clock()
         if shown is not (geometry := await world.geometry()):  # it changes with each new part
             shown = geometry
-            await page.send_text(json.dumps({"model": geometry.for_browser(mesh_url), "left_out": geometry.left_out}))
+            model = geometry.for_browser(mesh_url)
+            model["source"] = translated(geometry.source, language)
+            await page.send_text(json.dumps({"model": model, "left_out": geometry.left_out}))
         state = world.state(track)
         track = world.track_total
         state.update(positions.for_browser(world.subsystem))
         if notes != (now := world.notes()):
-            state["notes"] = notes = now
+            notes = now
+            state["notes"] = [translated(note, language) for note in now]
         text = json.dumps(state, separators=(",", ":"))
         if text != before:
             await page.send_text(text)

@@ -5,15 +5,16 @@
 from __future__ import annotations
 
 import asyncio
+import math
 from datetime import UTC, datetime
 from typing import Final
 
 from jauspy.arguments import check_number
 from jauspy.errors import ConfigError, RequestError
-from jauspy.messages.manipulator import SetEndEffectorEffort
+from jauspy.messages.manipulator import QueryJointForceTorques, ReportJointForceTorques, SetEndEffectorEffort
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.explain import check_ready
-from jauspy.ocu.joints import POSITION_SENSOR, JointTable, joint_table, reported
+from jauspy.ocu.joints import FORCE_SENSOR, POSITION_SENSOR, JointTable, joint_table, reported
 from jauspy.ocu.state import Joints
 from jauspy.ocu.subsystems import ComponentInfo
 
@@ -95,6 +96,25 @@ class Gripper:
     async def stop(self) -> None:
         """Hold the fingers where they are."""
         await self._send(0.0)
+
+    async def force(self) -> float | None:
+        """Newtons with which the motors press each finger inwards, negative outwards, as the gripper measures it.
+
+        The mean of the fingers; of fingers that turn, their torque in newton metres. None for a gripper that reports
+        no forces, or not how its fingers open.
+        """
+        if self.info.find(FORCE_SENSOR) is None or not await self.has_width():
+            return None
+        report = await self._connection.query(self.info.id, QueryJointForceTorques(), expects=ReportJointForceTorques)
+        assert isinstance(report, ReportJointForceTorques)
+        pressing = [
+            -math.copysign(1.0, joint.width_rate) * record.joint_force_torque.value
+            for joint, record in zip(
+                (await self._joint_table()).joints, report.actuator_force_torque_list, strict=False
+            )
+            if joint.width_rate
+        ]
+        return sum(pressing) / len(pressing) if pressing else None
 
     async def max_force(self) -> float | None:
         """The greatest force of a finger in newtons; None if the gripper does not report it."""

@@ -35,6 +35,7 @@ from jauspy.ocu.subsystems import ComponentInfo
 DESCRIPTION: Final = "JointDescription"
 SPECIFICATION: Final = "ManipulatorSpecificationService"
 POSITION_SENSOR: Final = "ManipulatorJointPositionSensor"
+FORCE_SENSOR: Final = "ManipulatorJointForceTorqueSensor"
 PAN_TILT_SENSOR: Final = "PanTiltJointPositionSensor"
 NAMES: Final = 0b10
 """Presence vector of a specification with the names of the joints."""

@@ -733,6 +733,14 @@ class Gripper(Facade[_Gripper]):
         """Hold the fingers where they are."""
         self._portal.run(self._async.stop())
 
+    def force(self) -> float | None:
+        """Newtons with which the motors press each finger inwards, negative outwards, as the gripper measures it.
+
+        The mean of the fingers; of fingers that turn, their torque in newton metres. None for a gripper that reports
+        no forces, or not how its fingers open.
+        """
+        return self._portal.run(self._async.force())
+
     def max_force(self) -> float | None:
         """The greatest force of a finger in newtons; None if the gripper does not report it."""
         return self._portal.run(self._async.max_force())

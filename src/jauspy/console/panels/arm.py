@@ -10,9 +10,11 @@ from nicegui import ui
 
 from jauspy.console.confirmation import confirmed
 from jauspy.console.console import Console
+from jauspy.console.languages import sentence
 from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
 from jauspy.console.markup import attributes, plain_text, style_number
 from jauspy.console.motion import MAX_SPEED, MAX_TURN, Motion
+from jauspy.console.page_language import _, translated
 from jauspy.console.panels.gripper import GripperPanel
 from jauspy.console.panels.wanted_posture import WantedPosture
 from jauspy.console.saved_files import Pose, SavedByOther, SavedFiles
@@ -22,10 +24,10 @@ from jauspy.printable import printable
 
 UPDATE_INTERVAL: Final = 0.25
 """Seconds between two updates of the joints."""
-VIEWS: Final = ("joints", "tool", "poses")
+VIEWS: Final = {"joints": sentence("joints"), "tool": sentence("tool"), "poses": sentence("poses")}
 AXES: Final = (("x", "I", "K"), ("y", "J", "L"), ("z", "U", "O"))
 """Axes with the keys that move along them, and, with Shift, turn about them."""
-TURNS: Final = ("roll", "pitch", "yaw")
+TURNS: Final = (sentence("roll"), sentence("pitch"), sentence("yaw"))
 MAX_ROBOT_POSES: Final = 64
 """Poses of the robot that are shown."""
 AT_LIMIT: Final = 0.02
@@ -49,24 +51,27 @@ class ArmPanel:
         self._motion = Motion(console, token)
         with ui.element("section").classes("panel arm") as self._panel:
             with ui.element("div").classes("row"):
-                ui.label("Arm").classes("heading")
-                self._view = ui.toggle(list(VIEWS), value=VIEWS[0]).props("no-caps dense unelevated")
-            self._choice = ui.select({}, on_change=self._choose).props('dense outlined options-dense aria-label="arm"')
+                ui.label(_("Arm")).classes("heading")
+                self._view = ui.toggle(
+                    {name: translated(label) for name, label in VIEWS.items()}, value="joints"
+                ).props("no-caps dense unelevated")
+            self._choice = ui.select({}, on_change=self._choose).props("dense outlined options-dense")
+            attributes(self._choice, aria_label=_("arm"))
             with ui.element("div").bind_visibility_from(self._view, "value", value="joints"):
                 self._sliders = ui.element("div").classes("joints")
                 self._wanted = WantedPosture(console, token)
                 with ui.element("div").classes("row"):
-                    self._move = ui.button("move", on_click=self._move_joints).props("unelevated no-caps")
-                    self._reset = ui.button("reset", on_click=self._follow_measured).props("flat no-caps dense")
-                    self._share = _slider("speed", (5, 100, 5), 50, "%")
+                    self._move = ui.button(_("move"), on_click=self._move_joints).props("unelevated no-caps")
+                    self._reset = ui.button(_("reset"), on_click=self._follow_measured).props("flat no-caps dense")
+                    self._share = _slider(_("speed"), (5, 100, 5), 50, "%")
             with ui.element("div").bind_visibility_from(self._view, "value", value="tool"):
                 self._build_tool()
             with ui.element("div").bind_visibility_from(self._view, "value", value="poses"):
                 self._poses = ui.element("div").classes("poses")
                 with ui.element("div").classes("row"):
-                    self._name = ui.input("name of the present pose").props("dense outlined").classes("grow")
-                    ui.button("save", on_click=self._save_pose).props("outline no-caps")
-            self._stop = ui.button("stop", on_click=self._motion.stop).props("outline no-caps color=negative")
+                    self._name = ui.input(_("name of the present pose")).props("dense outlined").classes("grow")
+                    ui.button(_("save"), on_click=self._save_pose).props("outline no-caps")
+            self._stop = ui.button(_("stop"), on_click=self._motion.stop).props("outline no-caps color=negative")
             self._problem = ui.label("").classes("problem").props('role="status"')
         self._panel.set_visibility(False)
         self._gripper = GripperPanel(console, token)
@@ -135,7 +140,7 @@ class ArmPanel:
         refused = self._motion.refusal(arm.robot.id)
         self._move.set_enabled(bool(self._rows) and not refused and not self._motion.is_running)
         self._stop.set_visibility(self._motion.is_running)
-        self._problem.set_text(printable(self._motion.problem))
+        self._problem.set_text(printable(translated(self._motion.problem)))
         try:
             positions = await arm.positions()
             if positions.keys() != {joint.name for joint in self._joints} or not self._joints:
@@ -145,7 +150,7 @@ class ArmPanel:
                     self._show_joints(joints, positions)
             tool = await arm.tool() if self._view.value == "tool" else ""
         except JausError as error:
-            self._problem.set_text(printable(str(error)))
+            self._problem.set_text(printable(translated(str(error))))
             return
         if arm is not self._arm:
             return
@@ -161,7 +166,7 @@ class ArmPanel:
         with self._sliders:
             self._rows = {joint.name: _JointRow(joint, positions.get(joint.name, 0.0)) for joint in joints}
             if not joints:
-                ui.label("no joints now").classes("hint")
+                ui.label(_("no joints now")).classes("hint")
         self._show_poses()
 
     def _follow_measured(self) -> None:
@@ -177,9 +182,9 @@ class ArmPanel:
     def _move_joints(self) -> None:
         wanted = {name: row.wanted for name, row in self._rows.items() if row.touched}
         if not wanted:
-            self._motion.problem = "move a slider first, or enter a position"
+            self._motion.problem = sentence("move a slider first, or enter a position")
             return
-        self._go(wanted, "the motion")
+        self._go(wanted, sentence("the motion"))
 
     def _go(self, wanted: dict[str, float], what: str) -> None:
         arm = self._arm
@@ -193,26 +198,27 @@ class ArmPanel:
     # --- tool -----------------------------------------------------------------------------------------------------
 
     def _build_tool(self) -> None:
-        self._no_tool = ui.label("this arm takes no velocities or poses of its tool").classes("hint")
+        self._no_tool = ui.label(_("this arm takes no velocities or poses of its tool")).classes("hint")
         with ui.element("div").classes("jog").props('data-frame="robot"') as self._jog:
             with ui.element("div").classes("row"):
-                ui.label("frame").classes("hint")
-                frames = {"robot": "base", "tool": "tool"}
+                ui.label(_("frame")).classes("hint")
+                frames = {"robot": _("base"), "tool": _("tool")}
                 ui.toggle(
                     frames, value="robot", on_change=lambda event: attributes(self._jog, data_frame=str(event.value))
                 ).props("no-caps dense unelevated")
-                ui.label("hold; Shift: turn").classes("hint")
+                ui.label(_("hold; Shift: turn")).classes("hint")
             self._pose = ui.label("").classes("pose")
             with ui.element("div").classes("pad"):
                 for number, (axis, plus, minus) in enumerate(AXES):
                     _jog_button(f"{axis} \u2212", number, -1, minus)
                     _jog_button(f"{axis} +", number, 1, plus)
-                    _jog_button(f"{TURNS[number]} \u2212", number + 3, -1, f"\u21e7{minus}")
-                    _jog_button(f"{TURNS[number]} +", number + 3, 1, f"\u21e7{plus}")
+                    turn = translated(TURNS[number])
+                    _jog_button(f"{turn} \u2212", number + 3, -1, f"\u21e7{minus}")
+                    _jog_button(f"{turn} +", number + 3, 1, f"\u21e7{plus}")
             with ui.element("div").classes("row"):
-                linear = _slider("linear", (10, round(1000 * MAX_SPEED), 10), 50, "mm/s")
+                linear = _slider(_("linear"), (10, round(1000 * MAX_SPEED), 10), 50, "mm/s")
                 linear.on_value_change(lambda event: attributes(self._jog, data_linear=event.value / 1000.0))
-                angular = _slider("angular", (2, math.floor(math.degrees(MAX_TURN)), 1), 15, "\u00b0/s")
+                angular = _slider(_("angular"), (2, math.floor(math.degrees(MAX_TURN)), 1), 15, "\u00b0/s")
                 angular.on_value_change(lambda event: attributes(self._jog, data_angular=math.radians(event.value)))
             attributes(self._jog, data_linear=0.05, data_angular=math.radians(15.0))
             ui.html('<span class="jog-answer problem" role="status"></span>', sanitize=False)
@@ -235,38 +241,42 @@ class ArmPanel:
         with self._poses:
             given = self._given_poses()
             if not poses and not given and not self._robot_poses:
-                ui.label("no poses yet").classes("hint")
+                ui.label(_("no poses yet")).classes("hint")
             for name in self._robot_poses[:MAX_ROBOT_POSES]:
                 self._add_robot_pose(name, arm)
             if left_out := len(self._robot_poses[MAX_ROBOT_POSES:]):
-                ui.label(f"further poses of the robot: {left_out}").classes("hint")
+                ui.label(_("further poses of the robot: {left_out}", left_out=left_out)).classes("hint")
             for name, positions in given.items():
                 with ui.element("div").classes("row"):
-                    ui.label(name).classes("grow").tooltip("of the file that the console was started with")
+                    ui.label(name).classes("grow").tooltip(_("of the file that the console was started with"))
                     self._add_go(name, positions)
             for name, pose in poses.items():
                 with ui.element("div").classes("row"):
-                    ui.label(name).classes("grow").tooltip(str(pose.author))
+                    ui.label(name).classes("grow").tooltip(translated(str(pose.author)))
                     self._add_go(name, pose.positions, pose)
                     delete = ui.button("\u00d7", on_click=lambda name=name: self._delete_pose(name))
-                    attributes(delete.props("flat dense"), aria_label=f"delete {name}")
+                    attributes(delete.props("flat dense"), aria_label=_("delete {name}", name=name))
             if left_out := len(self._console.poses.get(self._robot_name, {})) - len(given):
-                ui.label(f"poses of the file for other joints: {left_out}").classes("hint")
+                ui.label(_("poses of the file for other joints: {left_out}", left_out=left_out)).classes("hint")
 
     def _add_robot_pose(self, name: str, arm: Manipulator) -> None:
         """A row of a pose that the robot knows: it chooses the way."""
         shown = printable(name)
 
         def begin(motion: Coroutine[Any, Any, Any], joints: str) -> None:
-            self._motion.begin(arm.robot.id, motion, f"the motion of {joints} to {shown}")
+            self._motion.begin(
+                arm.robot.id, motion, sentence("the motion of {joints} to {pose}", joints=joints, pose=shown)
+            )
 
         with ui.element("div").classes("row"):
-            ui.label(shown).classes("grow").tooltip("of the robot, which finds a way without contact")
-            go = ui.button("go", on_click=lambda: begin(arm.move_to(name), "the arm"))
-            attributes(go.props("outline dense no-caps"), aria_label=f"go to {shown}")
-            all_joints = ui.button("all", on_click=lambda: begin(arm.robot.move_to(name), "all joints"))
-            all_joints.props("outline dense no-caps").tooltip("with all other joints that the pose names, as flippers")
-            attributes(all_joints, aria_label=f"all to {shown}")
+            ui.label(shown).classes("grow").tooltip(_("of the robot, which finds a way without contact"))
+            go = ui.button(_("go"), on_click=lambda: begin(arm.move_to(name), sentence("the arm")))
+            attributes(go.props("outline dense no-caps"), aria_label=_("go to {name}", name=shown))
+            all_joints = ui.button(_("all"), on_click=lambda: begin(arm.robot.move_to(name), sentence("all joints")))
+            all_joints.props("outline dense no-caps").tooltip(
+                _("with all other joints that the pose names, as flippers")
+            )
+            attributes(all_joints, aria_label=_("all to {name}", name=shown))
 
     @property
     def _robot_name(self) -> str:
@@ -284,10 +294,10 @@ class ArmPanel:
     def _add_go(self, name: str, positions: dict[str, float], shown: Pose | None = None) -> None:
         def go() -> None:
             if shown is None or self._is_as_shown(name, shown):
-                self._go(positions, f"the motion to {name}")
+                self._go(positions, sentence("the motion to {name}", name=name))
 
-        button = ui.button("go", on_click=go)
-        attributes(button.props("outline dense no-caps"), aria_label=f"go to {name}")
+        button = ui.button(_("go"), on_click=go)
+        attributes(button.props("outline dense no-caps"), aria_label=_("go to {name}", name=name))
 
     def _is_as_shown(self, name: str, shown: Pose) -> bool:
         """False, with the reason shown, for a pose that was changed or deleted since it is on this page."""
@@ -301,8 +311,10 @@ class ArmPanel:
             return False
         if now == shown:
             return True
-        changed = "deleted" if now is None else f"changed ({now.author})"
-        self._motion.problem = f"{name} was {changed} since it is shown here; nothing moves"
+        changed = sentence("deleted") if now is None else sentence("changed ({author})", author=now.author)
+        self._motion.problem = sentence(
+            "{name} was {changed} since it is shown here; nothing moves", name=name, changed=changed
+        )
         self._show_poses()
         return False
 
@@ -316,7 +328,7 @@ class ArmPanel:
             try:
                 files.save_pose(id, name, positions)
             except SavedByOther as other:
-                if not await confirmed(f"{other}. Replace it?", "replace"):
+                if not await confirmed(_("{other}. Replace it?", other=other), _("replace")):
                     return
                 files.save_pose(id, name, positions, seen=other.author)
         except JausError as error:
@@ -335,7 +347,7 @@ class ArmPanel:
             try:
                 files.delete_pose(id, name)
             except SavedByOther as other:
-                if not await confirmed(f"{other}. Delete it?", "delete"):
+                if not await confirmed(_("{other}. Delete it?", other=other), _("delete")):
                     return
                 files.delete_pose(id, name, seen=other.author)
         except JausError as error:
@@ -345,8 +357,8 @@ class ArmPanel:
 
 def limits_text(joint: JointInfo) -> str:
     """The limits of a joint as text."""
-    ends = (f"{end:.3f}" if math.isfinite(end) else "no limit" for end in (joint.lower, joint.upper))
-    return f"limits: {' to '.join(ends)} {joint.unit}"
+    low, high = (f"{end:.3f}" if math.isfinite(end) else _("no limit") for end in (joint.lower, joint.upper))
+    return _("limits: {low} to {high} {unit}", low=low, high=high, unit=joint.unit)
 
 
 class _JointRow:

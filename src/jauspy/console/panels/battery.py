@@ -6,7 +6,9 @@ from typing import Final
 
 from nicegui import ui
 
+from jauspy.console.languages import joined, sentence
 from jauspy.console.markup import attributes
+from jauspy.console.page_language import translated
 from jauspy.errors import JausError
 from jauspy.ocu.robot import POWER_PLANT, Robot
 from jauspy.ocu.state import BatteryReport
@@ -47,10 +49,10 @@ class BatteryLabel:
         try:
             text, level = battery_text(await robot.battery())
         except JausError:
-            text, level = "battery ?", "unknown"  # the panel Fleet says which components are silent
+            text, level = sentence("battery ?"), "unknown"  # the panel Fleet says which components are silent
         if robot is self._robot and not self._label.is_deleted:
             self.text, self.level = text, level
-            self._label.set_text(text)
+            self._label.set_text(translated(text))
             attributes(self._label, data_level=level)
             self._label.set_visibility(bool(text))
 
@@ -62,7 +64,7 @@ def battery_text(report: BatteryReport) -> tuple[str, str]:
     if report.power is not None:
         shown.append(f"{report.power:.0f} W")
     if report.charge is None:
-        return "  ".join(["battery", *shown]), "unknown"
+        return joined([sentence("battery"), *shown], "  "), "unknown"
     level = "empty" if report.charge < EMPTY else "low" if report.charge < LOW else "good"
     sign = {"good": "", "low": "\u26a0 ", "empty": "\u2716 "}[level]
-    return sign + "  ".join(["battery", *shown]), level
+    return joined([joined([sign, sentence("battery")], ""), *shown], "  "), level

@@ -7,7 +7,9 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.markup import attributes
 from jauspy.console.operation import Operation
+from jauspy.console.page_language import _, translated
 from jauspy.console.users import LOCAL, User
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.robot import Robot
@@ -25,23 +27,24 @@ class ControlPanel:
         self._robot: Robot | None = None
         self._shown = ""
         """The operation's problem that was shown last."""
-        with ui.element("section").classes("panel").props('aria-label="Control"') as self._panel:
+        with ui.element("section").classes("panel control") as self._panel:
+            attributes(self._panel, aria_label=_("Control"))
             with ui.element("div").classes("row"):
-                ui.label("Control").classes("heading")
+                ui.label(_("Control")).classes("heading")
                 self._state = ui.label("").classes("state grow").props('role="status"')
-                self._release = ui.button("release", on_click=self._release_control).props("outline no-caps dense")
+                self._release = ui.button(_("release"), on_click=self._release_control).props("outline no-caps dense")
             with ui.element("div").classes("asked").props('role="alert"') as self._asked:
                 self._question = ui.label("")
                 with ui.element("div").classes("row"):
-                    ui.button("hand over", on_click=self._grant).props("unelevated no-caps")
-                    ui.button("refuse", on_click=self._refuse).props("outline no-caps")
+                    ui.button(_("hand over"), on_click=self._grant).props("unelevated no-caps")
+                    ui.button(_("refuse"), on_click=self._refuse).props("outline no-caps")
             with ui.element("div").classes("row start") as self._start:
                 highest = user.authority
                 self._authority = ui.number(
-                    "authority", value=min(DEFAULT_AUTHORITY, highest), min=0, max=highest, precision=0
+                    _("authority"), value=min(DEFAULT_AUTHORITY, highest), min=0, max=highest, precision=0
                 ).props("dense outlined")
-                self._take = ui.button("take", on_click=self._take_control).props("unelevated no-caps")
-                self._ask = ui.button("ask", on_click=self._ask_for_control).props("unelevated no-caps")
+                self._take = ui.button(_("take"), on_click=self._take_control).props("unelevated no-caps")
+                self._ask = ui.button(_("ask"), on_click=self._ask_for_control).props("unelevated no-caps")
             self._problem = ui.label("").classes("problem").props('role="alert"')
         self._update()
         ui.timer(UPDATE_INTERVAL, self._update)
@@ -66,7 +69,7 @@ class ControlPanel:
         held = operation is not None and operation.is_controlled
         mine = held and operation is not None and operation.operator == self._token
         others = held and not mine
-        self._take.set_text("take over" if others else "take")
+        self._take.set_text(_("take over") if others else _("take"))
         self._take.set_visibility(not mine)
         self._ask.set_visibility(others)
         self._release.set_visibility(mine)
@@ -79,24 +82,30 @@ class ControlPanel:
                 button.set_enabled(False)
             return
         if mine and request is not None:
-            self._question.set_text(f"{_name(request.user)} asks for control, with authority {request.authority}.")
+            self._question.set_text(
+                _(
+                    "{user} asks for control, with authority {authority}.",
+                    user=_name(request.user),
+                    authority=request.authority,
+                )
+            )
         may = self._user.may_operate
         self._take.set_enabled(may and operation.may_take_over(self._user, self._wanted))
         self._ask.set_enabled(may and (request is None or request.token != self._token))
         self._state.set_text(
-            "you operate this robot"
+            _("you operate this robot")
             if mine
-            else f"{_name(operation.user)} operates it"
+            else _("{user} operates it", user=_name(operation.user))
             if held
-            else "observing"
+            else _("observing")
             if may
-            else f"observing ({self._user.role})"
+            else _("observing ({role})", role=self._user.role)
         )
         if mine or operation.operator == self._token:
             operation.refusal(self._token)  # tells why control was lost, before the operator drives
         if operation.problem != self._shown:  # also when it is over
             self._shown = operation.problem
-            self._problem.set_text(operation.problem)
+            self._problem.set_text(translated(operation.problem))
 
     @property
     def _wanted(self) -> int:
@@ -104,7 +113,7 @@ class ControlPanel:
 
     async def _take_control(self) -> None:
         if (operation := self._operation) is not None:
-            self._problem.set_text(await operation.take(self._token, self._wanted, self._user))
+            self._problem.set_text(translated(await operation.take(self._token, self._wanted, self._user)))
             self._update()
 
     async def _release_control(self) -> None:
@@ -116,7 +125,7 @@ class ControlPanel:
     def _ask_for_control(self) -> None:
         if (operation := self._operation) is not None:
             operation.ask(self._token, self._wanted, self._user)
-            self._problem.set_text(f"asked; {_name(operation.user)} has not answered yet")
+            self._problem.set_text(_("asked; {user} has not answered yet", user=_name(operation.user)))
             self._update()
 
     async def _grant(self) -> None:
@@ -131,4 +140,4 @@ class ControlPanel:
 
 
 def _name(user: User) -> str:
-    return "another browser" if user == LOCAL else user.name
+    return _("another browser") if user == LOCAL else user.name

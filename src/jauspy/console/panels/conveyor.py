@@ -8,9 +8,11 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.languages import sentence
 from jauspy.console.manipulators import CONVEYOR
 from jauspy.console.markup import attributes
 from jauspy.console.motion import Motion
+from jauspy.console.page_language import _, translated
 from jauspy.console.world import PART_SENSOR
 from jauspy.errors import ConfigError, JausError
 from jauspy.geometry.poses import Transform
@@ -30,7 +32,7 @@ ABOVE: Final = (-0.02, 0.3)
 MAX_ITEMS: Final = 12
 """Parts that are named."""
 FORWARD: Final = "forward"
-DIRECTIONS: Final = (FORWARD, "backward")
+DIRECTIONS: Final = {FORWARD: sentence("forward"), "backward": sentence("backward")}
 
 
 class ConveyorPanel:
@@ -44,18 +46,21 @@ class ConveyorPanel:
         self._sensor: ComponentClient | None = None
         self._place: ConveyorSetup | None = None
         self._max_speed: float | None = None
-        with ui.element("section").classes("panel conveyor").props('aria-label="Conveyor"') as self._panel:
+        with ui.element("section").classes("panel conveyor") as self._panel:
+            attributes(self._panel, aria_label=_("Conveyor"))
             with ui.element("div").classes("row"):
-                ui.label("Conveyor").classes("heading")
+                ui.label(_("Conveyor")).classes("heading")
                 self._state = ui.label("").classes("hint grow").props('role="status"')
-                self._run = ui.button("run", on_click=self._start).props("outline no-caps dense")
-                self._stop = ui.button("stop", on_click=self._halt).props("outline no-caps dense color=negative")
+                self._run = ui.button(_("run"), on_click=self._start).props("outline no-caps dense")
+                self._stop = ui.button(_("stop"), on_click=self._halt).props("outline no-caps dense color=negative")
             with ui.element("div").classes("row"):
                 with ui.element("div").classes("setting"):
                     self._speed_text = ui.label("").classes("hint")
                     self._speed = ui.slider(min=0.0, max=1.0, step=0.01, value=0.1, on_change=self._show_speed)
-                    self._speed.props('aria-label="speed of the belt in m/s"')
-                self._direction = ui.toggle(list(DIRECTIONS), value=FORWARD).props("no-caps dense unelevated")
+                    attributes(self._speed, aria_label=_("speed of the belt in m/s"))
+                self._direction = ui.toggle(
+                    {name: translated(label) for name, label in DIRECTIONS.items()}, value=FORWARD
+                ).props("no-caps dense unelevated")
             self._items = ui.label("").classes("hint items")
             self._problem = ui.label("").classes("problem").props('role="status"')
         self._panel.set_visibility(False)
@@ -83,7 +88,7 @@ class ConveyorPanel:
         why = self._motion.refusal(robot.id)
         self._run.set_enabled(not why)
         self._stop.set_enabled(not why)
-        self._problem.set_text(printable(self._motion.problem))
+        self._problem.set_text(printable(translated(self._motion.problem)))
         try:
             report = await belt_state(belt)
             if self._robot is not robot:
@@ -92,7 +97,7 @@ class ConveyorPanel:
             self._limit(report.max_speed)
             self._items.set_text(await self._seen(robot))
         except JausError as error:
-            self._state.set_text(printable(str(error)))
+            self._state.set_text(printable(translated(str(error))))
 
     def _limit(self, max_speed: float | None) -> None:
         """Set the range of the slider, once the greatest speed is known."""
@@ -112,14 +117,14 @@ class ConveyorPanel:
         return items_text(items(self._place, (await self._sensor.part_station.observe()).poses))
 
     def _show_speed(self) -> None:
-        self._speed_text.set_text(f"speed {self._speed.value:.2f} m/s")
+        self._speed_text.set_text(_("speed {speed:.2f} m/s", speed=self._speed.value))
 
     def _start(self) -> None:
         sign = 1.0 if self._direction.value == FORWARD else -1.0
-        self._command(sign * float(self._speed.value), "running the belt")
+        self._command(sign * float(self._speed.value), sentence("running the belt"))
 
     def _halt(self) -> None:
-        self._command(0.0, "stopping the belt")
+        self._command(0.0, sentence("stopping the belt"))
 
     def _command(self, speed: float, what: str) -> None:
         belt = self._belt
@@ -144,17 +149,22 @@ async def belt_state(belt: ServiceClient) -> ReportConveyorState:
     """The motion of a belt. Raises `ConfigError` if it does not report it."""
     report = await belt.query(QueryConveyorState(ALL_FIELDS))
     if not isinstance(report, ReportConveyorState):
-        raise ConfigError(f"{belt.id} does not report its state")
+        raise ConfigError(sentence("{belt} does not report its state", belt=belt.id))
     return report
 
 
 def belt_text(report: ReportConveyorState) -> str:
     """A text with the motion of a belt."""
     speed, wanted, travel = report.speed or 0.0, report.commanded_speed or 0.0, report.position or 0.0
-    text = "stands" if abs(speed) < 0.0005 else f"{abs(speed):.2f} m/s {'forward' if speed > 0.0 else 'backward'}"
+    if abs(speed) < 0.0005:
+        text = _("stands")
+    elif speed > 0.0:
+        text = _("{speed:.2f} m/s forward", speed=speed)
+    else:
+        text = _("{speed:.2f} m/s backward", speed=-speed)
     if abs(speed - wanted) > 0.005:
-        text += f", to be {wanted:.2f} m/s"
-    return f"{text}, moved {round(travel, 2) + 0.0:.2f} m"
+        text += _(", to be {speed:.2f} m/s", speed=wanted)
+    return text + _(", moved {distance:.2f} m", distance=round(travel, 2) + 0.0)
 
 
 def items(belt: ConveyorSetup, poses: Mapping[str, Transform]) -> list[tuple[str, float]]:
@@ -170,6 +180,8 @@ def items(belt: ConveyorSetup, poses: Mapping[str, Transform]) -> list[tuple[str
 
 def items_text(found: list[tuple[str, float]]) -> str:
     """A text with parts on a belt."""
-    named = ", ".join(f"{printable(name)} at {place:.2f} m" for name, place in found[:MAX_ITEMS])
-    more = f" and {len(found) - MAX_ITEMS} more" if len(found) > MAX_ITEMS else ""
-    return f"on it: {named}{more}" if found else "nothing on it"
+    named = ", ".join(
+        _("{name} at {place:.2f} m", name=printable(name), place=place) for name, place in found[:MAX_ITEMS]
+    )
+    more = _(" and {count} more", count=len(found) - MAX_ITEMS) if len(found) > MAX_ITEMS else ""
+    return _("on it: {names}", names=named + more) if found else _("nothing on it")

@@ -10,13 +10,45 @@ from typing import Any, Final
 from nicegui import ui
 
 from jauspy.console.arrangement import PRESETS, Arrangement, arrangement_of
+from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes, call, style_number
+from jauspy.console.page_language import _, translated
 
 EVENTS: Final = "Events"
 """The view that has no tab: in "one view" it is below others."""
-PANELS: Final = ("Fleet", "Link", "Drive", "Guards", "Arm", "Gripper", "Conveyor")
-"""Panels that can be put away; STOP and Control always stay."""
-SPLITS: Final = {"width": "width of the views", "left": "height at the left", "right": "height at the right"}
+VIEWS: Final = {
+    "Video": sentence("Video"),
+    "World": sentence("World"),
+    "Trajectory": sentence("Trajectory"),
+    "Tasks": sentence("Tasks"),
+    "Plots": sentence("Plots"),
+    "Log": sentence("Log"),
+    "Recordings": sentence("Recordings"),
+    EVENTS: sentence("Events"),
+}
+"""The views in the order of their tabs, with their titles."""
+PANELS: Final = {
+    "Fleet": sentence("Fleet"),
+    "Link": sentence("Link"),
+    "Drive": sentence("Drive"),
+    "Guards": sentence("Guards"),
+    "Arm": sentence("Arm"),
+    "Gripper": sentence("Gripper"),
+    "Conveyor": sentence("Conveyor"),
+}
+"""Panels that can be put away, with their titles; STOP and Control always stay."""
+_PRESETS: Final = {
+    "one view": sentence("one view"),
+    "drive": sentence("drive"),
+    "arm": sentence("arm"),
+    "observe": sentence("observe"),
+}
+"""The names of `PRESETS`."""
+SPLITS: Final = {
+    "width": sentence("width of the views"),
+    "left": sentence("height at the left"),
+    "right": sentence("height at the right"),
+}
 
 
 class Desk:
@@ -38,18 +70,18 @@ class Desk:
 
     def build_menu(self, views: Sequence[str]) -> None:
         """The button "layout" with its menu: presets, views and panels."""
-        button = ui.button("layout \u25be", color=None).props("flat no-caps dense").classes("layout")
+        button = ui.button(_("layout \u25be"), color=None).props("flat no-caps dense").classes("layout")
         with button, ui.menu().props("no-focus").classes("layout-menu"):
             for number, name in enumerate(PRESETS, 1):
                 with ui.menu_item(on_click=lambda name=name: self.choose(name)):
-                    ui.label(name).classes("grow")
+                    ui.label(translated(_PRESETS[name])).classes("grow")
                     ui.label(str(number)).classes("hint")
             ui.separator()
             for name in (*views, EVENTS):
-                self._boxes[name] = self._box(f"view {name}", name)
+                self._boxes[name] = self._box(_("view {name}", name=VIEWS[name]), name)
             ui.separator()
             for name in PANELS:
-                self._boxes[f"panel {name}"] = self._box(f"panel {name}", f"panel {name}")
+                self._boxes[f"panel {name}"] = self._box(_("panel {name}", name=PANELS[name]), f"panel {name}")
 
     def _box(self, text: str, name: str) -> ui.checkbox:
         box = ui.checkbox(text, value=name.startswith("panel ")).props("dense").classes("layout-box")
@@ -63,7 +95,7 @@ class Desk:
             yield self._desk
             for name, label in SPLITS.items():
                 splitter = ui.element("div").classes("splitter").props('role="separator" tabindex="0"')
-                attributes(splitter, data_split=name, aria_label=label)
+                attributes(splitter, data_split=name, aria_label=translated(label))
                 if name == "width":
                     splitter.props('aria-orientation="vertical"')
                 else:
@@ -73,16 +105,16 @@ class Desk:
     def pane(self, name: str) -> Iterator[ui.element]:
         """The frame of one view, with its title while several are shown."""
         with ui.element("section").classes("pane") as pane:
-            attributes(pane, data_view=name, aria_label=f"view {name}")
+            attributes(pane, data_view=name, aria_label=_("view {name}", name=VIEWS[name]))
             self._panes[name] = pane
             with ui.element("div").classes("pane-bar"):
-                ui.label(name).classes("grow")
+                ui.label(translated(VIEWS[name])).classes("grow")
                 for sign, tip, act in (
-                    ("\u21c4", "move to the next place", lambda: self._arrange(self.arrangement.moved(name))),
-                    ("\u00d7", "close", lambda: self._arrange(self.arrangement.without(name))),
+                    ("\u21c4", _("move to the next place"), lambda: self._arrange(self.arrangement.moved(name))),
+                    ("\u00d7", _("close"), lambda: self._arrange(self.arrangement.without(name))),
                 ):
                     button = ui.button(sign, on_click=act, color=None).props("flat dense no-caps").tooltip(tip)
-                    attributes(button, aria_label=f"{name}: {tip}")
+                    attributes(button, aria_label=f"{translated(VIEWS[name])}: {tip}")
             yield pane
 
     @property

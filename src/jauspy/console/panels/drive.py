@@ -10,8 +10,10 @@ from nicegui import ui
 
 from jauspy.console.console import Console
 from jauspy.console.conventions import Conventions
-from jauspy.console.markup import plain_text
+from jauspy.console.languages import sentence
+from jauspy.console.markup import attributes, plain_text
 from jauspy.console.operation import EFFORT, MAX_SPEED, VELOCITY_MODE, modes_of
+from jauspy.console.page_language import _, translated
 from jauspy.console.route import LIST_DRIVER
 from jauspy.errors import JausError
 from jauspy.ocu.robot import Robot
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
     from jauspy.console.console import Console
 
 WAYPOINTS: Final = "waypoints"
-NAMES: Final = {VELOCITY_MODE: "velocity", EFFORT: "effort", WAYPOINTS: "waypoints"}
+NAMES: Final = {VELOCITY_MODE: sentence("velocity"), EFFORT: sentence("effort"), WAYPOINTS: sentence("waypoints")}
 UPDATE_INTERVAL: Final = 0.5
 
 
@@ -55,7 +57,7 @@ class DriveModes:
         if robot is None:
             return
         offered = modes_of(robot) + [WAYPOINTS] * any(component.find(LIST_DRIVER) for component in robot.components)
-        self._toggle.set_options({way: NAMES[way] for way in offered}, value=None)
+        self._toggle.set_options({way: translated(NAMES[way]) for way in offered}, value=None)
         self._toggle.set_visibility(len(offered) > 1)
         self._update()
 
@@ -63,8 +65,8 @@ class DriveModes:
         """The speed limit as text, with the unit of the present mode."""
         operation = self._console.operation(self._robot.id) if self._robot is not None else None
         if operation is not None and operation.mode == EFFORT:
-            return f"limit {min(1.0, limit):.0%} of the effort"
-        return f"limit {self._conventions.speed(limit)}"
+            return _("limit {share:.0%} of the effort", share=min(1.0, limit))
+        return _("limit {speed}", speed=self._conventions.speed(limit))
 
     def _update(self) -> None:
         """Show the mode that the operator chose, in every browser."""
@@ -108,26 +110,25 @@ class DrivePanel:
         self._console = console
         self._token = token
         self._robot: Robot | None = None
-        with ui.element("section").classes("panel").props('aria-label="Drive"') as self._panel:
+        with ui.element("section").classes("panel drive") as self._panel:
+            attributes(self._panel, aria_label=_("Drive"))
             with ui.element("div").classes("row"):
-                ui.label("Drive").classes("heading")
-                ui.label("W A S D, arrows, stick, gamepad").classes("hint")
+                ui.label(_("Drive")).classes("heading")
+                ui.label(_("W A S D, arrows, stick, gamepad")).classes("hint")
             self._modes = DriveModes(console, token, open_map, self._show_limit, conventions)
             with ui.element("div").classes("row"):
-                ui.html(
-                    '<div id="stick" role="img" aria-label="stick; drive by the keys W A S D or the arrows">'
-                    '<div id="stick-knob"></div></div>',
-                    sanitize=False,
-                )
+                with ui.element("div").props('id=stick role="img"') as stick:
+                    ui.element("div").props("id=stick-knob")
+                attributes(stick, aria_label=_("stick; drive by the keys W A S D or the arrows"))
                 with ui.element("div").classes("facts"):
                     with ui.element("div") as self._pose:
                         self._position = plain_text("", tag="b")
                         self._heading, self._attitude = ui.label(""), ui.label("")
                     self._limit = ui.slider(min=0.1, max=MAX_SPEED, step=0.1, value=0.5, on_change=self._show_limit)
-                    self._limit.props('label aria-label="limit of the speed in m/s"')
-                    self._limit_text = ui.label("limit 0.5 m/s").classes("hint")
+                    attributes(self._limit.props("label"), aria_label=_("limit of the speed in m/s"))
+                    self._limit_text = ui.label("").classes("hint")
             with ui.element("details").classes("gamepads").props("hidden"):
-                ui.html("Gamepad", tag="summary", sanitize=False)
+                plain_text(_("Gamepad"), tag="summary")
                 ui.html('<div id="gamepads"></div>', sanitize=False).classes("gamepad-cards")
             ui.html('<span id="drive-answer" class="problem" role="status"></span>', sanitize=False)
         conventions.on_change.append(self._show_limit)
@@ -164,5 +165,5 @@ class DrivePanel:
             return
         shown = self._conventions
         self._position.set_text(shown.position(pose.x, pose.y))
-        self._heading.set_text(shown.yaw(pose.yaw))
-        self._attitude.set_text(shown.attitude(pose.pitch, pose.roll))
+        self._heading.set_text(translated(shown.yaw(pose.yaw)))
+        self._attitude.set_text(translated(shown.attitude(pose.pitch, pose.roll)))

@@ -12,6 +12,7 @@ from nicegui import ui
 from jauspy.console.console import Console
 from jauspy.console.fleet import NOTHING
 from jauspy.console.markup import attributes, breakable
+from jauspy.console.page_language import _, translated
 from jauspy.console.reports import fields_of
 from jauspy.console.traffic import Line
 from jauspy.ids import JausID
@@ -40,8 +41,8 @@ class FleetPanel:
         self._robots: dict[int, ui.element] = {}
         self._names: dict[int, ui.button] = {}
         self._listed: tuple[tuple[int, str, tuple[ComponentInfo, ...]], ...] = ()
-        ui.label("Fleet").classes("heading")
-        self._empty = ui.label("No robot answers yet.").classes("hint")
+        ui.label(_("Fleet")).classes("heading")
+        self._empty = ui.label(_("No robot answers yet.")).classes("hint")
         self._list = ui.element("div").classes("list")
         ui.timer(UPDATE_INTERVAL, self._update)
 
@@ -114,7 +115,7 @@ class _Row:
         with ui.element("button").classes("component").props('type="button"').on("click", self._toggle) as self._button:
             attributes(self._button, aria_expanded=is_open)
             ui.label(f"{id.node}.{id.component}").classes("id")
-            name = printable(component.name) or "component"
+            name = printable(component.name) or _("component")
             with ui.element("span").classes("component-name").tooltip(f"{name} {id}"):
                 ui.label(name)
                 self._part = ui.label("").classes("part-name")
@@ -151,7 +152,7 @@ class _Row:
                     breakable(_words(service.short.rpartition(":")[2])).tooltip(printable(service.short))
                     ui.label(printable(service.version)).classes("hint")
             refusals = self._refusals()
-            ui.label("refused" if refusals else "nothing was refused").classes("hint")
+            ui.label(_("refused") if refusals else _("nothing was refused")).classes("hint")
             for text in refusals:
                 ui.label(text).classes("refusal")
         self.update()
@@ -159,22 +160,27 @@ class _Row:
     def update(self) -> None:
         """Show the present state."""
         fleet, id = self._console.fleet, self.component.id
-        self._part.set_text(self._console.names.of(self.component))
+        self._part.set_text(translated(self._console.names.of(self.component)))
         state = fleet.states.get(id, NOTHING)
         silent, age = fleet.is_silent(id), fleet.age(id)
         status = "silent" if silent else state.status
+        shown = _("silent") if silent else status.lower()
         old = f" {age:.0f} s" if OLD < age < 1e6 else ""
-        self._status.set_text(f"{SIGNS.get(status, '')} {status.lower()}{old}")
+        self._status.set_text(f"{SIGNS.get(status, '')} {shown}{old}")
         attributes(self._status, data_state=COLOURS.get(status, "other"))
-        who = "" if silent or not state.controller else f"controlled by {self._who(state.controller)}"
+        who = "" if silent or not state.controller else _("controlled by {who}", who=self._who(state.controller))
         self._controller.set_text(who)
         self._controller.set_visibility(bool(who))
         if self.is_open:
-            heard = "it has never answered" if age > 1e6 else f"last sign of life {age:.0f} s ago"
-            self._heard.set_text(f"{heard}, controlled with authority {state.authority}" if who else heard)
+            heard = _("it has never answered") if age > 1e6 else _("last sign of life {age:.0f} s ago", age=age)
+            self._heard.set_text(
+                _("{heard}, controlled with authority {authority}", heard=heard, authority=state.authority)
+                if who
+                else heard
+            )
 
     def _who(self, controller: str) -> str:
-        return "this console" if controller == str(self._console.ocu.id) else controller
+        return _("this console") if controller == str(self._console.ocu.id) else controller
 
     def _refusals(self) -> list[str]:
         """Commands that the component refused, with reasons, the newest first."""

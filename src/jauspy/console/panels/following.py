@@ -8,7 +8,10 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.languages import sentence
+from jauspy.console.markup import attributes
 from jauspy.console.motion import Motion
+from jauspy.console.page_language import _, translated
 from jauspy.errors import JausError, RequestError
 from jauspy.ocu.following import Following
 from jauspy.ocu.robot import Robot
@@ -30,19 +33,20 @@ class FollowingCard:
         self._motion = Motion(console, token)
         self._robot: Robot | None = None
         self._asks = False
-        with ui.element("section").classes("card").props('aria-label="Follow"') as self._card:
+        with ui.element("section").classes("card") as self._card:
+            attributes(self._card, aria_label=_("Follow"))
             with ui.element("div").classes("row"):
-                ui.label("Follow").classes("heading")
+                ui.label(_("Follow")).classes("heading")
                 self._state = ui.label("").classes("state grow").props('role="status"')
-            self._hint = ui.label("follows another robot along its path").classes("hint")
+            self._hint = ui.label(_("follows another robot along its path")).classes("hint")
             with ui.element("div").classes("row start"):
-                self._leader = ui.select({}, label="leader").props("dense outlined").classes("wide")
-                self._gap = ui.number("gap in metres", value=3.0, min=0.0, max=100.0, step=0.5)
+                self._leader = ui.select({}, label=_("leader")).props("dense outlined").classes("wide")
+                self._gap = ui.number(_("gap in metres"), value=3.0, min=0.0, max=100.0, step=0.5)
                 self._gap.props("dense outlined")
             with ui.element("div").classes("row start"):
-                self._go = ui.button("follow", on_click=self._begin).props("unelevated no-caps")
-                stop = ui.button("stop", on_click=self._motion.stop)
-                self._stop = stop.props('outline no-caps color=negative aria-label="stop following"')
+                self._go = ui.button(_("follow"), on_click=self._begin).props("unelevated no-caps")
+                stop = ui.button(_("stop"), on_click=self._motion.stop)
+                self._stop = attributes(stop.props("outline no-caps color=negative"), aria_label=_("stop following"))
             self._problem = ui.label("").classes("problem").props('role="alert"')
         self._card.set_visibility(False)
         ui.timer(UPDATE_INTERVAL, self._update)
@@ -64,10 +68,10 @@ class FollowingCard:
         if robot is None:
             return
         if leader is None:
-            self._motion.problem = "choose a leader first"
+            self._motion.problem = sentence("choose a leader first")
             return
         gap = float(self._gap.value or 0.0)
-        self._motion.begin(robot.id, follow_until_stopped(robot, int(leader), gap), "following")
+        self._motion.begin(robot.id, follow_until_stopped(robot, int(leader), gap), sentence("following"))
 
     async def _update(self) -> None:
         robot = self._robot
@@ -77,12 +81,12 @@ class FollowingCard:
         runs, refusal = self._motion.is_running, self._motion.refusal(robot.id)
         self._go.set_enabled(not runs and not refusal and bool(self._leader.options))
         self._stop.set_enabled(runs)
-        self._problem.set_text(self._motion.problem)
+        self._problem.set_text(translated(self._motion.problem))
         self._asks = True
         try:
             text = state_text(await robot.following())
         except JausError:
-            text = "the robot does not answer"
+            text = _("the robot does not answer")
         finally:
             self._asks = False
         if self._robot is robot:
@@ -98,7 +102,7 @@ class FollowingCard:
             chosen = self._leader.value if self._leader.value in found else next(iter(found), None)
             self._leader.set_options(found, value=chosen)
         self._hint.set_text(
-            "follows another robot along its path" if found else "no other robot here tells its pose on the globe"
+            _("follows another robot along its path") if found else _("no other robot here tells its pose on the globe")
         )
 
 
@@ -112,12 +116,13 @@ async def follow_until_stopped(robot: Robot, leader: int, gap: float) -> None:
             state = await robot.following()
     finally:
         await robot.stop_following()
-    raise RequestError("it follows no more: the leader is lost or too far ahead, or the robot was stopped")
+    raise RequestError(sentence("it follows no more: the leader is lost or too far ahead, or the robot was stopped"))
 
 
 def state_text(state: Following) -> str:
     """Whom the robot follows, at which gap."""
     if not state.is_following:
-        return "follows nobody"
-    gap = "" if state.gap is None else f" at {state.gap:.1f} m"
-    return f"follows {state.leader}{gap}"
+        return _("follows nobody")
+    if state.gap is None:
+        return _("follows {leader}", leader=state.leader)
+    return _("follows {leader} at {gap:.1f} m", leader=state.leader, gap=state.gap)

@@ -9,9 +9,11 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.languages import sentence
 from jauspy.console.manipulators import CONNECTOR, operated
 from jauspy.console.markup import attributes
 from jauspy.console.motion import Motion
+from jauspy.console.page_language import _, translated
 from jauspy.errors import ConfigError, JausError
 from jauspy.messages.cell import QueryConnectorState, ReportConnectorState, SetConnector
 from jauspy.ocu.gripper import DRIVER, Gripper
@@ -24,6 +26,8 @@ UPDATE_INTERVAL: Final = 0.4
 DEFAULT_SHARE: Final = 0.5
 """The initial force, as a share of the greatest one."""
 ALL_FIELDS: Final = 0xFFFF_FFFF
+NO_FORCE: Final = 0.5
+"""Newtons of a finger below which it counts as free: friction and noise."""
 
 
 class GripperPanel:
@@ -39,22 +43,26 @@ class GripperPanel:
         self._has_width = False
         with ui.element("section").classes("panel gripper") as self._panel:
             with ui.element("div").classes("row"):
-                ui.label("Gripper").classes("heading")
-                self._state = ui.label("").classes("hint grow")
-                self._open = ui.button("open", on_click=lambda: self._grip(close=False)).props("outline no-caps dense")
+                ui.label(_("Gripper")).classes("heading grow")
+                self._open = ui.button(_("open"), on_click=lambda: self._grip(close=False)).props(
+                    "outline no-caps dense"
+                )
                 self._open.classes("grip-open")
-                self._close = ui.button("close", on_click=lambda: self._grip(close=True)).props("outline no-caps dense")
+                self._close = ui.button(_("close"), on_click=lambda: self._grip(close=True)).props(
+                    "outline no-caps dense"
+                )
                 self._close.classes("grip-close")
+            self._state = ui.label("").classes("hint")
             with ui.element("div").classes("row"):
                 with ui.element("div").classes("setting") as self._force_part:
                     self._force_text = ui.label("").classes("hint")
                     self._force = ui.slider(min=1, max=100, step=1, value=50, on_change=self._show_force)
-                    self._force.props('aria-label="force"')
+                    attributes(self._force, aria_label=_("force"))
                 with ui.element("div").classes("setting") as self._opening_part:
                     self._opening_text = ui.label("").classes("hint")
                     self._opening = ui.slider(min=0.0, max=1.0, step=0.001, value=0.0, on_change=self._show_opening)
-                    self._opening.props('aria-label="width"')
-                self._set = ui.button("set", on_click=self._open_to).props("outline no-caps dense")
+                    attributes(self._opening, aria_label=_("width"))
+                self._set = ui.button(_("set"), on_click=self._open_to).props("outline no-caps dense")
             self._problem = ui.label("").classes("problem").props('role="status"')
         self._panel.set_visibility(False)
         ui.timer(UPDATE_INTERVAL, self._update)
@@ -76,8 +84,8 @@ class GripperPanel:
         self._force_part.set_visibility(self._gripper is not None)
         self._opening_part.set_visibility(False)
         self._set.set_visibility(False)
-        self._open.set_text("open" if self._connector is None else "release")
-        self._close.set_text("close" if self._connector is None else "attach")
+        self._open.set_text(_("open") if self._connector is None else _("release"))
+        self._close.set_text(_("close") if self._connector is None else _("attach"))
 
     def close(self) -> None:
         """Handle the end of the page."""
@@ -90,15 +98,15 @@ class GripperPanel:
         may = not self._motion.refusal(self._robot.id) and not self._motion.is_running
         for button in (self._open, self._close, self._set):
             button.set_enabled(may)
-        self._problem.set_text(printable(self._motion.problem))
+        self._problem.set_text(printable(translated(self._motion.problem)))
         try:
             if self._connector is not None:
                 self._state.set_text(await connector_state(self._connector))
             elif self._gripper is not None:
                 await self._show_fingers(self._gripper)
         except JausError as error:
-            self._state.set_text("does not answer")
-            self._problem.set_text(printable(str(error)))
+            self._state.set_text(_("does not answer"))
+            self._problem.set_text(printable(translated(str(error))))
 
     async def _show_fingers(self, gripper: Gripper) -> None:
         if not self._is_known:
@@ -116,30 +124,37 @@ class GripperPanel:
             self._show_force()
             self._show_opening()
         if self._has_width:
-            self._state.set_text(f"fingers open {1000.0 * await gripper.width():.0f} mm{await self._wrist()}")
+            parts = [_("fingers open {width:.0f} mm", width=1000.0 * await gripper.width())]
+            if (force := await gripper.force()) is not None:
+                parts.append(pressing_text(force))
+            if (weight := await self._wrist()) is not None:
+                parts.append(_("wrist {force:.1f} N", force=weight))
+            self._state.set_text(", ".join(parts))
             return
         fingers = ", ".join(f"{value:.3f}" for value in (await gripper.joints()).positions.values())
-        self._state.set_text(f"fingers at {fingers}" if fingers else "does not report its fingers")
+        self._state.set_text(
+            _("fingers at {positions}", positions=fingers) if fingers else _("does not report its fingers")
+        )
 
-    async def _wrist(self) -> str:
-        """The force that the wrist measures, such as the weight of what is held; empty for a robot without sensor."""
+    async def _wrist(self) -> float | None:
+        """Newtons that the wrist measures, such as the weight of what is held; None for a robot without sensor."""
         robot = self._robot
         if robot is None or not any(robot.info.offering(FORCE_TORQUE)):
-            return ""
-        return f", wrist {math.hypot(*(await robot.force_torque()).force):.1f} N"
+            return None
+        return math.hypot(*(await robot.force_torque()).force)
 
     def _show_force(self) -> None:
         unit = "N" if self._max_force else "%"
-        self._force_text.set_text(f"force {self._force.value:g} {unit}")
+        self._force_text.set_text(_("force {force:g} {unit}", force=self._force.value, unit=unit))
 
     def _show_opening(self) -> None:
-        self._opening_text.set_text(f"width {1000.0 * self._opening.value:.0f} mm")
+        self._opening_text.set_text(_("width {width:.0f} mm", width=1000.0 * self._opening.value))
 
     def _grip(self, *, close: bool) -> None:
         value = float(self._force.value)
         force, effort = (value, None) if self._max_force else (None, value)
         gripper, connector = self._gripper, self._connector
-        what = "closing the gripper" if close else "opening the gripper"
+        what = sentence("closing the gripper") if close else sentence("opening the gripper")
         if connector is not None:
             self._begin(lambda: switch(connector, on=close), what)
         elif gripper is not None:
@@ -147,7 +162,7 @@ class GripperPanel:
 
     def _open_to(self) -> None:
         if (gripper := self._gripper) is not None:
-            self._begin(lambda: gripper.open_to(float(self._opening.value)), "setting the width")
+            self._begin(lambda: gripper.open_to(float(self._opening.value)), sentence("setting the width"))
 
     def _begin(self, act: Callable[[], Awaitable[object]], what: str) -> None:
         async def run() -> None:
@@ -155,6 +170,15 @@ class GripperPanel:
 
         if self._robot is not None:
             self._motion.begin(self._robot.id, run(), what)
+
+
+def pressing_text(force: float) -> str:
+    """The measured force of each finger as text; inwards is positive."""
+    if abs(force) < NO_FORCE:
+        return _("without force")
+    if force > 0.0:
+        return _("press {force:.0f} N", force=force)
+    return _("push outwards {force:.0f} N", force=-force)
 
 
 async def switch(connector: ServiceClient, *, on: bool) -> None:
@@ -166,7 +190,7 @@ async def connector_state(connector: ServiceClient) -> str:
     """A text with the state of a vacuum connector and its load."""
     report = await connector.query(QueryConnectorState(ALL_FIELDS, 1))
     if not isinstance(report, ReportConnectorState):
-        raise ConfigError(f"{connector.id} does not report its state")
+        raise ConfigError(sentence("{connector} does not report its state", connector=connector.id))
     if report.attached_to:
-        return printable(f"holds {report.attached_to}")
-    return printable(f"on, holds nothing: {report.error_text}" if report.enabled else "off")
+        return printable(_("holds {part}", part=report.attached_to))
+    return printable(_("on, holds nothing: {problem}", problem=report.error_text) if report.enabled else _("off"))

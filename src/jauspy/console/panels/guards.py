@@ -9,7 +9,10 @@ from typing import Any, Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.languages import sentence
+from jauspy.console.markup import attributes
 from jauspy.console.motion import Motion
+from jauspy.console.page_language import _, translated
 from jauspy.errors import JausError
 from jauspy.ocu.guards import REPORT, Guard
 from jauspy.ocu.robot import Robot
@@ -17,7 +20,7 @@ from jauspy.printable import printable
 
 UPDATE_INTERVAL: Final = 0.4
 """Seconds between two queries of the guards."""
-LABELS: Final = {"self_collision": "self collision", "obstacle": "obstacles"}
+LABELS: Final = {"self_collision": sentence("self collision"), "obstacle": sentence("obstacles")}
 
 
 class GuardsPanel:
@@ -29,11 +32,12 @@ class GuardsPanel:
         self._robot: Robot | None = None
         self._shown: dict[str, bool] = {}
         """The positions of the switches, as the robot reported them last."""
-        with ui.element("section").classes("panel guards").props('aria-label="Guards"') as self._panel:
+        with ui.element("section").classes("panel guards") as self._panel:
+            attributes(self._panel, aria_label=_("Guards"))
             with ui.element("div").classes("row"):
-                ui.label("Guards").classes("heading")
+                ui.label(_("Guards")).classes("heading")
                 self._state = ui.label("").classes("hint grow").props('role="status"')
-            with ui.element("div").classes("row"):
+            with ui.element("div").classes("row switches"):
                 self._switches = {name: self._switch(name, label) for name, label in LABELS.items()}
             self._problem = ui.label("").classes("problem").props('role="alert"')
         self._panel.set_visibility(False)
@@ -59,7 +63,7 @@ class GuardsPanel:
         async def choose(event: Any) -> None:
             self._choose(name, enabled=bool(event.value))
 
-        return ui.switch(label, on_change=choose).props("dense")
+        return ui.switch(translated(label), on_change=choose).props("dense")
 
     def _choose(self, name: str, *, enabled: bool) -> None:
         robot = self._robot
@@ -68,7 +72,7 @@ class GuardsPanel:
         operation = self._console.operation(robot.id)
         authority = 0 if operation is None else operation.authority
         switching = robot.guards.switch(**{name: enabled}, authority=authority)
-        self._motion.begin(robot.id, switching, f"switching the guard against {LABELS[name]}")
+        self._motion.begin(robot.id, switching, sentence("switching the guard against {what}", what=LABELS[name]))
         self._shown.pop(name)
         for switch in self._switches.values():
             switch.set_enabled(False)  # until the robot reports the guards again
@@ -82,7 +86,7 @@ class GuardsPanel:
         except JausError:
             if self._robot is robot:
                 self._state.set_text("")
-                self._problem.set_text("the robot does not answer")
+                self._problem.set_text(_("the robot does not answer"))
             return
         if self._robot is not robot or self._motion.is_running:
             return  # another one was chosen meanwhile
@@ -94,7 +98,7 @@ class GuardsPanel:
                 switch.set_value(guard.enabled)
                 switch.set_enabled(not refusal)
         self._state.set_text(distances_text(found))
-        self._problem.set_text(problems_text(found) or printable(self._motion.problem))
+        self._problem.set_text(problems_text(found) or printable(translated(self._motion.problem)))
 
 
 def distances_text(found: Iterable[Guard]) -> str:
@@ -102,8 +106,9 @@ def distances_text(found: Iterable[Guard]) -> str:
     parts = []
     for guard in found:
         if guard.enabled and math.isfinite(guard.distance):
-            acts = ", slows down" if guard.active else ""
-            parts.append(f"{LABELS.get(guard.name, 'unknown')} {guard.distance:.2f} m{acts}")
+            what = translated(LABELS.get(guard.name, sentence("unknown")))
+            text = f"{what} {guard.distance:.2f} m"
+            parts.append(_("{guard}, slows down", guard=text) if guard.active else text)
     return "; ".join(parts)
 
 

@@ -9,7 +9,9 @@ from nicegui import background_tasks, ui
 from jauspy.console.console import Console
 from jauspy.console.fleet import NOTHING
 from jauspy.console.handoffs import SERVICE
+from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes
+from jauspy.console.page_language import _, translated
 from jauspy.console.users import User
 from jauspy.ids import JausID
 from jauspy.ocu.control import DEFAULT_AUTHORITY
@@ -29,13 +31,14 @@ class HandoffCard:
         self._robot: Robot | None = None
         self._rows: dict[JausID, _Row] = {}
         self.problem = ""
-        with ui.element("section").classes("card").props('aria-label="Handoff"') as self._card:
+        with ui.element("section").classes("card") as self._card:
+            attributes(self._card, aria_label=_("Handoff"))
             with ui.element("div").classes("row"):
-                ui.label("Handoff").classes("heading")
+                ui.label(_("Handoff")).classes("heading")
                 self._state = ui.label("").classes("state grow").props('role="status"')
-            ui.label("asks another client for control, and answers those who ask").classes("hint")
+            ui.label(_("asks another client for control, and answers those who ask")).classes("hint")
             with ui.element("div").classes("row start"):
-                self.reason = ui.input("why, for the one in control").props("dense outlined").classes("wide")
+                self.reason = ui.input(_("why, for the one in control")).props("dense outlined").classes("wide")
                 self.reason.props("maxlength=120")
             self._list = ui.element("div").classes("components")
             self._problem = ui.label("").classes("problem").props('role="alert"')
@@ -60,8 +63,8 @@ class HandoffCard:
         if self._robot is None or not self._card.visible:
             return
         waiting = sum(row.update(self._console, self._token, self._user) for row in self._rows.values())
-        self._state.set_text(f"{waiting} asked" if waiting else "")
-        self._problem.set_text(self.problem)
+        self._state.set_text(_("{waiting} asked", waiting=waiting) if waiting else "")
+        self._problem.set_text(translated(self.problem))
 
     async def take(self, id: JausID) -> None:
         """Take control of a component."""
@@ -69,7 +72,7 @@ class HandoffCard:
 
     def ask(self, id: JausID) -> None:
         """Ask for control of a component, which takes as long as the other client thinks."""
-        self.problem = f"asked for {id}; waits for the answer"
+        self.problem = sentence("asked for {id}; waits for the answer", id=id)
         background_tasks.create(self._ask(id), name=f"console: handoff of {id}")
 
     async def _ask(self, id: JausID) -> None:
@@ -99,9 +102,9 @@ class _Row:
             with ui.element("div").classes("grow"):
                 ui.label(str(id)).classes("name")
                 self._holder = ui.label("").classes("hint")
-            self._take = self._button("take", lambda: card.take(id), is_main=True)
-            self._ask = self._button("ask", lambda: card.ask(id), is_main=True)
-            self._release = self._button("release", lambda: card.release(id), is_main=False)
+            self._take = self._button(_("take"), lambda: card.take(id), is_main=True)
+            self._ask = self._button(_("ask"), lambda: card.ask(id), is_main=True)
+            self._release = self._button(_("release"), lambda: card.release(id), is_main=False)
         self._requests = ui.element("div")
 
     def _button(self, text: str, on_click: object, *, is_main: bool) -> ui.button:
@@ -115,13 +118,13 @@ class _Row:
         mine = held is not None and held.token == token
         controller = console.fleet.states.get(id, NOTHING).controller
         self._holder.set_text(
-            "you have control"
+            _("you have control")
             if mine
-            else f"{held.user.name} has control, in another browser"
+            else _("{user} has control, in another browser", user=held.user.name)
             if held is not None
-            else f"{controller} has control"
+            else _("{controller} has control", controller=controller)
             if controller
-            else "nobody has control"
+            else _("nobody has control")
         )
         self._take.set_visibility(held is None and not controller)
         self._ask.set_visibility(held is None and bool(controller))
@@ -135,11 +138,18 @@ class _Row:
             with self._requests:
                 for request in requests:
                     with ui.element("div").classes("asked").props('role="alert"'):
-                        why = printable(request.explanation) or "it gives no reason"
-                        ui.label(f"{request.client} asks, with authority {request.authority}: {why}")
+                        why = printable(request.explanation) or _("it gives no reason")
+                        ui.label(
+                            _(
+                                "{client} asks, with authority {authority}: {why}",
+                                client=request.client,
+                                authority=request.authority,
+                                why=why,
+                            )
+                        )
                         with ui.element("div").classes("row"):
-                            self._answer("hand over", request.id, grant=True)
-                            self._answer("refuse", request.id, grant=False)
+                            self._answer(_("hand over"), request.id, grant=True)
+                            self._answer(_("refuse"), request.id, grant=False)
         return len(requests)
 
     def _answer(self, text: str, request: int, *, grant: bool) -> None:

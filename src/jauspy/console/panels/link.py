@@ -6,6 +6,9 @@ from typing import Final
 
 from nicegui import ui
 
+from jauspy.console.languages import sentence
+from jauspy.console.markup import attributes
+from jauspy.console.page_language import _, translated
 from jauspy.errors import JausError
 from jauspy.ocu.robot import COMMUNICATOR, HEALTH, Robot
 from jauspy.ocu.state import HealthReport, LinkHealth
@@ -25,9 +28,10 @@ class LinkPanel:
         self._asks = False
         self.summary = self.problem = ""
         """The link in short, and why it is bad; both empty for a robot that does not measure it."""
-        with ui.element("section").classes("panel").props('aria-label="Link"') as self._panel:
+        with ui.element("section").classes("panel link") as self._panel:
+            attributes(self._panel, aria_label=_("Link"))
             with ui.element("div").classes("row"):
-                ui.label("Link").classes("heading")
+                ui.label(_("Link")).classes("heading")
                 self._state = ui.label("").classes("state grow").props('role="status"')
             self._problem = ui.label("").classes("problem").props('role="alert"')
         self._panel.set_visibility(False)
@@ -51,11 +55,12 @@ class LinkPanel:
         if robot is None or self._asks:
             return
         self._asks = True
+        state, problem, summary = "", "", ""
         try:
             health = await robot.link()
             reports = await robot.health() if any(robot.info.offering(HEALTH)) else []
         except JausError:
-            state, problem, summary = "", "the robot does not answer", "no link"
+            problem, summary = sentence("the robot does not answer"), sentence("no link")
         else:
             state, problem = described(health), alarm(health) or queue_alarm(reports)
             summary = in_short(health)
@@ -64,20 +69,25 @@ class LinkPanel:
         if self._robot is robot:
             self.summary, self.problem = summary, problem
             self._state.set_text(state)
-            self._problem.set_text(problem)
+            self._problem.set_text(translated(problem))
 
 
 def described(health: LinkHealth) -> str:
     """The values in short."""
-    delay = "" if health.round_trip is None else f"{1000.0 * health.round_trip:.0f} ms there and back, "
-    rate = "" if health.rate is None else f", {health.rate / 1e6:.2f} Mbit/s"
-    return f"{delay}{100.0 * health.loss:.0f} % lost or late{rate}"
+    parts = [_("{loss:.0f} % lost or late", loss=100.0 * health.loss)]
+    if health.round_trip is not None:
+        parts.insert(0, _("{delay:.0f} ms there and back", delay=1000.0 * health.round_trip))
+    if health.rate is not None:
+        parts.append(f"{health.rate / 1e6:.2f} Mbit/s")
+    return ", ".join(parts)
 
 
 def in_short(health: LinkHealth) -> str:
     """Round trip and loss, for the line below the bar."""
-    delay = "" if health.round_trip is None else f" {1000.0 * health.round_trip:.0f} ms,"
-    return f"link{delay} {100.0 * health.loss:.0f} % lost"
+    loss = 100.0 * health.loss
+    if health.round_trip is None:
+        return sentence("link {loss:.0f} % lost", loss=loss)
+    return sentence("link {delay:.0f} ms, {loss:.0f} % lost", delay=1000.0 * health.round_trip, loss=loss)
 
 
 def queue_alarm(reports: list[HealthReport]) -> str:
@@ -89,9 +99,13 @@ def queue_alarm(reports: list[HealthReport]) -> str:
 def alarm(health: LinkHealth) -> str:
     """The warning for the operator; empty if the link is good."""
     if not health.is_up:
-        return "the robot's messages do not arrive here"
+        return sentence("the robot's messages do not arrive here")
     if health.loss > MAX_LOSS:
-        return f"{100.0 * health.loss:.0f} % of the packets are lost or late: drive slowly, or come nearer"
+        return sentence(
+            "{loss:.0f} % of the packets are lost or late: drive slowly, or come nearer", loss=100.0 * health.loss
+        )
     if health.round_trip is not None and health.round_trip > MAX_ROUND_TRIP:
-        return f"commands and pictures are late: {health.round_trip:.1f} s there and back"
+        return sentence(
+            "commands and pictures are late: {round_trip:.1f} s there and back", round_trip=health.round_trip
+        )
     return ""

@@ -7,7 +7,9 @@ from typing import Any, Final
 
 from nicegui import ui
 
+from jauspy.console.languages import sentence
 from jauspy.console.markup import breakable
+from jauspy.console.page_language import _, translated
 from jauspy.console.reports import fields_of
 from jauspy.console.traffic import Line, Traffic
 from jauspy.printable import printable
@@ -16,18 +18,23 @@ UPDATE_INTERVAL: Final = 0.5
 MAX_ROWS: Final = 200
 MAX_HEX: Final = 256
 """Bytes of a message that are shown as hex text."""
-KINDS: Final = {"": "all", "sent received": "messages", "refused": "refusals", "event": "events"}
+KINDS: Final = {
+    "": sentence("all"),
+    "sent received": sentence("messages"),
+    "refused": sentence("refusals"),
+    "event": sentence("events"),
+}
 _SIGNS: Final = {"sent": "\u2192", "received": "\u2190", "refused": "\u2716", "event": "\u2022"}
 _COLUMNS: Final = [
     {"name": name, "label": label, "field": name, "align": "left"}
     for name, label in (
-        ("time", "time"),
+        ("time", sentence("time")),
         ("sign", ""),
-        ("source", "from"),
-        ("destination", "to"),
-        ("user", "user"),
-        ("name", "message or event"),
-        ("size", "bytes"),
+        ("source", sentence("from")),
+        ("destination", sentence("to")),
+        ("user", sentence("user")),
+        ("name", sentence("message or event")),
+        ("size", sentence("bytes")),
     )
 ]
 
@@ -45,20 +52,26 @@ class LogPanel:
         self.visible = False
         """Set by the page; the list is sent only while it is shown."""
         with ui.element("div").classes("choice"):
-            self._words = ui.input("filter", placeholder="words; -word leaves out", on_change=self._update)
+            self._words = ui.input(_("filter"), placeholder=_("words; -word leaves out"), on_change=self._update)
             self._words.props("dense outlined clearable").classes("wide")
-            self._kind = ui.toggle(KINDS, value="", on_change=self._update).props("no-caps dense unelevated")
-            self._routine = ui.checkbox("routine", on_change=self._update).props("dense")
-            self._pause = ui.button("pause", on_click=self._toggle).props("outline no-caps")
+            self._kind = ui.toggle(
+                {kind: translated(label) for kind, label in KINDS.items()}, value="", on_change=self._update
+            ).props("no-caps dense unelevated")
+            self._routine = ui.checkbox(_("routine"), on_change=self._update).props("dense")
+            self._pause = ui.button(_("pause"), on_click=self._toggle).props("outline no-caps")
         with ui.element("div").classes("split"):
             self._table = (
-                ui.table(columns=_COLUMNS, rows=[], row_key="number")
+                ui.table(
+                    columns=[{**column, "label": translated(column["label"])} for column in _COLUMNS],
+                    rows=[],
+                    row_key="number",
+                )
                 .classes("traffic")
                 .props('dense flat hide-bottom :rows-per-page-options="[0]"')
                 .on("row-click", self._choose, js_handler="(event, row) => emit(row.number)")
             )
             with ui.element("div").classes("details"):
-                self._title = ui.label("click a message for its fields").classes("hint")
+                self._title = ui.label(_("click a message for its fields")).classes("hint")
                 self._fields = ui.element("div").classes("fields")
                 self._hex = ui.label("").classes("hex")
         self._count = ui.label("").classes("hint")
@@ -79,12 +92,18 @@ class LogPanel:
         rows = [_row(line) for line in lines]
         if rows != self._table.rows:
             self._table.rows = rows
-        self._count.set_text(f"{len(lines)} newest shown of {total} so far; the latest 200 of each kind are kept")
+        self._count.set_text(
+            _(
+                "{count} newest shown of {total} so far; the latest 200 of each kind are kept",
+                count=len(lines),
+                total=total,
+            )
+        )
 
     def _toggle(self) -> None:
         """Keep what comes from now on out of the list, or let it in again; the filter works in both cases."""
         self._paused_at = self._traffic.total if self._paused_at is None else None
-        self._pause.set_text("pause" if self._paused_at is None else "resume")
+        self._pause.set_text(_("pause") if self._paused_at is None else _("resume"))
         self._update()
 
     def _choose(self, event: Any) -> None:
@@ -93,7 +112,7 @@ class LogPanel:
         self._fields.clear()
         self._hex.set_text("")
         if line is None:
-            self._title.set_text("this line is no longer kept")
+            self._title.set_text(_("this line is no longer kept"))
             return
         self._title.set_text(f"{line.time:%H:%M:%S.%f}"[:-3] + f"  {printable(line.name) if line.size else ''}")
         decoded = self._traffic.decoded(line)

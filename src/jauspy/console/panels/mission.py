@@ -11,14 +11,21 @@ from nicegui.events import UploadEventArguments
 
 from jauspy.console.confirmation import confirmed
 from jauspy.console.geographic_frame import GeographicFrame
+from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes
 from jauspy.console.mission import MAX_SPEED, MAX_WAIT, Action, Look, Mission, Step, Still, Wait
+from jauspy.console.page_language import _, translated
 from jauspy.console.saved_files import SavedByOther, SavedFiles, checked_name
 from jauspy.console.trajectory import MAX_FILE
 from jauspy.errors import ConfigError
 from jauspy.printable import printable
 
-ACTIONS: Final = {"": "drive on", "wait": "wait", "look": "look (pan, tilt)", "still": "save a still image"}
+ACTIONS: Final = {
+    "": sentence("drive on"),
+    "wait": sentence("wait"),
+    "look": sentence("look (pan, tilt)"),
+    "still": sentence("save a still image"),
+}
 DEFAULT_NAME: Final = "mission"
 
 
@@ -28,24 +35,29 @@ class StepDialog:
     def __init__(self, on_change: Callable[[int, Step], None]) -> None:
         self._on_change = on_change
         self._index = 0
-        with ui.dialog().props('aria-label="speed and action"') as self._dialog, ui.card().classes("mission"):
+        with attributes(ui.dialog(), aria_label=_("speed and action")) as self._dialog, ui.card().classes("mission"):
             self._title = ui.label("").classes("heading")
-            self._speed = _number("speed in m/s; empty: that of the list", 0.05, MAX_SPEED)
-            self._kind = ui.select(ACTIONS, label="at the waypoint", value="", on_change=self._show_fields)
+            self._speed = _number(_("speed in m/s; empty: that of the list"), 0.05, MAX_SPEED)
+            self._kind = ui.select(
+                {kind: translated(label) for kind, label in ACTIONS.items()},
+                label=_("at the waypoint"),
+                value="",
+                on_change=self._show_fields,
+            )
             self._kind.props("dense outlined options-dense")
-            self._seconds = _number("seconds", 0.1, MAX_WAIT)
-            self._pan = _number("pan in degrees, to the left", -180.0, 180.0)
-            self._tilt = _number("tilt in degrees, downwards", -180.0, 180.0)
-            self._camera = ui.input("name of the camera, if there are several").props("dense outlined")
+            self._seconds = _number(_("seconds"), 0.1, MAX_WAIT)
+            self._pan = _number(_("pan in degrees, to the left"), -180.0, 180.0)
+            self._tilt = _number(_("tilt in degrees, downwards"), -180.0, 180.0)
+            self._camera = ui.input(_("name of the camera, if there are several")).props("dense outlined")
             self._problem = ui.label("").classes("problem").props('role="status"')
             with ui.element("div").classes("row"):
-                ui.button("apply", on_click=self._apply).props("unelevated no-caps")
-                ui.button("cancel", on_click=self._dialog.close).props("outline no-caps")
+                ui.button(_("apply"), on_click=self._apply).props("unelevated no-caps")
+                ui.button(_("cancel"), on_click=self._dialog.close).props("outline no-caps")
 
     def open(self, index: int, step: Step) -> None:
         """Edit a step."""
         self._index = index
-        self._title.set_text(f"waypoint {index + 1}")
+        self._title.set_text(_("waypoint {number}", number=index + 1))
         self._problem.set_text("")
         self._speed.set_value(step.speed)
         action = step.action
@@ -68,7 +80,7 @@ class StepDialog:
         try:
             step = Step(self._speed_value(), self._action())
         except (TypeError, ValueError) as error:
-            self._problem.set_text(printable(str(error)).partition("\n")[0])
+            self._problem.set_text(printable(translated(str(error))).partition("\n")[0])
             return
         self._on_change(self._index, step)
         self._dialog.close()
@@ -76,7 +88,7 @@ class StepDialog:
     def _speed_value(self) -> float | None:
         speed = None if self._speed.value in (None, "") else float(self._speed.value)
         if speed is not None and not 0.0 < speed <= MAX_SPEED:
-            raise ValueError(f"a speed is more than 0 and at most {MAX_SPEED:g} m/s")
+            raise ValueError(sentence("a speed is more than 0 and at most {most:g} m/s", most=MAX_SPEED))
         return speed
 
     def _action(self) -> Action | None:
@@ -84,12 +96,12 @@ class StepDialog:
             case "wait":
                 seconds = float(self._seconds.value or 0.0)
                 if not 0.0 < seconds <= MAX_WAIT:
-                    raise ValueError(f"a robot waits more than 0 and at most {MAX_WAIT:g} s")
+                    raise ValueError(sentence("a robot waits more than 0 and at most {most:g} s", most=MAX_WAIT))
                 return Wait(seconds=seconds)
             case "look":
                 pan, tilt = (float(field.value or 0.0) for field in (self._pan, self._tilt))
                 if not (abs(pan) <= 180.0 and abs(tilt) <= 180.0):
-                    raise ValueError("pan and tilt are -180 to 180 degrees")
+                    raise ValueError(sentence("pan and tilt are -180 to 180 degrees"))
                 return Look(pan=math.radians(pan), tilt=math.radians(tilt))
             case "still":
                 return Still(camera=str(self._camera.value or "")[:64])
@@ -114,32 +126,32 @@ class MissionDialog:
             self._dialog.close()
             draw()
 
-        with ui.dialog().props('aria-label="mission"') as self._dialog, ui.card().classes("mission"):
-            ui.label("Mission").classes("heading")
+        with attributes(ui.dialog(), aria_label=_("mission")) as self._dialog, ui.card().classes("mission"):
+            ui.label(_("Mission")).classes("heading")
             with ui.element("div").classes("row"):
-                self._name = ui.input("name", value=DEFAULT_NAME).props("dense outlined").classes("grow")
-                ui.button("save", on_click=self._save).props("unelevated no-caps")
+                self._name = ui.input(_("name"), value=DEFAULT_NAME).props("dense outlined").classes("grow")
+                ui.button(_("save"), on_click=self._save).props("unelevated no-caps")
             with ui.element("div").classes("row"):
                 self._saved = (
-                    ui.select([], label="saved missions").props("dense outlined options-dense").classes("grow")
+                    ui.select([], label=_("saved missions")).props("dense outlined options-dense").classes("grow")
                 )
-                ui.button("load", on_click=self._load).props("outline no-caps")
-                ui.button("delete", on_click=self._delete).props("flat no-caps")
+                ui.button(_("load"), on_click=self._load).props("outline no-caps")
+                ui.button(_("delete"), on_click=self._delete).props("flat no-caps")
             with ui.element("div").classes("row"):
                 self._upload = ui.upload(on_upload=self._upload_file, auto_upload=True, max_file_size=MAX_FILE)
                 self._upload.props('accept=".json"').classes("hidden")
-                ui.button("upload").props("outline no-caps dense").on(
+                ui.button(_("upload")).props("outline no-caps dense").on(
                     "click", js_handler="() => jauspy.pickFile('.mission')"
                 )
-                ui.button("download", on_click=self._download).props("outline no-caps dense")
-                self._global = ui.checkbox("in degrees").props("dense")
+                ui.button(_("download"), on_click=self._download).props("outline no-caps dense")
+                self._global = ui.checkbox(_("in degrees")).props("dense")
             self._said = ui.label("").classes("problem").props('role="status"')
             with ui.element("div").classes("row"):
-                ui.label("No-go areas").classes("heading")
-                ui.button("draw an area", on_click=begin_area).props("outline no-caps dense")
-            ui.label("checked when the robot is started; manual driving ignores them").classes("hint")
+                ui.label(_("No-go areas")).classes("heading")
+                ui.button(_("draw an area"), on_click=begin_area).props("outline no-caps dense")
+            ui.label(_("checked when the robot is started; manual driving ignores them")).classes("hint")
             self._areas = ui.element("div").classes("areas")
-            ui.button("close", on_click=self._dialog.close).props("outline no-caps")
+            ui.button(_("close"), on_click=self._dialog.close).props("outline no-caps")
 
     def open(self, robot: str) -> None:
         """Show it for the robot of this name."""
@@ -160,10 +172,10 @@ class MissionDialog:
         with self._areas:
             for index, area in enumerate(self._mission().areas):
                 with ui.element("div").classes("waypoint"):
-                    ui.label(area.name or f"area {index + 1}").classes("grow")
-                    ui.label(f"{len(area.corners)} corners").classes("hint")
+                    ui.label(area.name or _("area {number}", number=index + 1)).classes("grow")
+                    ui.label(_("{count} corners", count=len(area.corners))).classes("hint")
                     remove = ui.button("\u00d7", on_click=lambda at=index: self._remove(at))
-                    attributes(remove.props("flat dense"), aria_label=f"remove area {index + 1}")
+                    attributes(remove.props("flat dense"), aria_label=_("remove area {number}", number=index + 1))
 
     def _remove(self, index: int) -> None:
         mission = self._mission()
@@ -188,11 +200,11 @@ class MissionDialog:
             try:
                 act(files, name, None)
             except SavedByOther as error:
-                if await confirmed(f"{error}. Replace or delete it?", "replace or delete"):
+                if await confirmed(_("{error}. Replace or delete it?", error=error), _("replace or delete")):
                     act(files, name, error.author)
             self._said.set_text("")
         except ConfigError as error:
-            self._said.set_text(str(error))
+            self._said.set_text(translated(str(error)))
         self._show_saved()
 
     def _load(self) -> None:
@@ -202,7 +214,7 @@ class MissionDialog:
         try:
             self._take(files.mission(str(self._saved.value), self._frame()))
         except ConfigError as error:
-            self._said.set_text(str(error))
+            self._said.set_text(translated(str(error)))
             return
         self._name.set_value(self._saved.value)
         self._dialog.close()
@@ -213,7 +225,7 @@ class MissionDialog:
             self._take(Mission.from_json(content, name, self._frame()))
             self._said.set_text("")
         except ConfigError as error:
-            self._said.set_text(str(error))
+            self._said.set_text(translated(str(error)))
         self._upload.reset()
         self._show_areas()
 

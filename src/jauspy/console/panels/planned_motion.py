@@ -1,4 +1,4 @@
-"""The row of the tab World about the planned motion of the arm: shown as a ghost, paused, cancelled."""
+"""The row of the tab World about planned motions of the arm: a click on a thing, a ghost of the way, and the motion."""
 
 from __future__ import annotations
 
@@ -6,8 +6,11 @@ from typing import TYPE_CHECKING, Final
 
 from nicegui import ui
 
-from jauspy.console.markup import call
+from jauspy.console.languages import sentence
+from jauspy.console.markup import attributes, call
 from jauspy.console.motion import Motion
+from jauspy.console.page_language import _, translated
+from jauspy.console.reaching import Reaching, pointed_at
 from jauspy.ocu.planner import PLANNER
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
@@ -20,26 +23,35 @@ UPDATE_INTERVAL: Final = 0.4
 
 
 class PlannedMotionRow:
-    """The row, for one page, which `token` names; hidden while the robot's planner has nothing to tell."""
+    """The row, for one page, which `token` names; hidden for a robot without a planner."""
 
     def __init__(self, console: Console, token: str) -> None:
         self._console, self._token = console, token
         self._motion = Motion(console, token)
         self._robot: Robot | None = None
-        with ui.element("div").classes("row tight").props('aria-label="Planned motion"') as self._row:
-            ui.label("Planned motion").classes("heading")
+        self._reaching = Reaching()
+        self._picks = False
+        """True while a click in the view points at a thing to reach for."""
+        with ui.element("div").classes("row tight") as self._row:
+            attributes(self._row, aria_label=_("Planned motion"))
+            ui.label(_("Planned motion")).classes("heading")
             self._text = ui.label("").classes("hint grow").props('role="status"')
-            play = ui.checkbox("play", value=True).props("dense")
+            play = ui.checkbox(_("play"), value=True).props("dense")
             play.on_value_change(lambda event: call("jauspy.world.set", "play", bool(event.value)))
-            self._cancel = ui.button("cancel motion", on_click=self._on_cancel).props("outline no-caps")
+            self._reach = ui.button(_("reach \u2026"), on_click=self._on_reach).props("outline no-caps")
+            self._reach.tooltip(_("then click a thing in the 3-D view; a ghost shows the way before anything moves"))
+            self._execute = ui.button(_("execute"), on_click=self._reaching.agree).props("unelevated no-caps")
+            self._cancel = ui.button(_("cancel motion"), on_click=self._on_cancel).props("outline no-caps")
             self._problem = ui.label("").classes("problem").props('role="alert"')
         self._row.set_visibility(False)
+        ui.on("reach_pointed", lambda event: self._pointed(event.args))
         ui.timer(UPDATE_INTERVAL, self._update)
 
     def show(self, robot: Robot | None) -> None:
         """Show the planned motion of this robot."""
         if robot is None or self._robot is None or robot.id != self._robot.id:
             self._motion.stop()
+            self._pick(on=False)
             self._row.set_visibility(False)
         self._robot = robot
 
@@ -53,18 +65,42 @@ class PlannedMotionRow:
         world = None if robot is None else self._console.worlds.get(robot.id)
         if robot is None or world is None:
             return
-        text = world.planned.text
-        self._row.set_visibility(bool(text))
-        self._text.set_text(printable(text))
+        self._row.set_visibility(any(robot.info.offering(PLANNER)))
+        text = _("click a thing in the 3-D view") if self._picks else world.planned.text
+        self._text.set_text(printable(translated(text)))
         state = world.planned.state
         is_active = state is not None and state.phase in ("planning", "planned", "executing")
-        self._cancel.set_enabled(is_active and not self._motion.is_running and not self._motion.refusal(robot.id))
-        self._problem.set_text(printable(self._motion.problem))
+        runs, may = self._motion.is_running, not self._motion.refusal(robot.id)
+        self._reach.set_enabled(may and not runs)
+        self._execute.set_visibility(self._reaching.asks)
+        self._cancel.set_enabled(self._picks or runs or (is_active and may))
+        self._problem.set_text(printable(translated(self._motion.problem)))
+
+    def _on_reach(self) -> None:
+        self._motion.problem = ""
+        self._pick(on=not self._picks)
+
+    def _pick(self, *, on: bool) -> None:
+        if on != self._picks:
+            self._picks = on
+            call("jauspy.view.pick", on)
+
+    def _pointed(self, asked: object) -> None:
+        """Handle a click on a thing, after checking its values."""
+        robot, thing = self._robot, pointed_at(asked)
+        operation = None if robot is None else self._console.operation(robot.id)
+        if robot is None or operation is None or thing is None or not self._picks:
+            return
+        self._pick(on=False)
+        self._motion.begin(robot.id, self._reaching.reach(robot, operation, thing), sentence("reaching"))
 
     def _on_cancel(self) -> None:
         robot = self._robot
-        if robot is not None:
-            self._motion.begin(robot.id, self._take_over(robot), "cancelling the planned motion")
+        if self._picks or self._motion.is_running:
+            self._pick(on=False)
+            self._motion.stop()
+        elif robot is not None:
+            self._motion.begin(robot.id, self._take_over(robot), sentence("cancelling the planned motion"))
 
     async def _take_over(self, robot: Robot) -> None:
         """Take control of the planners for a moment: whoever loses it loses plan and motion, too."""

@@ -9,8 +9,11 @@ from typing import Any, Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.languages import sentence
 from jauspy.console.markup import call
+from jauspy.console.page_language import _, translated
 from jauspy.console.sighting import (
+    DIRECTION_NAMES,
     DIRECTIONS,
     CameraHead,
     gripper_width,
@@ -47,11 +50,14 @@ class Pointing:
         self._from: tuple[float, float] | None = None
         """Where the camera looked when the drag began."""
         self._task: asyncio.Task[None] | None = None
-        self._button = ui.button("look \u25be", color=None).props("outline no-caps dense")
+        self._button = ui.button(_("look \u25be"), color=None).props("outline no-caps dense")
         with self._button, ui.menu():
             for name in DIRECTIONS:
-                ui.menu_item(name, on_click=lambda name=name: self._begin(self._look(*DIRECTIONS[name])))
-        self._button.tooltip("turn this camera; also: drag the picture, or click what to look at")
+                ui.menu_item(
+                    translated(DIRECTION_NAMES[name]),
+                    on_click=lambda name=name: self._begin(self._look(*DIRECTIONS[name])),
+                )
+        self._button.tooltip(_("turn this camera; also: drag the picture, or click what to look at"))
         self._button.set_visibility(False)
         ui.on("camera_pointed", self._take)
 
@@ -108,15 +114,16 @@ class Pointing:
         try:
             await act
         except JausError as error:
-            self._say(printable(str(error)))
+            with self._button:  # of this page
+                self._say(printable(translated(str(error))))
 
     def _head(self, component: ComponentInfo) -> CameraHead:
         robot = self._robot
         operation = None if robot is None else self._console.operation(robot.id)
         if robot is None or operation is None:
-            raise ConfigError("the robot has gone")
+            raise ConfigError(sentence("the robot has gone"))
         if why := operation.refusal(self._token):
-            raise RequestError(f"the camera is not turned: {why}")
+            raise RequestError(sentence("the camera is not turned: {why}", why=why))
         return self._heads.setdefault(str(component.id), CameraHead(robot, component))
 
     async def _look(self, right: float, up: float) -> None:
@@ -155,6 +162,6 @@ class Pointing:
         found = await sight(world, robot, component, lens.ray(x, y))
         width = await gripper_width(robot)
         share = 0.0 if width is None else lens.width_share(width, found.distance)
-        mark = {"component": str(component.id), "x": x, "y": y, "text": shown(found, width), "width": share}
+        mark = {"component": str(component.id), "x": x, "y": y, "width": share}
         with self._button:  # of this page
-            call("jauspy.sight.show", mark)
+            call("jauspy.sight.show", {**mark, "text": translated(shown(found, width))})

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Final
-
 from nicegui import ui
 
-_LIST: Final = '<div class="recorded" role="region" aria-label="recordings" tabindex="-1"></div>'
-_PLAYER: Final = '<div class="player" role="region" aria-label="player"></div>'
+from jauspy.console.markup import attributes
+from jauspy.console.page_language import _
 
 
 class RecordingsPanel:
@@ -15,5 +13,8 @@ class RecordingsPanel:
 
     def __init__(self) -> None:
         with ui.element("div").props("id=recordings").classes("recordings"):
-            ui.html(_LIST, sanitize=False).classes("recorded-frame")
-            ui.html(_PLAYER, sanitize=False).classes("player-frame")
+            with ui.element("div").classes("recorded-frame"):
+                files = ui.element("div").classes("recorded").props('role="region" tabindex="-1"')
+                attributes(files, aria_label=_("recordings"))
+            with ui.element("div").classes("player-frame"):
+                attributes(ui.element("div").classes("player").props('role="region"'), aria_label=_("player"))

@@ -15,7 +15,10 @@ from nicegui import background_tasks, ui
 from nicegui.events import UploadEventArguments
 
 from jauspy.console.console import Console
+from jauspy.console.languages import sentence
 from jauspy.console.listening import SILENT
+from jauspy.console.markup import attributes
+from jauspy.console.page_language import _, translated
 from jauspy.console.trajectory import MAX_FILE
 from jauspy.console.users import User
 from jauspy.errors import JausError
@@ -38,26 +41,26 @@ class SoundCard:
         self._playing = ""
         self._said = ""
         self._task: asyncio.Task[None] | None = None
-        with ui.element("section").classes("card sound").props('aria-label="Sound"') as self._card:
+        with ui.element("section").classes("card sound") as self._card:
+            attributes(self._card, aria_label=_("Sound"))
             with ui.element("div").classes("row"):
-                ui.label("Sound").classes("heading")
+                ui.label(_("Sound")).classes("heading")
                 self._state = ui.label("").classes("state grow").props('role="status"')
             with ui.element("div").classes("listen") as self._ear:
                 with ui.element("div").classes("row start"):
-                    self._listen = ui.button("listen", on_click=self._toggle).props("unelevated no-caps")
+                    self._listen = ui.button(_("listen"), on_click=self._toggle).props("unelevated no-caps")
                     self._level = ui.linear_progress(0.0, show_value=False, size="8px").classes("grow")
-                    self._level.props('aria-label="loudness"')
+                    attributes(self._level, aria_label=_("loudness"))
                     self._decibels = ui.label("").classes("hint level")
                 self._player = ui.element("div")
             with ui.element("div").classes("row start") as self._mouth:
                 self._upload = ui.upload(on_upload=self._announce, auto_upload=True, max_file_size=MAX_FILE)
                 self._upload.props('accept=".wav"').classes("hidden")
-                announce = ui.button("announce a WAV file").props("outline no-caps")
+                announce = ui.button(_("announce a WAV file")).props("outline no-caps")
                 self._pick = announce.on("click", js_handler="() => jauspy.pickFile('.sound')")
-                self._end = ui.button("stop", on_click=self._stop).props(
-                    'outline no-caps color=negative aria-label="stop the announcement"'
-                )
-            ui.label(f"up to {MAX_FILE >> 10} kB: 10 s at 48 kHz, a minute at 8 kHz").classes("hint")
+                self._end = ui.button(_("stop"), on_click=self._stop).props("outline no-caps color=negative")
+                attributes(self._end, aria_label=_("stop the announcement"))
+            ui.label(_("up to {most} kB: 10 s at 48 kHz, a minute at 8 kHz", most=MAX_FILE >> 10)).classes("hint")
             self._problem = ui.label("").classes("problem").props('role="alert"')
         self._card.set_visibility(False)
         ui.timer(UPDATE_INTERVAL, self._update)
@@ -101,7 +104,7 @@ class SoundCard:
         if robot is None or self._task is not None:
             return
         if not self._user.may_operate:
-            self._said = f"{self._user.name} may only observe ({self._user.role})"
+            self._said = sentence("{user} may only observe ({role})", user=self._user.name, role=self._user.role)
             return
         self._said, self._playing = "", name
         self._task = background_tasks.create(self._play(robot, data), name=f"console: announcement by {robot.id}")
@@ -111,9 +114,9 @@ class SoundCard:
             with tempfile.TemporaryDirectory(prefix="jauspy-announce-") as folder:
                 path = Path(folder) / "announcement.wav"
                 await asyncio.to_thread(path.write_bytes, data)
-                self._console.act(f"robot {robot.id} announces {self._playing}")
+                self._console.act(sentence("robot {robot} announces {playing}", robot=robot.id, playing=self._playing))
                 seconds = await robot.announcer.play(path, authority=min(DEFAULT_AUTHORITY, self._user.authority))
-                self._said = f"played {seconds:.1f} s of {self._playing}"
+                self._said = sentence("played {seconds:.1f} s of {playing}", seconds=seconds, playing=self._playing)
         except JausError as error:
             self._said = str(error).replace(str(path), self._playing)
         finally:
@@ -130,10 +133,10 @@ class SoundCard:
         level, problem = levels.of(self._token), levels.problems.get(self._token, "")
         if problem:
             self._silence()
-        self._listen.set_text("mute" if self._player.default_slot.children else "listen")
+        self._listen.set_text(_("mute") if self._player.default_slot.children else _("listen"))
         self._level.set_value(0.0 if level is None else round(1.0 - level / SILENT, 3))
         self._decibels.set_text("" if level is None else f"{level:.0f} dB")
         self._pick.set_enabled(self._task is None and self._user.may_operate)
         self._end.set_visibility(self._task is not None)
-        self._state.set_text(f"plays {self._playing}" if self._playing else self._said)
-        self._problem.set_text(problem)
+        self._state.set_text(_("plays {playing}", playing=self._playing) if self._playing else translated(self._said))
+        self._problem.set_text(translated(problem))

@@ -11,9 +11,12 @@ from nicegui import ui
 from jauspy.console.alarms import Alarm, Alarms
 from jauspy.console.console import Console, Event
 from jauspy.console.fleet import NOTHING
-from jauspy.console.markup import attributes, call
-from jauspy.console.operation import EFFORT, Operation
+from jauspy.console.languages import joined, sentence
+from jauspy.console.markup import attributes, call, plain_text
+from jauspy.console.operation import Operation
+from jauspy.console.page_language import _, translated
 from jauspy.console.panels.battery import BatteryLabel
+from jauspy.console.panels.drive import NAMES, WAYPOINTS
 from jauspy.console.panels.link import LinkPanel
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
@@ -64,18 +67,17 @@ class StatusBar:
         self._mode = ui.label("").classes("mode").props('role="status"')
         self._battery = BatteryLabel()
         self._link = ui.label("").classes("status-link")
-        ui.html('<span id="video-age"></span>', sanitize=False).tooltip("age of the large picture when it was drawn")
+        ui.html('<span id="video-age"></span>', sanitize=False).tooltip(_("age of the large picture when it was drawn"))
         with ui.element("div").classes("alarms").props('role="alert"') as self._place:
             self._text = ui.label("").classes("alarm-text")
-            self._acknowledge = ui.button("acknowledge", on_click=self._acknowledge_all, color=None)
-            self._acknowledge.props("flat dense no-caps").tooltip("key Q; it also ends the sound").classes(
+            self._acknowledge = ui.button(_("acknowledge"), on_click=self._acknowledge_all, color=None)
+            self._acknowledge.props("flat dense no-caps").tooltip(_("key Q; it also ends the sound")).classes(
                 "acknowledge"
             )
-        ui.html(
-            '<div id="time-line" role="img" aria-label="events of the last ten minutes; the view Events lists them">'
-            '</div><button id="alarm-sound" class="quiet" data-do="sound"></button>',
-            sanitize=False,
-        ).classes("time-line")
+        with ui.element("div").classes("time-line"):
+            line = ui.element("div").props('id=time-line role="img"')
+            attributes(line, aria_label=_("events of the last ten minutes; the view Events lists them"))
+            attributes(plain_text("", tag="button").props("id=alarm-sound").classes("quiet"), data_do="sound")
         ui.on("alarms_acknowledged", self._acknowledge_all)
         ui.on("video_is_old", self._take_video)
         ui.timer(UPDATE_INTERVAL, self._update)
@@ -84,7 +86,11 @@ class StatusBar:
         """Show the state of this robot."""
         self._battery.show(robot)
         if robot is None and self._robot is not None:
-            self._gone = f"robot {self._robot.id} {printable(self._robot.name)} does not answer any more"
+            self._gone = sentence(
+                "robot {id} {name} does not answer any more",
+                id=self._robot.id,
+                name=printable(self._robot.name),
+            )
         elif robot is not None:
             self._gone = ""
         if robot is None or self._robot is None or robot.id != self._robot.id:
@@ -99,7 +105,8 @@ class StatusBar:
 
     def tell(self, events: Iterable[Event]) -> None:
         """Add events to the line of time."""
-        marks = [_mark(event.time, event.line, kind_of(event.text)) for event in list(events)[-MAX_MARKS:]]
+        newest = list(events)[-MAX_MARKS:]
+        marks = [_mark(event.time, event.line_of(translated(event.text)), kind_of(event.text)) for event in newest]
         if marks:
             call("jauspy.timeLine.add", marks)
 
@@ -110,7 +117,7 @@ class StatusBar:
         self._lost = ""
         acknowledged = self._alarms.acknowledge()
         if acknowledged:
-            self._console.act(f"acknowledged: {'; '.join(alarm.text for alarm in acknowledged)}")
+            self._console.act(sentence("acknowledged: {alarms}", alarms=joined(alarm.text for alarm in acknowledged)))
         self._update()
 
     def _update(self) -> None:
@@ -121,11 +128,12 @@ class StatusBar:
         self._mode.set_text(text)
         attributes(self._mode, data_state=state)
         self._mode.set_visibility(bool(text))
-        self._link.set_text(self.link.summary if self.link is not None and robot is not None else "")
+        self._link.set_text(translated(self.link.summary) if self.link is not None and robot is not None else "")
         new = self._alarms.update(self._causes(robot))
         if new:
             now = datetime.now().astimezone()
-            marks = [f"{now:%H:%M:%S}  alarm: {alarm.text}" for alarm in new]
+            texts = [_("alarm: {text}", text=alarm.text) for alarm in new]
+            marks = [f"{now:%H:%M:%S}  {text}" for text in texts]
             call("jauspy.timeLine.add", [_mark(now, text, "problem") for text in marks])
         self._show_alarms()
         if new or not self._alarms.is_loud:
@@ -134,7 +142,7 @@ class StatusBar:
     def _follow_control(self, operation: Operation | None) -> None:
         is_mine = operation is not None and operation.is_controlled and operation.operator == self._token
         if self._was_mine and not is_mine and operation is not None and operation.problem:
-            self._lost = f"control was lost: {printable(operation.problem)}"
+            self._lost = sentence("control was lost: {problem}", problem=printable(operation.problem))
         if is_mine:
             self._lost = ""
         self._was_mine = is_mine
@@ -146,15 +154,15 @@ class StatusBar:
         states = {self._console.fleet.states.get(component.id, NOTHING).status for component in robot.components}
         state = next((state for state in STATES if state in states), "")
         if operation is None or not operation.is_controlled:
-            return f"{state.lower()}, observing".lstrip(", "), state.lower()
-        if operation.operator != self._token:
-            return f"{state.lower()}, {operation.user.name} operates".lstrip(", "), state.lower()
-        world = self._console.worlds.get(robot.id)
-        if world is not None and world.route.active is not None:
-            way = "waypoints"
+            who = _("observing")
+        elif operation.operator != self._token:
+            who = _("{user} operates", user=operation.user.name)
         else:
-            way = "effort" if operation.mode == EFFORT else "velocity"
-        return f"{state.lower()}, you operate, {way}".lstrip(", "), state.lower()
+            world = self._console.worlds.get(robot.id)
+            is_on_its_way = world is not None and world.route.active is not None
+            way = WAYPOINTS if is_on_its_way else operation.mode
+            who = _("you operate, {mode}", mode=NAMES[way])
+        return f"{state.lower()}, {who}".lstrip(", "), state.lower()
 
     def _causes(self, robot: Robot | None) -> Iterable[Alarm]:
         """What is wrong now, the most important first."""
@@ -168,19 +176,21 @@ class StatusBar:
         silent = [part for part in robot.components if fleet.is_silent(part.id) and part.find("Management")]
         if silent:
             names = ", ".join(str(part.id) for part in silent[:3]) + (" \u2026" if len(silent) > 3 else "")
-            yield Alarm("silent", f"silent: {names}", is_urgent=True)
+            yield Alarm("silent", sentence("silent: {names}", names=names), is_urgent=True)
         status = {part.id: fleet.states.get(part.id, NOTHING).status for part in robot.components}
         if failed := [str(id) for id, state in status.items() if state == "FAILURE"]:
-            yield Alarm("failure", f"failure of {', '.join(failed[:3])}", is_urgent=True)
+            yield Alarm(
+                "failure", sentence("failure of {components}", components=", ".join(failed[:3])), is_urgent=True
+            )
         if any(state == "EMERGENCY" for state in status.values()):
-            yield Alarm("emergency", "the robot is in emergency")
+            yield Alarm("emergency", sentence("the robot is in emergency"))
         if self._battery.level in ("low", "empty"):
             yield Alarm(f"battery {self._battery.level}", self._battery.text, is_urgent=self._battery.level == "empty")
         self._bad_link = self._bad_link + 1 if self.link is not None and self.link.problem else 0
         if self.link is not None and self._bad_link * UPDATE_INTERVAL >= BAD_LINK_TIME:
             yield Alarm("link", self.link.problem)
         if self._video_is_old:
-            yield Alarm("video", "the large picture is old")
+            yield Alarm("video", sentence("the large picture is old"))
 
     def _show_alarms(self) -> None:
         shown = self._alarms.shown
@@ -188,7 +198,8 @@ class StatusBar:
         if not shown:
             return
         first = shown[0]
-        self._text.set_text("; ".join(f"{each.text} (is over)" if each.has_ended else each.text for each in shown))
+        texts = [_("{alarm} (is over)", alarm=each.text) if each.has_ended else translated(each.text) for each in shown]
+        self._text.set_text("; ".join(texts))
         attributes(
             self._place,
             data_level="known" if first.is_acknowledged else "urgent" if first.is_urgent else "warning",

@@ -13,9 +13,11 @@ from nicegui.events import UploadEventArguments, ValueChangeEventArguments
 
 from jauspy.console.confirmation import confirmed
 from jauspy.console.console import Console
+from jauspy.console.languages import sentence
 from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
 from jauspy.console.markup import attributes, style_number
 from jauspy.console.motion import Motion
+from jauspy.console.page_language import _, translated
 from jauspy.console.saved_files import SavedByOther, SavedFiles, checked_name
 from jauspy.console.trajectory import MAX_FILE, MAX_SECONDS, Trajectory, TrajectoryRow, is_modular
 from jauspy.errors import ConfigError, JausError
@@ -45,31 +47,31 @@ class TrajectoryPanel:
         self._loaded: tuple[int, str, Trajectory] | None = None
         """The robot, name and content of the file that was loaded or saved last."""
         with ui.element("div").classes("choice"):
-            self._choice = ui.select({}, label="arm", on_change=self._choose).props("dense outlined options-dense")
+            self._choice = ui.select({}, label=_("arm"), on_change=self._choose).props("dense outlined options-dense")
             self._choice.classes("wide named")
-            self._name = ui.input("name", value=DEFAULT_NAME).props("dense outlined").classes("wide")
-            self._saved = ui.select([], label="saved", on_change=self._load)
+            self._name = ui.input(_("name"), value=DEFAULT_NAME).props("dense outlined").classes("wide")
+            self._saved = ui.select([], label=_("saved"), on_change=self._load)
             self._saved.props("dense outlined options-dense").classes("wide")
-            ui.button("save", on_click=self._save).props("outline no-caps")
-            ui.button("delete", on_click=self._delete).props("flat no-caps")
+            ui.button(_("save"), on_click=self._save).props("outline no-caps")
+            ui.button(_("delete"), on_click=self._delete).props("flat no-caps")
             self._author = ui.label("").classes("hint")
         self._table = ui.element("div").classes("rows").props('role="table"')
         self._problem = ui.label("").classes("problem").props('role="status"')
         with ui.element("div").classes("row"):
-            self._add = ui.button("add present positions", on_click=self._add_present).props("outline no-caps")
+            self._add = ui.button(_("add present positions"), on_click=self._add_present).props("outline no-caps")
             self._progress = ui.label("").classes("hint grow")
-            self._play = ui.button("play", on_click=self._play_all).props("unelevated no-caps")
-            self._step = ui.button("step", on_click=self._play_one).props("outline no-caps")
-            self._stop = ui.button("stop", on_click=self._motion.stop).props("outline no-caps color=negative")
+            self._play = ui.button(_("play"), on_click=self._play_all).props("unelevated no-caps")
+            self._step = ui.button(_("step"), on_click=self._play_one).props("outline no-caps")
+            self._stop = ui.button(_("stop"), on_click=self._motion.stop).props("outline no-caps color=negative")
         with ui.element("div").classes("row"):
-            ui.label("0 s: as fast as the limits allow").classes("hint grow")
+            ui.label(_("0 s: as fast as the limits allow")).classes("hint grow")
             self._upload = ui.upload(on_upload=self._upload_file, auto_upload=True, max_file_size=MAX_FILE)
             self._upload.props('accept=".json"').classes("hidden")
-            ui.button("upload").props("outline no-caps dense").on(
+            ui.button(_("upload")).props("outline no-caps dense").on(
                 "click", js_handler="() => jauspy.pickFile('.trajectory')"
             )
-            ui.button("download", on_click=self._download).props("outline no-caps dense")
-            ui.button("export as Python", on_click=self._export).props("outline no-caps dense")
+            ui.button(_("download"), on_click=self._download).props("outline no-caps dense")
+            ui.button(_("export as Python"), on_click=self._export).props("outline no-caps dense")
         self._render()
         ui.timer(UPDATE_INTERVAL, self._update)
 
@@ -121,15 +123,15 @@ class TrajectoryPanel:
                     unit = f" [{units[text]}]" if text in units else ""
                     ui.label(joint_label(text)).classes("joint").tooltip(f"{printable(text)}{unit}")
             if not self.trajectory.rows:
-                ui.label("Move the arm, then add its present positions as a row.").classes("hint empty")
+                ui.label(_("Move the arm, then add its present positions as a row.")).classes("hint empty")
             for index, row in enumerate(self.trajectory.rows):
                 with ui.element("div").classes("line").props('role="row"') as line:
                     self._rows.append(line)
                     begin = ui.button(str(index + 1), on_click=lambda index=index: self._start_at(index))
-                    attributes(begin.props("flat dense"), aria_label=f"next is row {index + 1}")
-                    _field(row.seconds, f"seconds of row {index + 1}", partial(_set_time, row))
+                    attributes(begin.props("flat dense"), aria_label=_("next is row {number}", number=index + 1))
+                    _field(row.seconds, _("seconds of row {number}", number=index + 1), partial(_set_time, row))
                     for number, name in enumerate(joints):
-                        label = f"{printable(name)} of row {index + 1}"
+                        label = _("{name} of row {number}", name=printable(name), number=index + 1)
                         _field(
                             row.positions[number],
                             label,
@@ -143,8 +145,9 @@ class TrajectoryPanel:
                             ("\u00d7", "delete"),
                         ):
                             act = ui.button(sign, on_click=lambda index=index, what=what: self._change(index, what))
-                            act.props("flat dense").tooltip(_ACTS[what])
-                            attributes(act, aria_label=f"{_ACTS[what]} row {index + 1}")
+                            act.props("flat dense").tooltip(translated(_ACTS[what]))
+                            label = _("{act} row {number}", act=_ACTS[what], number=index + 1)
+                            attributes(act, aria_label=label)
         self._mark()
 
     def _mark(self) -> None:
@@ -176,7 +179,7 @@ class TrajectoryPanel:
     async def _present(self) -> list[float] | None:
         arm = self._arm
         if arm is None:
-            self._problem_here = "this robot has no arm"
+            self._problem_here = sentence("this robot has no arm")
             return None
         try:
             now = await arm.positions()
@@ -187,7 +190,7 @@ class TrajectoryPanel:
             self._joints = await arm.joints()
             self.trajectory.joints = tuple(now)
         if missing := [name for name in self.trajectory.joints if name not in now]:
-            self._problem_here = f"the arm has no joint {missing[0]} now"
+            self._problem_here = sentence("the arm has no joint {joint} now", joint=missing[0])
             return None
         return [round(now[name], 3) + 0.0 for name in self.trajectory.joints]
 
@@ -217,7 +220,7 @@ class TrajectoryPanel:
         arm, trajectory = self._arm, self.trajectory
         self._problem_here = self._motion.problem = ""
         if arm is None or self._robot is None:
-            self._problem_here = "this robot has no arm"
+            self._problem_here = sentence("this robot has no arm")
             return False
         part = Trajectory(trajectory.joints, trajectory.rows[start:end])
         try:
@@ -227,7 +230,7 @@ class TrajectoryPanel:
         if problem:
             self._problem_here = problem
             return False
-        self._motion.begin(arm.robot.id, self._play_rows(arm, part, start), "the trajectory")
+        self._motion.begin(arm.robot.id, self._play_rows(arm, part, start), sentence("the trajectory"))
         self._problem_here = self._change_since_loaded()
         return not self._motion.problem
 
@@ -241,8 +244,12 @@ class TrajectoryPanel:
         try:
             now = files.trajectory(name)
         except ConfigError:
-            return f"{name} was deleted since it was loaded; the rows shown here are played"
-        changed = f"{name} was changed ({now.author}) since it was loaded; the rows shown here are played"
+            return sentence("{name} was deleted since it was loaded; the rows shown here are played", name=name)
+        changed = sentence(
+            "{name} was changed ({author}) since it was loaded; the rows shown here are played",
+            name=name,
+            author=now.author,
+        )
         return "" if now == loaded else changed
 
     async def _play_rows(self, arm: Manipulator, part: Trajectory, start: int) -> None:
@@ -256,17 +263,29 @@ class TrajectoryPanel:
 
     def _update(self) -> None:
         running = self._motion.is_running
-        refused = self._motion.refusal(self._robot.id) if self._robot is not None else "no robot"
+        refused = self._motion.refusal(self._robot.id) if self._robot is not None else sentence("no robot")
         self._play.set_enabled(not running and not refused)
         self._step.set_enabled(not running and not refused)
         self._stop.set_enabled(running)
         self._mark()
         total = sum(row.seconds for row in self.trajectory.rows)
         count = len(self.trajectory.rows)
-        rows = f"{count} row{'' if count == 1 else 's'}, {total:g} s"
-        self._progress.set_text(f"row {self._active + 1} of {count}" if running and self._active >= 0 else rows)
-        said = self._problem_here or self._motion.problem or (f"to play: {refused}" if refused and count else "")
-        self._problem.set_text(printable(said))
+        rows = (
+            _("1 row, {total:g} s", total=total)
+            if count == 1
+            else _("{count} rows, {total:g} s", count=count, total=total)
+        )
+        self._progress.set_text(
+            _("row {number} of {count}", number=self._active + 1, count=count)
+            if running and self._active >= 0
+            else rows
+        )
+        said = (
+            self._problem_here
+            or self._motion.problem
+            or (sentence("to play: {refused}", refused=refused) if refused and count else "")
+        )
+        self._problem.set_text(printable(translated(said)))
 
     # --- files ------------------------------------------------------------------------------------------------------
 
@@ -291,7 +310,7 @@ class TrajectoryPanel:
             try:
                 files.save_trajectory(name, self.trajectory, robot)
             except SavedByOther as other:
-                if not await confirmed(f"{other}. Replace it?", "replace"):
+                if not await confirmed(_("{other}. Replace it?", other=other), _("replace")):
                     return
                 files.save_trajectory(name, self.trajectory, robot, seen=other.author)
         except ConfigError as error:
@@ -312,7 +331,7 @@ class TrajectoryPanel:
             return
         self._keep(str(name))
         self._name.set_value(str(name))
-        self._author.set_text(str(self.trajectory.author))
+        self._author.set_text(translated(str(self.trajectory.author)))
 
     async def _delete(self) -> None:
         files, name = self._files(), str(self._name.value or "")
@@ -322,7 +341,7 @@ class TrajectoryPanel:
             try:
                 files.delete_trajectory(name)
             except SavedByOther as other:
-                if not await confirmed(f"{other}. Delete it?", "delete"):
+                if not await confirmed(_("{other}. Delete it?", other=other), _("delete")):
                     return
                 files.delete_trajectory(name, seen=other.author)
         except ConfigError as error:
@@ -344,7 +363,7 @@ class TrajectoryPanel:
     def _export(self) -> None:
         arm = self._arm
         if arm is None or not self.trajectory.rows:
-            self._problem_here = "there are no rows to export"
+            self._problem_here = sentence("there are no rows to export")
             return
         program = self.trajectory.program(arm.robot.id, str(arm.info.id), modular=is_modular(arm))
         ui.download.content(program, f"{self._file_name()}.py", "text/x-python")
@@ -357,10 +376,10 @@ class TrajectoryPanel:
 
 
 _ACTS: Final = {
-    "up": "move up",
-    "down": "move down",
-    "present": "set to the present positions:",
-    "delete": "delete",
+    "up": sentence("move up"),
+    "down": sentence("move down"),
+    "present": sentence("set to the present positions:"),
+    "delete": sentence("delete"),
 }
 
 

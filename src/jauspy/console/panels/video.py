@@ -10,7 +10,9 @@ from nicegui import events, ui
 
 from jauspy.console.camera_settings import LENS, LIGHTS, VIDEO, Setting, read_settings, sensor_name, write_setting
 from jauspy.console.console import Console
+from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes, call
+from jauspy.console.page_language import _, translated
 from jauspy.console.panels.pointing import Pointing
 from jauspy.console.users import User
 from jauspy.console.video import SharedCamera
@@ -22,7 +24,7 @@ from jauspy.printable import printable
 
 UPDATE_INTERVAL: Final = 0.5
 """Seconds between two updates of recordings."""
-HEADINGS: Final = {VIDEO: "Stream", LENS: "Lens", LIGHTS: "Lights"}
+HEADINGS: Final = {VIDEO: sentence("Stream"), LENS: sentence("Lens"), LIGHTS: sentence("Lights")}
 
 
 class VideoPanel:
@@ -40,10 +42,12 @@ class VideoPanel:
         with ui.element("div").classes("video-bar"):
             ui.element("div").classes("space")
             self._pointing = Pointing(console, token, self._component, self._say)
-            self._still = _button("still", self._take_still, "save a picture")
-            self._record = _button("record", self._toggle_recording, "record what arrives, on the console's machine")
-            self._overlay = _button("overlay", self._toggle_overlay, "heading, speed, pitch and roll")
-            self._open_settings = _button("settings", self._toggle_settings, "camera and lights")
+            self._still = _button(_("still"), self._take_still, _("save a picture"))
+            self._record = _button(
+                _("record"), self._toggle_recording, _("record what arrives, on the console's machine")
+            )
+            self._overlay = _button(_("overlay"), self._toggle_overlay, _("heading, speed, pitch and roll"))
+            self._open_settings = _button(_("settings"), self._toggle_settings, _("camera and lights"))
         with ui.element("div").classes("video-notes"):
             self._recorded = ui.label("").classes("recording")
             self._said = ui.label("").classes("video-said")
@@ -71,7 +75,7 @@ class VideoPanel:
             for camera in cameras:
                 self._add_figure(camera)
             if robot is not None and not cameras:
-                ui.label("this robot has no camera").classes("hint")
+                ui.label(_("this robot has no camera")).classes("hint")
         for button in (self._still, self._record, self._overlay, self._open_settings):
             button.set_visibility(bool(cameras))
         self._record.set_enabled(self._user.may_operate)
@@ -93,7 +97,7 @@ class VideoPanel:
     def _add_figure(self, camera: ComponentInfo) -> None:
         id = str(camera.id)
         with ui.element("figure").props('tabindex="0" role="button"') as figure:
-            attributes(figure, aria_label=f"camera {id}")
+            attributes(figure, aria_label=_("camera {id}", id=id))
             attributes(ui.element("canvas").props("width=640 height=480"), data_component=id)
             ui.html(
                 '<div class="overlay"></div><span class="video-note" role="status"></span>'
@@ -150,19 +154,21 @@ class VideoPanel:
         name = f"{component.id}-{datetime.now().astimezone():%Y%m%d-%H%M%S}"
         if component.find("StillImage") is None:
             call("jauspy.video.save", str(component.id), f"{name}.png")
-            self._said.set_text(f"saved the picture that is shown as {name}.png")
+            self._said.set_text(_("saved the picture that is shown as {name}.png", name=name))
             return
-        self._said.set_text("taking a picture …")
+        self._said.set_text(_("taking a picture …"))
         self._still.disable()
         try:
             photo = await robot.component(str(component.id)).camera.still()
         except JausError as error:
-            self._said.set_text(printable(str(error)))
+            self._said.set_text(printable(translated(str(error))))
         else:
             suffix = {"JPEG": "jpg"}.get(photo.format, photo.format.lower())
             suffix = suffix if suffix.isalnum() else "bin"
             ui.download.content(photo.content, f"{name}.{suffix}")
-            self._said.set_text(f"saved {name}.{suffix}, {len(photo.content) // 1000} kB")
+            self._said.set_text(
+                _("saved {name}.{suffix}, {size} kB", name=name, suffix=suffix, size=len(photo.content) // 1000)
+            )
         finally:
             self._still.enable()
 
@@ -172,12 +178,12 @@ class VideoPanel:
             return
         if camera.recording is not None and not camera.recording.ended:
             await camera.stop_recording()
-            self._said.set_text(camera.recording.summary)
+            self._said.set_text(translated(camera.recording.summary))
             return
         try:
             camera.record(self._console.recordings)
         except JausError as error:
-            self._said.set_text(str(error))
+            self._said.set_text(translated(str(error)))
         else:
             self._said.set_text("")
         self._update()
@@ -187,14 +193,14 @@ class VideoPanel:
         camera = self._camera()
         recording = camera.recording if camera is not None else None
         running = recording is not None and not recording.ended
-        self._record.set_text("stop recording" if running else "record")
+        self._record.set_text(_("stop recording") if running else _("record"))
         text = ""
         if recording is not None and running:
             text = f"● {recording.seconds // 60}:{recording.seconds % 60:02} {recording.size / 1e6:.1f} MB"
             if self._said.text == "":
-                self._said.set_text(f"recording to {recording.path}")
-        elif recording is not None and recording.problem and recording.summary != self._said.text:
-            self._said.set_text(recording.summary)
+                self._said.set_text(_("recording to {path}", path=recording.path))
+        elif recording is not None and recording.problem:
+            self._said.set_text(translated(recording.summary))
         self._recorded.set_text(text)
 
     # --- settings ---------------------------------------------------------------------------------------------------
@@ -231,21 +237,22 @@ class VideoPanel:
                         ui.label(heading).classes("heading")
                     self._add_setting(id, setting)
                 for problem in problems:
-                    ui.label(printable(problem)).classes("problem")
+                    ui.label(printable(translated(problem))).classes("problem")
             if not heading:
-                ui.label("this camera offers no settings").classes("hint")
+                ui.label(_("this camera offers no settings")).classes("hint")
             self._refused = ui.label("").classes("problem")
 
     def _add_setting(self, id: str, setting: Setting) -> None:
         async def change(event: events.ValueChangeEventArguments[Any]) -> None:
             await self._set(id, setting, event.value)
 
-        label = printable(setting.label)
+        label = printable(translated(setting.label))
         if setting.choices is not None and set(setting.choices.values()) == {"off", "on"}:
             ui.switch(label, value=bool(setting.value), on_change=change).props("dense left-label")
         elif setting.choices is not None:
             value = setting.value if setting.value in setting.choices else None
-            choice = ui.select(setting.choices, label=label, value=value, on_change=change)
+            choices = {code: translated(text) for code, text in setting.choices.items()}
+            choice = ui.select(choices, label=label, value=value, on_change=change)
             choice.props("dense outlined options-dense")
         else:
             with ui.element("div").classes("setting-name"):
@@ -263,17 +270,20 @@ class VideoPanel:
         operation = self._console.operation(robot.id)
         try:
             if not self._user.may_operate:
-                raise RequestError(f"your role is {self._user.role}: you may watch and save pictures only")
+                raise RequestError(
+                    sentence("your role is {role}: you may watch and save pictures only", role=self._user.role)
+                )
             if operation is not None and operation.operator not in ("", self._token):
-                raise RequestError("another browser operates this robot")
+                raise RequestError(sentence("another browser operates this robot"))
             authority = min(DEFAULT_AUTHORITY, self._user.authority)
             await write_setting(robot.component(id), setting, float(value), authority=authority)
         except JausError as error:
-            said = f"{setting.label}: {printable(str(error))}"
+            said = printable(f"{translated(setting.label)}: {translated(str(error))}")
             await self._fill_settings()
             self._refused.set_text(said)
             return
-        self._console.note(f"{id}: {setting.label} was set to {(setting.choices or {}).get(int(value), f'{value:g}')}")
+        chosen = (setting.choices or {}).get(int(value), f"{value:g}")
+        self._console.note(sentence("{id}: {setting} was set to {value}", id=id, setting=setting.label, value=chosen))
         if setting.field.endswith("_mode") or setting.field == "frame_size":  # others appear, or go
             await self._fill_settings()
 

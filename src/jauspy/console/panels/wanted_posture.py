@@ -9,6 +9,7 @@ from nicegui import ui
 
 from jauspy.console.manipulators import joint_label
 from jauspy.console.markup import attributes, call
+from jauspy.console.page_language import _
 from jauspy.ocu.robot import Robot
 from jauspy.platform.link_clearances import clearances_of
 from jauspy.printable import printable
@@ -45,21 +46,22 @@ class WantedPosture:
         if wanted == self._shown or self._robot is None:
             return
         self._shown = dict(wanted)
-        nearest = self._nearest(wanted) if wanted else ""
-        self._text.set_text(nearest)
-        touches = nearest.startswith("would touch")
+        text, touches = self._nearest(wanted) if wanted else ("", False)
+        self._text.set_text(text)
         attributes(self._text, data_touches=touches)
         call("jauspy.world.setWanted", {"positions": dict(wanted), "touches": touches} if wanted else None)
 
-    def _nearest(self, wanted: Mapping[str, float]) -> str:
-        """What the robot would touch, or nearly so; empty if it is clear, or if its description is not known here.
+    def _nearest(self, wanted: Mapping[str, float]) -> tuple[str, bool]:
+        """What the robot would touch, or nearly so, and whether it touches.
+
+        The text is empty if the robot is clear, or if its description is not known here.
 
         The description is known from the time on at which the view World has been opened.
         """
         assert self._robot is not None
         world = self._console.worlds.get(self._robot.id)
         if world is None or world.model is None or not wanted.keys() <= world.model.description.joints.keys():
-            return ""
+            return "", False
         joints = frozenset(wanted)
         if self._clearances is None or self._clearances[0] != joints:
             self._clearances = (joints, clearances_of(world.model, joints))
@@ -69,7 +71,9 @@ class WantedPosture:
             pair: far for pair, far in then.items() if far < now.get(pair, NEAR)
         }  # boxes that touch anyway do not count
         if not pairs:
-            return ""
+            return "", False
         pair, far = min(pairs.items(), key=lambda each: each[1])
-        names = " and ".join(printable(joint_label(name)).replace("_", " ") for name in pair)
-        return f"would touch: {names}" if far <= 0.0 else f"{100.0 * far:.1f} cm between {names}"
+        one, other = (printable(joint_label(name)).replace("_", " ") for name in pair)
+        if far <= 0.0:
+            return _("would touch: {one} and {other}", one=one, other=other), True
+        return _("{distance:.1f} cm between {one} and {other}", distance=100.0 * far, one=one, other=other), False

@@ -7,7 +7,10 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.languages import sentence
+from jauspy.console.markup import attributes
 from jauspy.console.motion import Motion
+from jauspy.console.page_language import _, translated
 from jauspy.ocu.comms_lost import WayBack
 from jauspy.ocu.robot import Robot
 
@@ -26,21 +29,23 @@ class WayBackCard:
         self._said = ""
         """What came of the last way."""
         self._share = 0.0
-        with ui.element("section").classes("card").props('aria-label="Way back"') as self._card:
+        with ui.element("section").classes("card") as self._card:
+            attributes(self._card, aria_label=_("Way back"))
             with ui.element("div").classes("row"):
-                ui.label("Way back").classes("heading")
+                ui.label(_("Way back")).classes("heading")
                 self._state = ui.label("").classes("state grow").props('role="status"')
-            ui.label("drives back along the path by which it came; it sees no obstacles").classes("hint")
+            ui.label(_("drives back along the path by which it came; it sees no obstacles")).classes("hint")
             with ui.element("div").classes("row start"):
-                self._distance = ui.number("metres", value=5.0, min=0.1, max=MAX_DISTANCE, step=1.0)
+                self._distance = ui.number(_("metres"), value=5.0, min=0.1, max=MAX_DISTANCE, step=1.0)
                 self._distance.props("dense outlined")
-                self._speed = ui.number("m/s, 0: as it came", value=0.0, min=0.0, max=5.0, step=0.1)
+                self._speed = ui.number(_("m/s, 0: as it came"), value=0.0, min=0.0, max=5.0, step=0.1)
                 self._speed.props("dense outlined").classes("wide")
             with ui.element("div").classes("row start"):
-                self._go = ui.button("drive back", on_click=self._begin).props("unelevated no-caps")
-                stop = ui.button("stop", on_click=self._motion.stop)
-                self._stop = stop.props('outline no-caps color=negative aria-label="stop driving back"')
-            self._bar = ui.linear_progress(0.0, show_value=False, size="8px").props('aria-label="way back, driven"')
+                self._go = ui.button(_("drive back"), on_click=self._begin).props("unelevated no-caps")
+                stop = ui.button(_("stop"), on_click=self._motion.stop)
+                self._stop = attributes(stop.props("outline no-caps color=negative"), aria_label=_("stop driving back"))
+            self._bar = ui.linear_progress(0.0, show_value=False, size="8px")
+            attributes(self._bar, aria_label=_("way back, driven"))
             self._problem = ui.label("").classes("problem").props('role="alert"')
         self._card.set_visibility(False)
         ui.timer(UPDATE_INTERVAL, self._update)
@@ -62,7 +67,7 @@ class WayBackCard:
             return
         distance, speed = float(self._distance.value or 0.0), float(self._speed.value or 0.0)
         self._said, self._share = "", 0.0
-        self._motion.begin(robot.id, self._drive(robot, distance, speed or None), "driving back")
+        self._motion.begin(robot.id, self._drive(robot, distance, speed or None), sentence("driving back"))
 
     async def _drive(self, robot: Robot, distance: float, speed: float | None) -> None:
         self._said = result_text(await robot.retrotraverse(distance, speed=speed, progress=self._note), distance)
@@ -79,11 +84,16 @@ class WayBackCard:
         self._stop.set_enabled(runs)
         self._bar.set_visibility(runs)
         self._bar.set_value(round(self._share, 3))
-        self._state.set_text(f"{100.0 * self._share:.0f} % driven" if runs else self._said or refusal)
-        self._problem.set_text(self._motion.problem)
+        self._state.set_text(
+            _("{share:.0f} % driven", share=100.0 * self._share) if runs else translated(self._said or refusal)
+        )
+        self._problem.set_text(translated(self._motion.problem))
 
 
 def result_text(way: WayBack, asked: float) -> str:
     """How far the robot drove, and why it ended there if that is less than was asked for."""
-    driven = f"drove {way.distance:.1f} m back"
-    return f"{driven} of {asked:g} m: its path begins here" if way.ended_by == "path" else driven
+    if way.ended_by != "path":
+        return sentence("drove {distance:.1f} m back", distance=way.distance)
+    return sentence(
+        "drove {distance:.1f} m back of {asked:g} m: its path begins here", distance=way.distance, asked=asked
+    )

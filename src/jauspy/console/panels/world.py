@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any, Final
 from nicegui import ui
 
 from jauspy.console.geographic_frame import GeographicFrame
-from jauspy.console.markup import attributes, call
+from jauspy.console.languages import Sentence, sentence
+from jauspy.console.markup import attributes, call, plain_text
 from jauspy.console.mission import MAX_AREAS, MAX_CORNERS, PLAIN, Area, Mission, Point, Step, crossing
 from jauspy.console.mission_run import MissionRun, needs_run
 from jauspy.console.motion import Motion
+from jauspy.console.page_language import _, translated
 from jauspy.console.panels.mission import MissionDialog, StepDialog
 from jauspy.console.panels.planned_motion import PlannedMotionRow
 from jauspy.console.route import LIST_DRIVER, MAX_WAYPOINTS, Route, Waypoint
@@ -62,7 +64,7 @@ class MapPanel:
         with ui.element("div").classes("route"):
             with ui.element("div").classes("held"):
                 with ui.element("div").classes("row"):
-                    ui.label("Waypoints").classes("heading")
+                    ui.label(_("Waypoints")).classes("heading")
                     self._count = ui.label("").classes("hint")
                 self._list = ui.element("div").classes("waypoints")
             with ui.element("div").classes("execution"):
@@ -70,21 +72,21 @@ class MapPanel:
                 self._progress = ui.label("").classes("hint progress")
                 self._problem = ui.label("").classes("problem")
                 with ui.element("div").classes("row tight"):
-                    self._start = ui.button("start", on_click=self._on_start).props("unelevated no-caps")
-                    self._pause = ui.button("pause", on_click=self._on_pause).props("outline no-caps")
+                    self._start = ui.button(_("start"), on_click=self._on_start).props("unelevated no-caps")
+                    self._pause = ui.button(_("pause"), on_click=self._on_pause).props("outline no-caps")
                     self._speed = ui.number(
                         "m/s", value=DEFAULT_SPEED, min=0.1, max=MAX_SPEED, step=0.1, on_change=self._on_speed
                     )
                     self._speed.props("dense outlined debounce=600").classes("short")
                 with ui.element("div").classes("row tight") as self._drawing:
-                    ui.label("click the corners").classes("hint grow")
-                    ui.button("done", on_click=self._end_area).props("unelevated no-caps")
-                    ui.button("cancel", on_click=self._cancel_area).props("outline no-caps")
+                    ui.label(_("click the corners")).classes("hint grow")
+                    ui.button(_("done"), on_click=self._end_area).props("unelevated no-caps")
+                    ui.button(_("cancel"), on_click=self._cancel_area).props("outline no-caps")
                 with ui.element("div").classes("row tight"):
-                    ui.button("mission \u2026", on_click=self._open_mission).props("outline no-caps")
-                    self._around = ui.button("around obstacles", on_click=self._on_around).props("outline no-caps")
-                    self._clear = ui.button("clear", on_click=self._on_clear).props("outline no-caps")
-                    self._discard = ui.button("undo edits", on_click=self._on_discard).props("flat no-caps")
+                    ui.button(_("mission …"), on_click=self._open_mission).props("outline no-caps")
+                    self._around = ui.button(_("around obstacles"), on_click=self._on_around).props("outline no-caps")
+                    self._clear = ui.button(_("clear"), on_click=self._on_clear).props("outline no-caps")
+                    self._discard = ui.button(_("undo edits"), on_click=self._on_discard).props("flat no-caps")
         self._step_dialog = StepDialog(self._set_step)
         self._mission_dialog = MissionDialog(self._files, self._mission, self._load, self._begin_area, self._frame)
         self._drawing.set_visibility(False)
@@ -128,7 +130,7 @@ class MapPanel:
             self._add_corner(round(x, 2), round(y, 2))
             return
         if self._motion.is_running:
-            self._refused = "a mission is running: pause it and stop it first"
+            self._refused = sentence("a mission is running: pause it and stop it first")
             return
         if asked.get("what") == "add" and len(points) < MAX_WAYPOINTS:
             points.append(Waypoint(round(x, 2), round(y, 2)))
@@ -163,7 +165,7 @@ class MapPanel:
 
     def _load(self, mission: Mission) -> None:
         if self._motion.is_running:
-            self._refused = "a mission is running: pause it and stop it first"
+            self._refused = sentence("a mission is running: pause it and stop it first")
             return
         self._steps, self._areas, self._corners = mission.steps, mission.areas, None
         self._run = None
@@ -202,7 +204,9 @@ class MapPanel:
         if len(corners) >= 3 and len(self._areas) < MAX_AREAS:
             self._areas = (*self._areas, Area(tuple(corners)))
         else:
-            self._refused = f"an area has at least 3 corners, and a mission at most {MAX_AREAS} areas"
+            self._refused = sentence(
+                "an area has at least 3 corners, and a mission at most {most} areas", most=MAX_AREAS
+            )
         self._show_areas()
         self._show_route()
 
@@ -221,11 +225,17 @@ class MapPanel:
         run = MissionRun(
             mission, world.route, self._robot, speed, folder=self._console.recordings, note=self._console.act
         )
-        self._motion.begin(self._robot.id, run.run(), "the mission")
+        self._motion.begin(self._robot.id, run.run(), sentence("the mission"))
         self._refused = self._motion.problem
         if not self._refused:
             self._run = run
-            self._console.act(f"robot {self._robot.id}: began a mission of {len(mission.waypoints)} waypoints")
+            self._console.act(
+                sentence(
+                    "robot {robot}: began a mission of {count} waypoints",
+                    robot=self._robot.id,
+                    count=len(mission.waypoints),
+                )
+            )
         self._show_route()
 
     # --- showing ----------------------------------------------------------------------------------------------------
@@ -253,28 +263,34 @@ class MapPanel:
             self._shown = (listed, states)
             for (element, label), state in zip(self._states, states, strict=True):
                 attributes(element, data_state=state)
-                label.set_text(state)
+                label.set_text(translated(STATE_NAMES[state]))
             drawn = [{"x": p.x, "y": p.y, "state": s} for p, s in zip(points, states, strict=True) if p.is_point]
             call("jauspy.world.setRoute", drawn)
         text, fraction = progress_of(route, world.pose)
         is_run = self._motion.is_running and self._run is not None
         if self._run is not None:
             text, fraction = run_progress(self._run, is_running=is_run, is_paused=route.is_paused)
-        self._progress.set_text(text)
+        self._progress.set_text(translated(text))
         self._bar.set_value(fraction)
         self._bar.set_visibility(route.active is not None or is_run)
-        self._problem.set_text(self._refused or self._motion.problem or route.problem)
+        self._problem.set_text(translated(self._refused or self._motion.problem or route.problem))
         self._count.set_text(
-            "a mission" if is_run else "not sent yet" if self._draft is not None else "on the robot" if points else ""
+            _("a mission")
+            if is_run
+            else _("not sent yet")
+            if self._draft is not None
+            else _("on the robot")
+            if points
+            else ""
         )
         runs = route.active is not None and not route.is_paused
         paused = route.is_paused and (self._draft is None or is_run)
-        self._start.set_text("resume" if paused else "start")
+        self._start.set_text(_("resume") if paused else _("start"))
         may_start = paused if is_run else not runs or self._draft is not None
         self._start.set_enabled(mine and not self._busy and bool(points) and may_start)
         self._pause.set_enabled(mine and not self._busy and runs)
         self._clear.set_enabled(not self._busy and (mine or self._draft is not None) and bool(points))
-        self._clear.set_text("stop" if is_run else "clear")
+        self._clear.set_text(_("stop") if is_run else _("clear"))
         self._around.set_enabled(not self._busy and bool(self._draft) and not is_run)
         self._discard.set_visibility(self._draft is not None and not is_run)
 
@@ -292,9 +308,9 @@ class MapPanel:
         with self._list:
             world = self._world()
             if world is not None and not world.route.is_offered:
-                ui.label(f"this robot does not offer {LIST_DRIVER}").classes("hint")
+                ui.label(_("this robot does not offer {service}", service=LIST_DRIVER)).classes("hint")
             elif not points:
-                ui.label("click on the map to set a waypoint, drag it to move it").classes("hint")
+                ui.label(_("click on the map to set a waypoint, drag it to move it")).classes("hint")
             for index, point in enumerate(points):
                 with ui.element("div").classes("waypoint") as element:
                     ui.label(str(index + 1)).classes("number")
@@ -306,13 +322,15 @@ class MapPanel:
                     ui.label(where).classes("grow")
                     step = self._steps[index] if index < len(self._steps) else PLAIN
                     self._states.append((element, ui.label("").classes("hint")))
-                    edit = ui.button(str(step) or "drive on", on_click=lambda at=index: self._edit_step(at))
+                    edit = ui.button(
+                        translated(step.text) or _("drive on"), on_click=lambda at=index: self._edit_step(at)
+                    )
                     attributes(
                         edit.props("flat dense no-caps align=left").classes("step"),
-                        aria_label=f"speed and action of waypoint {index + 1}",
+                        aria_label=_("speed and action of waypoint {number}", number=index + 1),
                     )
                     remove = ui.button("\u00d7", on_click=lambda at=index: self._remove(at))
-                    attributes(remove.props("flat dense"), aria_label=f"remove waypoint {index + 1}")
+                    attributes(remove.props("flat dense"), aria_label=_("remove waypoint {number}", number=index + 1))
 
     def _edit_step(self, index: int) -> None:
         steps = self._mission().steps
@@ -332,14 +350,16 @@ class MapPanel:
         self._show_route()
         try:
             if not self._operates():
-                raise ConfigError("take control of the robot first")
+                raise ConfigError(sentence("take control of the robot first"))
             await command
         except JausError as error:
             self._refused = str(error)
-            self._console.note(f"robot {self._robot.id}: {what} was refused: {error}")
+            self._console.note(
+                sentence("robot {robot}: {what} was refused: {error}", robot=self._robot.id, what=what, error=error)
+            )
             return False
         else:
-            self._console.note(f"robot {self._robot.id}: {what}")
+            self._console.note(sentence("robot {robot}: {what}", robot=self._robot.id, what=what))
             return True
         finally:
             self._busy = False
@@ -351,7 +371,9 @@ class MapPanel:
             return
         route, draft, speed = world.route, self._draft, float(self._speed.value or DEFAULT_SPEED)
         if route.is_paused and (draft is None or self._motion.is_running):
-            await self._command(f"go on through the waypoints at {speed:g} m/s", route.set_speed(speed))
+            await self._command(
+                sentence("go on through the waypoints at {speed:g} m/s", speed=speed), route.set_speed(speed)
+            )
             return
         mission = self._mission()
         pose = world.pose
@@ -366,7 +388,10 @@ class MapPanel:
             return
         self._run = None
         many = len(draft if draft is not None else route.waypoints)
-        if await self._command(f"drive through {many} waypoints at {speed:g} m/s", route.start(draft, speed)):
+        if await self._command(
+            sentence("drive through {count} waypoints at {speed:g} m/s", count=many, speed=speed),
+            route.start(draft, speed),
+        ):
             if self._draft is draft:
                 self._draft = None
             self._show_route()
@@ -390,7 +415,7 @@ class MapPanel:
     async def _on_pause(self) -> None:
         world = self._world()
         if world is not None:
-            await self._command("wait on the way through the waypoints", world.route.set_speed(0.0))
+            await self._command(sentence("wait on the way through the waypoints"), world.route.set_speed(0.0))
 
     async def _on_speed(self) -> None:
         """Change the speed of a robot that drives through its list immediately."""
@@ -398,7 +423,9 @@ class MapPanel:
         if world is None or not 0.0 < speed <= MAX_SPEED:
             return
         if self._operates() and world.route.active is not None and not world.route.is_paused:
-            await self._command(f"go on through the waypoints at {speed:g} m/s", world.route.set_speed(speed))
+            await self._command(
+                sentence("go on through the waypoints at {speed:g} m/s", speed=speed), world.route.set_speed(speed)
+            )
 
     async def _on_clear(self) -> None:
         world = self._world()
@@ -411,7 +438,7 @@ class MapPanel:
         if (
             world.route.waypoints
             and self._operates()
-            and not await self._command("delete the waypoints", world.route.clear())
+            and not await self._command(sentence("delete the waypoints"), world.route.clear())
         ):
             return
         self._draft = [] if world.route.waypoints else None
@@ -426,13 +453,20 @@ def run_progress(run: MissionRun, *, is_running: bool, is_paused: bool) -> tuple
     """The progress of a mission: as text, and from 0 to 1."""
     many = len(run.mission.waypoints)
     if run.is_done:
-        return f"the mission ended at waypoint {many} of {many}", 1.0
-    where = f"waypoint {run.at + 1} of {many}"
+        return sentence("the mission ended at waypoint {number} of {count}", number=many, count=many), 1.0
+    where = {"number": run.at + 1, "count": many}
     if not is_running:
-        return f"the mission was stopped before {where}", run.at / many
+        return sentence("the mission was stopped before waypoint {number} of {count}", **where), run.at / many
     if run.doing:
-        return f"at {where}: {run.doing}", (run.at + 0.9) / many
-    return f"{'waits on the way' if is_paused else 'drives'} to {where}", run.at / many
+        text = sentence("at waypoint {number} of {count}: {action}", action=run.doing, **where)
+        return text, (run.at + 0.9) / many
+    return _on_the_way(run.at + 1, many, is_paused=is_paused), run.at / many
+
+
+def _on_the_way(number: int, count: int, *, is_paused: bool) -> Sentence:
+    if is_paused:
+        return sentence("waits on the way to waypoint {number} of {count}", number=number, count=count)
+    return sentence("drives to waypoint {number} of {count}", number=number, count=count)
 
 
 def state_of(index: int, route: Route, *, is_draft: bool) -> str:
@@ -453,23 +487,32 @@ def progress_of(route: Route, pose: RobotPose | None) -> tuple[str, float]:
         if route.ended_at < 0:
             return "", 0.0
         done = route.ended_at == many - 1 and route.has_arrived
-        where = "at" if route.has_arrived else "on the way to"
-        return f"ended {where} waypoint {route.ended_at + 1} of {many}", 1.0 if done else 0.0
-    text = f"{'waits on the way' if route.is_paused else 'drives'} to waypoint {route.active + 1} of {many}"
+        if route.has_arrived:
+            text = sentence("ended at waypoint {number} of {count}", number=route.ended_at + 1, count=many)
+        else:
+            text = sentence("ended on the way to waypoint {number} of {count}", number=route.ended_at + 1, count=many)
+        return text, 1.0 if done else 0.0
+    text = _on_the_way(route.active + 1, many, is_paused=route.is_paused)
     goal = route.waypoints[route.active]
     if pose is None or not goal.is_point:
         return text, route.active / many
     left = math.dist((pose.x, pose.y), (goal.x, goal.y))
     leg = left if route.began_at is None else math.dist(route.began_at, (goal.x, goal.y))
     part = max(0.0, 1.0 - left / leg) if leg > 0.0 else 0.0
-    return f"{text}: {left:.1f} m left", (route.active + part) / many
+    return sentence("{text}: {distance:.1f} m left", text=text, distance=left), (route.active + part) / many
 
 
-VIEWS: Final = {"both": "both", "three": "3-D", "map": "map"}
+STATE_NAMES: Final = {
+    "not sent": sentence("not sent"),
+    "on the robot": sentence("on the robot"),
+    "active": sentence("active"),
+    "waits": sentence("waits"),
+    "reached": sentence("reached"),
+}
+"""What pages call the states of waypoints."""
+VIEWS: Final = {"both": sentence("both"), "three": sentence("3-D"), "map": sentence("map")}
 ON_MAP: Final = ("LocalPoseSensor", "RangeSensor")
 """Services whose data the map shows."""
-_SMALLER: Final = '<button class="quiet" title="smaller" data-do="zoom" data-to="0.7">\u2212</button>'
-_LARGER: Final = '<button class="quiet" title="larger" data-do="zoom" data-to="1.4">+</button>'
 _THREE_JS: Final = ui.scene
 """Naming it puts three.js, which static/world.js draws with, among the page's modules; no scene of NiceGUI is made."""
 
@@ -480,14 +523,16 @@ class WorldPanel:
     def __init__(self, console: Console, token: str) -> None:
         with ui.element("div").props("id=world").classes("world"):
             with ui.element("div").classes("choice"):
-                view = ui.toggle(VIEWS, value="both").props("no-caps dense unelevated")
-                self._follow = _switch("follow", value=True)
-                scan = _switch("scan", value=True)
-                costs = _switch("costs", value=False)
-                _switch("frames", value=False)
+                view = ui.toggle({name: translated(label) for name, label in VIEWS.items()}, value="both").props(
+                    "no-caps dense unelevated"
+                )
+                self._follow = _switch("follow", _("follow"), value=True)
+                scan = _switch("scan", _("scan"), value=True)
+                costs = _switch("costs", _("costs"), value=False)
+                _switch("frames", _("frames"), value=False)
                 ui.element("div").classes("space")
-                smaller = ui.html(_SMALLER, sanitize=False)
-                larger = ui.html(_LARGER, sanitize=False)
+                smaller = _zoom("\u2212", 0.7, _("smaller"))
+                larger = _zoom("+", 1.4, _("larger"))
             views = ui.element("div").classes("views").props('data-view="both"')
             with views:
                 with ui.element("div").classes("three"):
@@ -539,7 +584,12 @@ class WorldPanel:
         self._follow.set_value(bool(event.args))
 
 
-def _switch(name: str, *, value: bool) -> ui.checkbox:
-    box = ui.checkbox(name, value=value).props("dense")
+def _zoom(sign: str, factor: float, tip: str) -> ui.element:
+    button = plain_text(sign, tag="button").classes("quiet").tooltip(tip)
+    return attributes(button, data_do="zoom", data_to=factor, aria_label=tip)
+
+
+def _switch(name: str, label: str, *, value: bool) -> ui.checkbox:
+    box = ui.checkbox(label, value=value).props("dense")
     box.on_value_change(lambda event: call("jauspy.world.set", name, bool(event.value)))
     return box

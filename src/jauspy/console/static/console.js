@@ -6,7 +6,13 @@ const jauspy = {
   robot: 0,
   chosenBefore: null, // by the operator, before this page was loaded again
   sockets: new Map(),
+  texts: JSON.parse(document.getElementById("texts")?.dataset.texts || "{}"), // by the English ones
 
+  // A text in the language of the page; `{name}` in it stands for a value.
+  _(text, values = {}) {
+    const own = Object.hasOwn(jauspy.texts, text) ? jauspy.texts[text] : text;
+    return own.replace(/\{(\w+)\}/g, (all, name) => (Object.hasOwn(values, name) ? values[name] : all));
+  },
   url(path) {
     return `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws/${path}/${jauspy.token}`;
   },
@@ -58,11 +64,11 @@ const jauspy = {
     jauspy.release_keys();
     if (jauspy.stopSocket?.readyState === WebSocket.OPEN) {
       jauspy.stopSocket.send(`stop ${target}`);
-      jauspy.say("stopping …");
+      jauspy.say(jauspy._("stopping …"));
       clearTimeout(jauspy.unconfirmed);
-      jauspy.unconfirmed = setTimeout(() => jauspy.say("NOT CONFIRMED: the console does not answer; stop the robot by other means"), 3000);
+      jauspy.unconfirmed = setTimeout(() => jauspy.say(jauspy._("NOT CONFIRMED: the console does not answer; stop the robot by other means")), 3000);
     } else {
-      jauspy.say("NOT STOPPED: no connection to the console; stop the robot by other means");
+      jauspy.say(jauspy._("NOT STOPPED: no connection to the console; stop the robot by other means"));
     }
   },
   clear(target) {
@@ -187,8 +193,9 @@ const jauspy = {
   },
   showScheme() {
     const button = document.getElementById("scheme");
-    button.textContent = { system: "◐ system", light: "☀ light", dark: "☾ dark" }[jauspy.scheme()];
-    button.setAttribute("aria-label", `colours: ${jauspy.scheme()}`);
+    const [sign, name] = { system: ["◐", jauspy._("system")], light: ["☀", jauspy._("light")], dark: ["☾", jauspy._("dark")] }[jauspy.scheme()];
+    button.textContent = `${sign} ${name}`;
+    button.setAttribute("aria-label", jauspy._("colours: {name}", { name }));
   },
   nextScheme() {
     const names = ["system", "light", "dark"];

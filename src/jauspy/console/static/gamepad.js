@@ -8,9 +8,9 @@ jauspy.gamepad = {
     driveHold: 4, armHold: 5, close: 0, open: 1,
     forward: "-1", left: "-0", armX: "-1", armY: "-0", armZ: "-3", armYaw: "-2",
   },
-  buttons: { driveHold: "hold to drive", armHold: "hold to move the arm", close: "close gripper", open: "open gripper" },
+  buttons: { driveHold: jauspy._("hold to drive"), armHold: jauspy._("hold to move the arm"), close: jauspy._("close gripper"), open: jauspy._("open gripper") },
   axes: {
-    forward: "drive forward", left: "turn left", armX: "arm forward", armY: "arm left", armZ: "arm up", armYaw: "turn tool left",
+    forward: jauspy._("drive forward"), left: jauspy._("turn left"), armX: jauspy._("arm forward"), armY: jauspy._("arm left"), armZ: jauspy._("arm up"), armYaw: jauspy._("turn tool left"),
   },
   armed: new Map(), // index of a pad to the names of dead-man's buttons that were seen released since the page has the focus
   pressed: new Map(), // index of a pad to the names of gripper buttons that are down
@@ -138,18 +138,18 @@ jauspy.gamepad = {
       gamepad.keep(pad, settings);
       gamepad.forget();
     };
-    const buttons = [["-1", "none"], ...pad.buttons.map((_, index) => [String(index), `button ${index}`])];
+    const buttons = [["-1", jauspy._("none")], ...pad.buttons.map((button, index) => [String(index), jauspy._("button {index}", { index })])];
     for (const [name, label] of Object.entries(gamepad.buttons)) {
       gamepad.choice(label, buttons, settings.map[name], card, (value) => change(name, Number(value)));
     }
-    const axes = [["", "none"], ...pad.axes.flatMap((_, index) => [[`${index}`, `axis ${index}`], [`-${index}`, `axis ${index}, turned round`]])];
+    const axes = [["", jauspy._("none")], ...pad.axes.flatMap((axis, index) => [[`${index}`, jauspy._("axis {index}", { index })], [`-${index}`, jauspy._("axis {index}, turned round", { index })]])];
     for (const [name, label] of Object.entries(gamepad.axes)) {
       gamepad.choice(label, axes, settings.map[name], card, (value) => change(name, value));
     }
-    const button = gamepad.element("button", "calibrate", card);
+    const button = gamepad.element("button", jauspy._("calibrate"), card);
     button.className = "quiet pad-calibrate";
     button.addEventListener("click", () => gamepad.calibrate(pad.index, settings, button));
-    const usual = gamepad.element("button", "usual mapping", card);
+    const usual = gamepad.element("button", jauspy._("usual mapping"), card);
     usual.className = "quiet";
     usual.addEventListener("click", () => { gamepad.keep(pad, {}); gamepad.forget(); card.dataset.pad = ""; });
     return card;
@@ -161,7 +161,7 @@ jauspy.gamepad = {
     if (!pad) return;
     if (gamepad.calibration === null) {
       gamepad.calibration = { index, ranges: pad.axes.map((value) => [value, value, value]) };
-      button.textContent = "move all sticks to their ends, then click here";
+      button.textContent = jauspy._("move all sticks to their ends, then click here");
       return;
     }
     const { ranges } = gamepad.calibration;
@@ -169,7 +169,7 @@ jauspy.gamepad = {
     gamepad.forget();
     settings.ranges = ranges.map(([least, centre, most]) => (most - least > 0.5 ? [least, centre, most] : [-1, 0, 1]));
     gamepad.keep(pad, settings);
-    button.textContent = "calibrate";
+    button.textContent = jauspy._("calibrate");
   },
   measure() {
     const { calibration } = jauspy.gamepad;
@@ -192,8 +192,8 @@ jauspy.gamepad = {
     pads.forEach((pad, place) => {
       const settings = gamepad.settings(pad);
       const holds = ["driveHold", "armHold"].filter((name) => gamepad.holds(pad, settings, name));
-      const text = holds.length ? `held: ${holds.map((name) => gamepad.buttons[name]).join(", ")}`
-        : document.hasFocus() ? "nothing moves without a held button" : "this page has not the focus: nothing moves";
+      const text = holds.length ? jauspy._("held: {buttons}", { buttons: holds.map((name) => gamepad.buttons[name]).join(", ") })
+        : document.hasFocus() ? jauspy._("nothing moves without a held button") : jauspy._("this page has not the focus: nothing moves");
       const state = panel.children[place].querySelector(".pad-state");
       if (state.textContent !== text) state.textContent = text;
     });

@@ -15,7 +15,7 @@ jauspy.make = (tag, attributes = {}, ...children) => {
 
 jauspy.recordings = {
   LIST_INTERVAL: 5000, // ms between two looks at the folder
-  KINDS: { run: "run", film: "film", capture: "capture, for Wireshark and jauspy decode", sound: "sound", picture: "picture" },
+  KINDS: { run: jauspy._("run"), film: jauspy._("film"), capture: jauspy._("capture, for Wireshark and jauspy decode"), sound: jauspy._("sound"), picture: jauspy._("picture") },
   listed: "",
   lookedAt: -Infinity,
   run: null,
@@ -26,14 +26,14 @@ jauspy.recordings = {
     try {
       answer = await fetch(url);
     } catch {
-      throw new Error("no connection to the console");
+      throw new Error(jauspy._("no connection to the console"));
     }
     if (answer.ok) return answer;
     let said = "";
     try {
       said = (await answer.json()).detail;
     } catch { /* the console says no more */ }
-    throw new Error(typeof said === "string" && said ? said : `the console answers ${answer.status}`);
+    throw new Error(typeof said === "string" && said ? said : jauspy._("the console answers {status}", { status: answer.status }));
   },
   async watch() {
     const self = jauspy.recordings;
@@ -58,12 +58,12 @@ jauspy.recordings = {
       jauspy.make("div", { class: "recorded-name", title: name }, name),
       jauspy.make("div", { class: "hint" }, `${self.KINDS[kind]} · ${self.size(size)} · ${new Date(1000 * time).toLocaleString()}`),
       jauspy.make("div", { class: "recorded-buttons" },
-        ...(kind === "capture" ? [] : [jauspy.make("button", { class: "quiet", "aria-label": `play ${name}`, onclick: () => self.open(name, kind) }, "play")]),
-        jauspy.make("a", { class: "quiet", href: self.url("file", name), download: name, "aria-label": `download ${name}` }, "download"))));
-    const more = found.left_out ? [jauspy.make("p", { class: "hint" }, `${found.left_out} older ones are not listed`)] : [];
-    const empty = found.files.length ? [] : [jauspy.make("p", { class: "hint" }, found.problem ?? "no recordings yet: record a camera in the tab Video, or a run with", " ", ...(found.problem ? [] : [jauspy.make("code", {}, `jauspy record ${found.folder}/run.mcap`)]))];
+        ...(kind === "capture" ? [] : [jauspy.make("button", { class: "quiet", "aria-label": jauspy._("play {name}", { name }), onclick: () => self.open(name, kind) }, jauspy._("play"))]),
+        jauspy.make("a", { class: "quiet", href: self.url("file", name), download: name, "aria-label": jauspy._("download {name}", { name }) }, jauspy._("download")))));
+    const more = found.left_out ? [jauspy.make("p", { class: "hint" }, jauspy._("{count} older ones are not listed", { count: found.left_out }))] : [];
+    const empty = found.files.length ? [] : [jauspy.make("p", { class: "hint" }, found.problem ?? jauspy._("no recordings yet: record a camera in the tab Video, or a run with"), " ", ...(found.problem ? [] : [jauspy.make("code", {}, `jauspy record ${found.folder}/run.mcap`)]))];
     panel.querySelector(".recorded").replaceChildren(
-      jauspy.make("div", { class: "heading" }, "Recordings"), jauspy.make("div", { class: "hint folder" }, found.folder), ...empty, jauspy.make("ul", {}, ...rows), ...more);
+      jauspy.make("div", { class: "heading" }, jauspy._("Recordings")), jauspy.make("div", { class: "hint folder" }, found.folder), ...empty, jauspy.make("ul", {}, ...rows), ...more);
     self.mark();
   },
   mark() {
@@ -82,12 +82,12 @@ jauspy.recordings = {
       const [tag, more] = { sound: ["audio", { controls: true }], film: ["video", { controls: true }], picture: ["img", { alt: name }] }[kind];
       const media = jauspy.make(tag, { src: self.url("file", name), "aria-label": name, ...more });
       const problem = jauspy.make("p", { class: "problem", role: "status" });
-      media.addEventListener("error", () => { problem.textContent = `${name} cannot be played: this browser does not know its coding, or the file is damaged`; });
+      media.addEventListener("error", () => { problem.textContent = jauspy._("{name} cannot be played: this browser does not know its coding, or the file is damaged", { name }); });
       player.replaceChildren(jauspy.make("div", { class: "heading" }, name), media, problem);
       media.play?.()?.catch(() => {}); // the browser waits for a click, and shows its own button
       return;
     }
-    player.replaceChildren(jauspy.make("p", { class: "hint", role: "status" }, `reading ${name} …`));
+    player.replaceChildren(jauspy.make("p", { class: "hint", role: "status" }, jauspy._("reading {name} …", { name })));
     try {
       const run = await (await self.fetched(self.url("run", name))).json();
       if (self.opened !== name) return;
@@ -102,23 +102,23 @@ jauspy.recordings = {
 jauspy.Run = class {
   constructor(player, name, run) {
     Object.assign(this, { name, run, time: 0, playing: false, rate: 1, chosen: [] });
-    this.start = jauspy.make("button", { class: "quiet", onclick: () => (this.playing ? this.pause() : this.play()) }, "play");
-    this.slider = jauspy.make("input", { type: "range", min: 0, max: run.seconds, step: 0.01, value: 0, "aria-label": "time of the run in seconds", oninput: () => this.seek(Number(this.slider.value)) });
+    this.start = jauspy.make("button", { class: "quiet", onclick: () => (this.playing ? this.pause() : this.play()) }, jauspy._("play"));
+    this.slider = jauspy.make("input", { type: "range", min: 0, max: run.seconds, step: 0.01, value: 0, "aria-label": jauspy._("time of the run in seconds"), oninput: () => this.seek(Number(this.slider.value)) });
     this.clock = jauspy.make("span", { class: "run-clock" });
-    const speed = jauspy.make("select", { "aria-label": "speed of playing", onchange: () => { this.keepTime(); this.rate = Number(speed.value); } }, ...[0.25, 0.5, 1, 2, 4, 8].map((rate) => jauspy.make("option", { value: rate, selected: rate === 1 }, `${rate} ×`)));
+    const speed = jauspy.make("select", { "aria-label": jauspy._("speed of playing"), onchange: () => { this.keepTime(); this.rate = Number(speed.value); } }, ...[0.25, 0.5, 1, 2, 4, 8].map((rate) => jauspy.make("option", { value: rate, selected: rate === 1 }, `${rate} ×`)));
     this.cameras = run.cameras.filter(({ times }) => times.length).map((camera) => new jauspy.RecordedCamera(this, camera));
-    this.map = jauspy.make("canvas", { class: "run-map", role: "img", "aria-label": "tracks of the robots" });
+    this.map = jauspy.make("canvas", { class: "run-map", role: "img", "aria-label": jauspy._("tracks of the robots") });
     this.map.addEventListener("click", (event) => this.seekOnMap(event));
-    this.plot = jauspy.make("canvas", { class: "run-plot", role: "img", "aria-label": "values over time" });
+    this.plot = jauspy.make("canvas", { class: "run-plot", role: "img", "aria-label": jauspy._("values over time") });
     this.plot.addEventListener("click", (event) => this.seek(run.seconds * ((event.offsetX - 46) / Math.max(1, this.plot.clientWidth - 56))));
-    const add = jauspy.make("select", { "aria-label": "add a value", onchange: () => { this.choose(Number(add.value)); add.value = ""; } },
-      jauspy.make("option", { value: "" }, run.series.length ? "add a value …" : "no values"), ...run.series.map((each, index) => jauspy.make("option", { value: index }, each.unit ? `${each.name} [${each.unit}]` : each.name)));
+    const add = jauspy.make("select", { "aria-label": jauspy._("add a value"), onchange: () => { this.choose(Number(add.value)); add.value = ""; } },
+      jauspy.make("option", { value: "" }, run.series.length ? jauspy._("add a value …") : jauspy._("no values")), ...run.series.map((each, index) => jauspy.make("option", { value: index }, each.unit ? `${each.name} [${each.unit}]` : each.name)));
     this.chips = jauspy.make("div", { class: "chips" });
     this.events = run.events.map(([at, level, who, text]) => jauspy.make("button", { class: "run-event", "data-level": level, onclick: () => this.seek(at) }, jauspy.make("span", {}, this.shown(at)), jauspy.make("span", {}, text.startsWith(who) ? text : `${who} ${text}`)));
-    this.eventList = jauspy.make("div", { class: "run-events", role: "region", tabindex: 0, "aria-label": "events of the run" }, ...(this.events.length ? this.events : [jauspy.make("p", { class: "hint" }, "no events")]));
+    this.eventList = jauspy.make("div", { class: "run-events", role: "region", tabindex: 0, "aria-label": jauspy._("events of the run") }, ...(this.events.length ? this.events : [jauspy.make("p", { class: "hint" }, jauspy._("no events"))]));
     const left = Object.entries(run.left_out).map(([what, many]) => `${many} ${what}`);
     player.replaceChildren(...[
-      jauspy.make("div", { class: "row" }, jauspy.make("div", { class: "heading" }, name), jauspy.make("span", { class: "hint" }, left.length ? `left out: ${left.join(", ")}` : "")),
+      jauspy.make("div", { class: "row" }, jauspy.make("div", { class: "heading" }, name), jauspy.make("span", { class: "hint" }, left.length ? jauspy._("left out: {what}", { what: left.join(", ") }) : "")),
       jauspy.make("div", { class: "run-views", "data-cameras": Math.min(3, this.cameras.length) }, jauspy.make("div", { class: "run-cameras" }, ...this.cameras.map((camera) => camera.figure)), this.map),
       jauspy.make("div", { class: "run-bar" }, this.start, speed, this.slider, this.clock),
       jauspy.make("div", { class: "run-below" }, jauspy.make("div", { class: "run-values" }, jauspy.make("div", { class: "run-choice" }, add, this.chips), this.plot), this.eventList),
@@ -138,7 +138,7 @@ jauspy.Run = class {
     if (this.time >= this.run.seconds) this.seek(0);
     this.playing = true;
     this.from = [performance.now(), this.time];
-    this.start.textContent = "pause";
+    this.start.textContent = jauspy._("pause");
     const step = () => {
       if (!this.playing) return;
       this.time = Math.min(this.run.seconds, this.from[1] + ((performance.now() - this.from[0]) / 1000) * this.rate);
@@ -150,7 +150,7 @@ jauspy.Run = class {
   }
   pause() {
     this.playing = false;
-    this.start.textContent = "play";
+    this.start.textContent = jauspy._("play");
   }
   keepTime() {
     this.from = [performance.now(), this.time];
@@ -226,7 +226,7 @@ jauspy.Run = class {
     pen.fillStyle = colours.quiet;
     pen.font = `${11 * ratio}px system-ui, sans-serif`;
     const place = this.place();
-    if (!place) { pen.fillText("the run has no poses", 10 * ratio, 20 * ratio); return; }
+    if (!place) { pen.fillText(jauspy._("the run has no poses"), 10 * ratio, 20 * ratio); return; }
     const palette = jauspy.colours[colours.dark ? "dark" : "light"];
     const line = (points, colour, width) => {
       pen.strokeStyle = colour;
@@ -288,7 +288,7 @@ jauspy.Run = class {
   }
   showChips() {
     this.chips.replaceChildren(...this.chosen.map((index, place) => jauspy.make("span", { class: "trace", "data-place": place }, this.run.series[index].name,
-      jauspy.make("button", { class: "remove", "aria-label": `remove ${this.run.series[index].name}`, onclick: () => { this.chosen = this.chosen.filter((each) => each !== index); this.showChips(); } }, "×"))));
+      jauspy.make("button", { class: "remove", "aria-label": jauspy._("remove {name}", { name: this.run.series[index].name }), onclick: () => { this.chosen = this.chosen.filter((each) => each !== index); this.showChips(); } }, "×"))));
     this.drawPlot();
   }
   drawPlot() {
@@ -348,7 +348,7 @@ jauspy.RecordedCamera = class {
 
   constructor(run, { topic, times, keys }) {
     Object.assign(this, { run, topic, times, keys, next: -1, loaded: new Map(), loading: new Set(), target: 0 });
-    this.canvas = jauspy.make("canvas", { width: 320, height: 240, role: "img", "aria-label": `video of ${topic}`, "data-topic": topic });
+    this.canvas = jauspy.make("canvas", { width: 320, height: 240, role: "img", "aria-label": jauspy._("video of {topic}", { topic }), "data-topic": topic });
     this.note = jauspy.make("div", { class: "run-name" }, topic);
     this.figure = jauspy.make("div", { class: "run-camera" }, this.canvas, this.note);
     if (!("VideoDecoder" in window)) this.fail(jauspy.video.missingDecoder());
@@ -430,12 +430,12 @@ jauspy.RecordedCamera = class {
         if (frame.timestamp >= Math.round(1e6 * this.target) - 200000) this.draw(frame); // others are only on the way to it
         frame.close();
       },
-      error: (error) => this.fail(`this browser cannot decode the video (${codec}): ${error.message}`),
+      error: (error) => this.fail(jauspy._("this browser cannot decode the video ({codec}): {error}", { codec, error: error.message })),
     });
     try {
       this.decoder.configure({ codec, optimizeForLatency: true });
     } catch (error) {
-      this.fail(`this browser does not know the coding ${codec}: ${error.message}`);
+      this.fail(jauspy._("this browser does not know the coding {codec}: {error}", { codec, error: error.message }));
     }
   }
   draw(frame) {

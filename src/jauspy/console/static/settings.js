@@ -5,9 +5,17 @@ jauspy.settings = {
   KEY: "jauspy-view",
   DEFAULTS: { axes: "REP-103", length: "m", angle: "deg" },
   KEYS: [
-    ["Driving", [["W A S D, arrows", "drive while held; the robot brakes when the key is released"], ["stick, gamepad", "drive; a gamepad drives while its enable button is held"]]],
-    ["The tool of an arm (panel Arm, tool)", [["I K", "forward, backward"], ["J L", "left, right"], ["U O", "up, down"]]],
-    ["Everywhere", [["Esc", "stop all robots; closes what is open first"], ["F8", "stop all robots, always"], ["Tab", "the next button or field"], ["?", "this help"]]],
+    [jauspy._("Driving"), [
+      [jauspy._("W A S D, arrows"), jauspy._("drive while held; the robot brakes when the key is released")],
+      [jauspy._("stick, gamepad"), jauspy._("drive; a gamepad drives while its enable button is held")],
+    ]],
+    [jauspy._("The tool of an arm (panel Arm, tool)"), [["I K", jauspy._("forward, backward")], ["J L", jauspy._("left, right")], ["U O", jauspy._("up, down")]]],
+    [jauspy._("Everywhere"), [
+      ["Esc", jauspy._("stop all robots; closes what is open first")],
+      ["F8", jauspy._("stop all robots, always")],
+      ["Tab", jauspy._("the next button or field")],
+      ["?", jauspy._("this help")],
+    ]],
   ],
 
   read() {
@@ -23,6 +31,11 @@ jauspy.settings = {
       localStorage.setItem(jauspy.settings.KEY, JSON.stringify(chosen));
     } catch { /* this browser keeps nothing */ }
     jauspy.settings.show(chosen);
+  },
+  // The page is built in one language: another one is kept in a cookie, for the next request of the page.
+  speak(language) {
+    document.cookie = `jauspy-language=${encodeURIComponent(language)}; path=/; max-age=31536000; samesite=strict`;
+    location.reload();
   },
   show({ axes }) {
     document.body.dataset.axes = axes;
@@ -40,7 +53,7 @@ jauspy.settings = {
     let dialog = document.getElementById("key-help");
     if (!dialog) {
       const rows = jauspy.settings.KEYS.flatMap(([group, keys]) => [make("h3", {}, group), make("dl", {}, ...keys.flatMap(([key, what]) => [make("dt", {}, make("kbd", {}, key)), make("dd", {}, what)]))]);
-      dialog = make("dialog", { id: "key-help", "aria-label": "keyboard help" }, make("h2", {}, "Keys"), ...rows, make("button", { class: "quiet", onclick: () => dialog.close() }, "close"));
+      dialog = make("dialog", { id: "key-help", "aria-label": jauspy._("keyboard help") }, make("h2", {}, jauspy._("Keys")), ...rows, make("button", { class: "quiet", onclick: () => dialog.close() }, jauspy._("close")));
       document.body.append(dialog);
     }
     if (!dialog.open) dialog.showModal();

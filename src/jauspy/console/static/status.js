@@ -21,7 +21,7 @@ jauspy.alarm = {
   show() {
     const button = document.getElementById("alarm-sound");
     if (!button) return;
-    const text = jauspy.alarm.isOn() ? "sound on" : "sound off";
+    const text = jauspy.alarm.isOn() ? jauspy._("sound on") : jauspy._("sound off");
     if (button.textContent !== text) button.textContent = button.title = text;
   },
   // Loud alarms sound every two seconds until they are acknowledged; others once.

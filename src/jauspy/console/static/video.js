@@ -28,8 +28,8 @@ jauspy.video = {
   missingDecoder() {
     if ("VideoDecoder" in window) return "";
     return window.isSecureContext
-      ? "no picture: this browser has no WebCodecs; Chromium 94, Firefox 130 and Safari 16.4 have it"
-      : `no picture: browsers decode video only on pages from localhost or by TLS, and this one came from http://${location.host}; use an SSH tunnel or TLS`;
+      ? jauspy._("no picture: this browser has no WebCodecs; Chromium 94, Firefox 130 and Safari 16.4 have it")
+      : jauspy._("no picture: browsers decode video only on pages from localhost or by TLS, and this one came from {address}; use an SSH tunnel or TLS", { address: `http://${location.host}` });
   },
 
   frames: 0,
@@ -67,8 +67,8 @@ jauspy.video = {
       video.level -= 1;
       video.fine = 0;
     }
-    const why = tooSlow || !isFine ? `pictures are ${Math.round(late)} ms late` : "pictures were late";
-    const words = ["", `${why}: small cameras show key pictures only`, `${why}: all cameras show key pictures only`][video.level];
+    const why = tooSlow || !isFine ? jauspy._("pictures are {delay} ms late", { delay: Math.round(late) }) : jauspy._("pictures were late");
+    const words = ["", jauspy._("{why}: small cameras show key pictures only", { why }), jauspy._("{why}: all cameras show key pictures only", { why })][video.level];
     const line = document.getElementById("video-load");
     if (line && line.textContent !== words) line.textContent = words;
   },
@@ -80,7 +80,7 @@ jauspy.video = {
     const old = large?.figure.classList.contains("stale") ?? false;
     if (line) {
       const age = large?.age();
-      line.textContent = age === undefined ? "" : age < 10_000 ? `video ${Math.round(age)} ms` : `video ${Math.round(age / 1000)} s old`;
+      line.textContent = age === undefined ? "" : age < 10_000 ? jauspy._("video {age} ms", { age: Math.round(age) }) : jauspy._("video {age} s old", { age: Math.round(age / 1000) });
       line.toggleAttribute("data-old", old);
     }
     if (old !== jauspy.video.wasOld && window.did_handshake) emitEvent("video_is_old", old);
@@ -132,7 +132,7 @@ jauspy.View = class {
     socket.onmessage = (event) => (typeof event.data === "string" ? this.news(JSON.parse(event.data)) : this.decode(event.data));
     socket.onclose = (event) => {
       this.stopDecoding();
-      this.reason = event.reason || "no connection to the console";
+      this.reason = event.reason || jauspy._("no connection to the console");
       if (!this.closed) this.retry = setTimeout(() => this.connect(), 1000);
     };
   }
@@ -165,12 +165,12 @@ jauspy.View = class {
     this.problem = "";
     this.decoder = new VideoDecoder({
       output: (frame) => this.draw(frame),
-      error: (error) => { this.problem = `no picture: this browser cannot decode the video (${codec}): ${error.message}`; },
+      error: (error) => { this.problem = jauspy._("no picture: this browser cannot decode the video ({codec}): {error}", { codec, error: error.message }); },
     });
     try {
       this.decoder.configure({ codec, optimizeForLatency: true });
     } catch (error) {
-      this.problem = `no picture: this browser does not know the coding ${codec}: ${error.message}`;
+      this.problem = jauspy._("no picture: this browser does not know the coding {codec}: {error}", { codec, error: error.message });
     }
     this.skipping = false;
   }
@@ -254,9 +254,9 @@ jauspy.View = class {
     const stale = this.drawnAt !== undefined && age > (this.wanted === "keys" ? 5000 : jauspy.video.STALE_TIME);
     let words = this.problem;
     if (!words && this.drawnAt === undefined) {
-      words = age < jauspy.video.QUIET_TIME ? "waiting for the camera …" : `no picture: ${this.reason || "pictures arrive, and none could be decoded yet"}`;
+      words = age < jauspy.video.QUIET_TIME ? jauspy._("waiting for the camera …") : jauspy._("no picture: {reason}", { reason: this.reason || jauspy._("pictures arrive, and none could be decoded yet") });
     } else if (!words && stale) {
-      words = `this picture is ${Math.round(age / 1000)} s old${this.reason ? `: ${this.reason}` : ""}`;
+      words = jauspy._("this picture is {age} s old", { age: Math.round(age / 1000) }) + (this.reason ? `: ${this.reason}` : "");
     }
     if (this.note.textContent !== words) this.note.textContent = this.note.title = words;
     this.figure.classList.toggle("stale", stale);
@@ -266,7 +266,7 @@ jauspy.View = class {
     if (this.takenAt > 0 && jauspy.isLarge(this.figure)) facts.push(new Date(this.takenAt).toTimeString().slice(0, 8));
     if (this.drawnAt !== undefined) facts.push(`${Math.round(this.times.length / 2)}/s`);
     const leftOut = this.leftOut + this.leftOutByServer;
-    if (leftOut) facts.push(`${leftOut} left out`);
+    if (leftOut) facts.push(jauspy._("{count} left out", { count: leftOut }));
     this.facts.textContent = facts.join("  ·  ");
   }
 };
@@ -312,7 +312,7 @@ jauspy.Overlay = class {
     lift.setAttribute("transform", `translate(0 ${1.4 * Math.max(-30, Math.min(30, pitch ?? 0))})`);
     const degrees = (value) => `${Math.round(value) || 0}°`.replace("-", "−");
     this.speed.textContent = known(speed) ? `${speed.toFixed(1).replace("-0.0", "0.0").replace("-", "−")} m/s` : "";
-    this.angles.textContent = known(pitch) && known(roll) ? `pitch ${degrees(pitch)}, roll ${degrees(roll)}` : "";
+    this.angles.textContent = known(pitch) && known(roll) ? jauspy._("pitch {pitch}, roll {roll}", { pitch: degrees(pitch), roll: degrees(roll) }) : "";
     this.element.dataset.known = "yes";
   }
 };

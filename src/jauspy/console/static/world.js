@@ -58,7 +58,7 @@ jauspy.world = {
     if (state.model) {
       world.model = state.model;
       const left = state.left_out.length;
-      world.tell("source", state.model.source + (left ? `; ${left} meshes of other formats are not shown` : ""));
+      world.tell("source", state.model.source + (left ? `; ${jauspy._("{count} meshes of other formats are not shown", { count: left })}` : ""));
       jauspy.view.build();
       return;
     }
@@ -78,7 +78,7 @@ jauspy.world = {
     if (state.geo) world.geo = state.geo;
     if (state.others) world.others = state.others;
     if (state.notes) world.tell("notes", state.notes.join("; "));
-    world.tell("age", state.age ? `the pose is ${state.age} s old` : "");
+    world.tell("age", state.age ? jauspy._("the pose is {age} s old", { age: state.age }) : "");
     if (state.track) {
       world.track.push(...state.track);
       if (world.track.length > world.MAX_TRACK) world.track.splice(0, world.track.length - world.MAX_TRACK);
@@ -90,10 +90,10 @@ jauspy.world = {
     const { renderer, starting, missing } = jauspy.view;
     const { model, socket } = jauspy.world;
     let text = "";
-    if (starting && !renderer) text = "starting the 3-D view \u2026";
-    else if (!model && socket?.readyState !== WebSocket.OPEN) text = "connecting to the console \u2026";
-    else if (!model) text = "asking the robot what it looks like \u2026";
-    else if (missing) text = `loading shapes: ${missing} left`;
+    if (starting && !renderer) text = jauspy._("starting the 3-D view \u2026");
+    else if (!model && socket?.readyState !== WebSocket.OPEN) text = jauspy._("connecting to the console \u2026");
+    else if (!model) text = jauspy._("asking the robot what it looks like \u2026");
+    else if (missing) text = jauspy._("loading shapes: {count} left", { count: missing });
     jauspy.world.tell("waiting", jauspy.view.failed ? "" : text);
   },
   tell(what, text) {
@@ -204,7 +204,7 @@ jauspy.view = {
       view.renderer = new THREE.WebGLRenderer({ antialias: true });
     } catch {
       view.failed = true;
-      place.replaceChildren(Object.assign(document.createElement("p"), { className: "hint", textContent: "This browser has no WebGL, so there is no 3-D view; the map works." }));
+      place.replaceChildren(Object.assign(document.createElement("p"), { className: "hint", textContent: jauspy._("This browser has no WebGL, so there is no 3-D view; the map works.") }));
       return;
     }
     view.library = library;
@@ -238,6 +238,7 @@ jauspy.view = {
     view.local.add(view.track, view.route, view.origin);
     view.watchSize();
     view.controls.addEventListener("start", () => { view.turned = true; });
+    view.listenToClicks(view.renderer.domElement);
     if (jauspy.world.model) view.build();
   },
   watchSize() {
@@ -396,7 +397,7 @@ jauspy.view = {
         const mesh = loaded.isBufferGeometry ? add(loaded) : place.add(loaded.clone());
         mesh.scale.set(...shape.scale);
         jauspy.world.changed();
-      }, () => jauspy.world.tell("notes", "a mesh of the robot cannot be loaded")).finally(ended);
+      }, () => jauspy.world.tell("notes", jauspy._("a mesh of the robot cannot be loaded"))).finally(ended);
     }
   },
   async load(url, format) {
@@ -485,6 +486,34 @@ jauspy.view = {
       } else if (kind === "prismatic") group.position.copy(axis).multiplyScalar(value);
       else group.quaternion.setFromAxisAngle(axis, value);
     });
+  },
+  // A click on a thing, while the operator has asked for that: its place in the robot's frame goes to the console.
+  pick(on) {
+    jauspy.view.picking = on;
+    document.getElementById("world-3d")?.classList.toggle("picking", on);
+  },
+  listenToClicks(canvas) {
+    let pressed = null;
+    canvas.addEventListener("pointerdown", (event) => { pressed = event.button === 0 ? [event.clientX, event.clientY] : null; });
+    canvas.addEventListener("pointerup", (event) => {
+      if (!jauspy.view.picking || !pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 6) return;
+      const thing = jauspy.view.thingAt(canvas, event);
+      if (thing) emitEvent("reach_pointed", { x: thing.x, y: thing.y, z: thing.z });
+    });
+  },
+  // What the ray through the pointer meets first: a point of a cloud or scan, a wall of the map, or the ground.
+  thingAt(canvas, event) {
+    const view = jauspy.view;
+    const { THREE } = view.library;
+    const box = canvas.getBoundingClientRect();
+    const caster = new THREE.Raycaster();
+    caster.params.Points.threshold = 0.02; // metres
+    caster.setFromCamera(new THREE.Vector2((2 * (event.clientX - box.left)) / box.width - 1, 1 - (2 * (event.clientY - box.top)) / box.height), view.camera);
+    const clouds = [...view.links.values()].map(({ cloud }) => cloud).filter((cloud) => cloud?.visible);
+    const [met] = caster.intersectObjects([...clouds, ...(view.scan.visible ? [view.scan] : []), ...view.mapped.children], false);
+    const ground = caster.ray.intersectPlane(new THREE.Plane(new THREE.Vector3(0, 0, 1), 0), new THREE.Vector3());
+    const place = met?.point ?? ground;
+    return place && view.robot.worldToLocal(place.clone());
   },
   // The planned motion: a transparent copy of the robot that moves along it again and again.
   updateGhost() {

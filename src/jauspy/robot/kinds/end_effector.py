@@ -41,6 +41,9 @@ SERVICES: Final[Mapping[str, ServiceEntry[Any]]] = {
     "ManipulatorJointPositionSensor": ServiceEntry(
         EndEffectorContext, lambda context: manipulator.JointPositionSensor(context.arm)
     ),
+    "ManipulatorJointForceTorqueSensor": ServiceEntry(
+        EndEffectorContext, lambda context: manipulator.JointForceTorqueSensor(context.arm)
+    ),
     "JointDescription": ServiceEntry(
         EndEffectorContext, lambda context: joint_description(context.robot, context.arm, context.width)
     ),
