@@ -5,9 +5,8 @@ from __future__ import annotations
 import asyncio
 import math
 from collections import defaultdict, deque
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AsyncExitStack, contextmanager
-from contextvars import ContextVar
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AsyncExitStack
 from itertools import pairwise
 from typing import Final, Self
 
@@ -88,7 +87,7 @@ class CellClient:
         self._offset = math.inf
         """Seconds that the robot's clock is behind this one, by the observation that came fastest."""
         self.counts: dict[str, int] = defaultdict(int)
-        self._arm_name: ContextVar[str | None] = ContextVar("arm", default=layout.setup.arm or None)
+        self._arm_name = layout.setup.arm or None
         """The modular arm that is commanded."""
 
     async def __aenter__(self) -> Self:
@@ -104,15 +103,6 @@ class CellClient:
 
     async def __aexit__(self, *_: object) -> None:
         await self._stack.aclose()
-
-    @contextmanager
-    def commanding(self, arm: str) -> Iterator[None]:
-        """In the block, and in tasks that begin in it, another modular arm of the cell is the one that is commanded."""
-        token = self._arm_name.set(arm)
-        try:
-            yield
-        finally:
-            self._arm_name.reset(token)
 
     @property
     def subsystem(self) -> int:
@@ -348,23 +338,23 @@ class CellClient:
 
     async def arm(self) -> ModularArmState:
         """The modular arm's joints and motion."""
-        return await (await self._component(self._module("CM-ARM", self._arm_name.get()))).modular_arm.state()
+        return await (await self._component(self._module("CM-ARM", self._arm_name))).modular_arm.state()
 
     async def command_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Have the modular arm begin a motion; NaN leaves a joint as it is, 0 seconds is as fast as limits allow."""
-        await (await self._control(self._module("CM-ARM", self._arm_name.get()))).modular_arm.begin(positions, duration)
+        await (await self._control(self._module("CM-ARM", self._arm_name))).modular_arm.begin(positions, duration)
 
     async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
-        await (await self._control(self._module("CM-ARM", self._arm_name.get()))).modular_arm.move(positions, duration)
+        await (await self._control(self._module("CM-ARM", self._arm_name))).modular_arm.move(positions, duration)
 
     async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
         """Move joints of the modular arm through points, and wait; raises `RequestError` as `move_arm` does."""
-        await (await self._control(self._module("CM-ARM", self._arm_name.get()))).modular_arm.follow(joints, points)
+        await (await self._control(self._module("CM-ARM", self._arm_name))).modular_arm.follow(joints, points)
 
     async def choose_controller(self, controller: ArmController) -> None:
         """Choose how the joints of the modular arm follow."""
-        await (await self._control(self._module("CM-ARM", self._arm_name.get()))).modular_arm.set_controller(controller)
+        await (await self._control(self._module("CM-ARM", self._arm_name))).modular_arm.set_controller(controller)
 
     # --- the car --------------------------------------------------------------------------------------------------
 
