@@ -39,7 +39,7 @@ OF_INC1 = {"arm", "chassis", "drive", "flippers", "gripper", "inspect", "m/s", "
 
 @pytest.fixture(scope="module")
 def url() -> Iterator[str]:
-    with shared_robot() as robot, console_for(robot.local) as (address, _):
+    with shared_robot(few_pictures=True) as robot, console_for(robot.local) as (address, _):
         yield address
 
 

@@ -372,6 +372,17 @@ async def test_emergency_of_another_client_loses_control_but_own_standby_does_no
         assert "went from READY to EMERGENCY" in control.lost
 
 
+async def test_an_emergency_right_after_resume_loses_control(world):
+    await world.robot(timeout=1)
+    first, second = await world.ocu(), await world.ocu("43.1.1")
+    driver = await driver_of(first)
+    async with driver.control() as control:
+        await driver.resume()
+        await second.send("101.1.1", SetEmergency(emergency_code=1))  # before the first check of control
+        await asyncio.wait_for(control.until_lost(), 2)
+        assert "went from READY to EMERGENCY" in control.lost
+
+
 @pytest.mark.parametrize("seed", sampled(range(5), 1))
 async def test_control_is_kept_for_minutes_on_a_network_that_loses_a_quarter(seed):
     services = [AccessControl(timeout=5), Management(), Discovery(), Liveness()]

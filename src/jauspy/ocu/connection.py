@@ -174,6 +174,9 @@ class ControlHandle(Protocol):
     def on_sent(self, message: Message) -> None:
         """Called for each message that is sent to the component."""
 
+    def on_ready(self) -> None:
+        """Called when the component has entered Ready by a Resume of this OCU."""
+
 
 class ActiveControls:
     """The components that the OCU controls, each from the request for control until it is released."""
@@ -213,6 +216,11 @@ class ActiveControls:
                 control.on_sent(message)
                 if message.CODE in LEAVES_READY:
                     self._stops[id] = self.stops(id) + 1
+
+    def on_ready(self, id: JausID) -> None:
+        """Notify the control of a component, if there is one, that it has entered Ready by a Resume of this OCU."""
+        if id in self._controls:
+            self._controls[id].on_ready()
 
 
 class EventUsers:

@@ -183,6 +183,10 @@ class Control:
         if message.CODE == Resume.CODE or message.CODE in LEAVES_READY:
             self._was_ready, self._may_leave_ready = False, message.CODE != Resume.CODE
 
+    def on_ready(self) -> None:
+        """Called when the component has reported Ready after a Resume of this OCU: from now on it should not leave."""
+        self._was_ready = not self._may_leave_ready
+
     async def __aenter__(self) -> Self:
         self._connection.controls.add(self.id, self)
         self.lost, self.released = "", None

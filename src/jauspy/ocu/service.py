@@ -217,6 +217,7 @@ class ServiceClient:
         Needs control; raises `RequestError` if `timeout` seconds pass first.
         """
         await self._change(Resume(), ReportStatus.Status.READY, timeout)
+        self._connection.controls.on_ready(self.id)
 
     async def standby(self, timeout: float = 3.0) -> None:
         """Enter Standby, in which motion stops.
