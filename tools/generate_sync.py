@@ -46,7 +46,10 @@ BASES: Final = {
 }
 OF_EXTRAS: Final = {"jauspy.audio.coding", "jauspy.video.frames"}
 """Modules that need packages of an extra; imported for type checkers only."""
-SKIPPED: Final = {"OCU": {"open", "close", "watch_program", "trace", "__aenter__", "__aexit__"}, "Control": {"on_sent"}}
+SKIPPED: Final = {
+    "OCU": {"open", "close", "watch_program", "trace", "__aenter__", "__aexit__"},
+    "Control": {"on_sent", "on_ready"},
+}
 """What `sync/portal.py` has, and what is the OCU's own business."""
 SPECIAL: Final = {"__aenter__": "__enter__", "__aexit__": "__exit__", "__aiter__": "__iter__"}
 KEPT: Final = {"__len__", "__getitem__"}

@@ -23,7 +23,12 @@ def test_committed_facade_matches_the_generator():
 def test_facade_is_complete_and_synchronous(name):
     asynchronous = getattr(jauspy.ocu, name)
     facade = getattr(jauspy.sync, name)
-    public = {each for each in vars(asynchronous) if not each.startswith("_")} - {"on_sent", "watch_program", "trace"}
+    public = {each for each in vars(asynchronous) if not each.startswith("_")} - {
+        "on_sent",
+        "on_ready",
+        "watch_program",
+        "trace",
+    }
     assert public <= set(dir(facade))
     for each in public:
         member = getattr(facade, each)
