@@ -19,14 +19,18 @@ dev check wheel-test audit:
 \t@true
 unit:
 \t@.venv/bin/pytest -n 2 $(PYTEST_ARGS)
-test-slow:
-\t@.venv/bin/pytest -n 2 -m slow $(PYTEST_ARGS)
+test-together:
+\t@.venv/bin/pytest -n 2 -m 'slow and not alone' $(PYTEST_ARGS)
+test-alone:
+\t@.venv/bin/pytest -m 'slow and alone' $(PYTEST_ARGS)
 """
 SETTINGS = """
 [pytest]
 testpaths = tests
 addopts = -m 'not slow' -p xdist
-markers = slow
+markers =
+    slow
+    alone
 pythonpath = .
 """
 PLANTED = '''
@@ -45,6 +49,17 @@ def first(name):
 
 
 def test_that_passes():
+    pass
+
+
+@pytest.mark.slow
+def test_slow():
+    pass
+
+
+@pytest.mark.slow
+@pytest.mark.alone
+def test_alone():
     pass
 '''
 FLAKY = """
@@ -112,7 +127,7 @@ def flaky(count: int) -> str:
 
 @pytest.mark.slow
 def test_what_passes_at_the_second_try_is_recorded_and_printed_last(tmp_path: Path) -> None:
-    ended = run(tmp_path, flaky(2) + TEARDOWN + "@pytest.mark.slow\ndef test_slow(): pass\n")
+    ended = run(tmp_path, flaky(2) + TEARDOWN)
     expected = {f"unit: tests/test_planted.py::test_{name}" for name in ("flaky_0", "flaky_1", "with_a_teardown")}
     assert set(ended.record) == expected
     assert set(ended.lines[-3:]) == expected
@@ -121,7 +136,7 @@ def test_what_passes_at_the_second_try_is_recorded_and_printed_last(tmp_path: Pa
 
 @pytest.mark.slow
 def test_without_failures_nothing_is_recorded(tmp_path: Path) -> None:
-    ended = run(tmp_path, "@pytest.mark.slow\ndef test_slow(): pass\n")
+    ended = run(tmp_path, "")
     assert ended.record == []
     assert ended.lines[-1] == "== no test passed only at the second try"
     assert ended.status == 0
