@@ -1,56 +1,22 @@
-"""What the cameras of films have in their picture: all that moves in a task, from its beginning to its end."""
+"""What the cameras of films have in their picture: all places that a task reaches."""
 
 from __future__ import annotations
 
-import asyncio
-import math
-from collections.abc import Iterable
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 pytest.importorskip("mujoco", reason="needs the extra 'sim'")
 
-from jauspy.cell.session import simulated
-from jauspy.cell.tasks import FILMED_BY, TASKS
-from jauspy.geometry.vectors import Vector, cross, difference, dot, scaled
-from jauspy.platform.camera import CameraSetup
+from tests.helpers.films import camera_of, is_shown
+
+from jauspy.cell.tasks import FILMED_BY
+from jauspy.geometry.vectors import Vector
 from jauspy.platform.description import RobotModel
 
-SEED = 7
-PERIOD = 0.2
-"""Seconds between two looks at what moves."""
-MOVED = 0.05
-"""Metres from where something was at the start; less is no motion that a film shows."""
 NEEDED = ("assemble", "lift", "step", "car")
 STANDING = 1.15
 """Metres above a platform that an arm with five joints stands."""
-
-
-def camera_of(model: RobotModel, name: str) -> CameraSetup:
-    return next(camera for camera in model.cameras if camera.name == name)
-
-
-def place(camera: CameraSetup, point: Iterable[float]) -> tuple[float, float]:
-    """Where a point is in the picture: from -1 at the left and at the bottom to 1."""
-    outside = camera.outside
-    assert outside is not None
-    assert outside.target is not None
-    ahead = unit(difference(outside.target, outside.position))
-    right = unit(cross(ahead, (0.0, 0.0, 1.0)))
-    x, y, z = point
-    way = difference((x, y, z), outside.position)
-    wide = dot(way, ahead) * math.tan(camera.fov / 2.0)
-    return dot(way, right) / wide, dot(way, cross(right, ahead)) / (wide * 9.0 / 16.0)
-
-
-def unit(vector: Vector) -> Vector:
-    return scaled(vector, 1.0 / math.hypot(*vector))
-
-
-def is_shown(camera: CameraSetup, point: Iterable[float]) -> bool:
-    return max(map(abs, place(camera, point))) <= 1.0
 
 
 def ends(model: RobotModel, task: str) -> list[Vector]:
@@ -91,39 +57,3 @@ def test_a_camera_that_looks_beside_is_found(model: RobotModel, shift: Vector) -
     x, y, z = camera.outside.target
     beside = replace(camera, outside=replace(camera.outside, target=(x + shift[0], y + shift[1], z + shift[2])))
     assert not all(is_shown(beside, point) for point in ends(model, "demo"))
-
-
-@pytest.mark.slow
-@pytest.mark.timeout(900)
-@pytest.mark.parametrize("task", NEEDED)
-def test_all_that_moves_is_in_the_film(model: RobotModel, task: str) -> None:
-    camera = camera_of(model, FILMED_BY[task])
-    seen: list[np.ndarray] = []
-
-    async def run() -> list[str]:
-        async with simulated(SEED) as session:
-            robot = session.true._robot
-            bodies = [number for number in range(1, robot.model.nbody) if robot.model.body_mass[number] > 0.01]
-
-            async def watch() -> None:
-                while True:
-                    seen.append(robot.data.xipos[bodies].copy())
-                    await session.cell.sleep(PERIOD)
-
-            watching = asyncio.create_task(watch())
-            found = await TASKS[task](session, SEED)
-            watching.cancel()
-            assert found.success, found.failure
-            return [str(robot.model.body(number).name) for number in bodies]
-
-    names = asyncio.run(run())
-    places = np.array(seen)
-    moved = np.flatnonzero(np.linalg.norm(places - places[0], axis=2).max(axis=0) > MOVED)
-    assert len(moved) > 5
-    cut = {
-        names[number]
-        for number in moved
-        for point in places[:, number]
-        if names[number] != "belt" and not is_shown(camera, point)
-    }
-    assert cut == set()

@@ -27,15 +27,6 @@ async def first_part(session: Session, seed: int) -> Measured:
     return Measured(seed, "first part", success=True)
 
 
-def attached(task: str, seed: int = 1) -> list[Meeting]:
-    """All attachments of a run of a task that succeeds, in which the UR10 takes nothing for something in its way."""
-    found = asyncio.run(run_one(task, seed))
-    assert found.success, found.failure
-    assert found.physics is not None
-    assert (found.physics.stops, found.physics.collisions) == (0, [])
-    return found.physics.attaches
-
-
 def of_first_part() -> list[Meeting]:
     found = asyncio.run(run_one("first part", 1, UNDISTURBED, run=first_part))
     assert found.physics is not None
@@ -57,24 +48,3 @@ def test_touches_that_are_not_slow_are_found(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr("jauspy.cell.assembly.TOUCH_SPEED", 0.1)
     monkeypatch.setattr("jauspy.cell.client.GENTLE", 1.0)
     assert hard(of_first_part())
-
-
-@pytest.mark.slow
-@pytest.mark.timeout(900)
-@pytest.mark.parametrize(("task", "seed"), [("assemble", 0), ("assemble", 1), ("lift", 1), ("step", 1), ("kitting", 1)])
-def test_all_attachments_of_a_task_are_gentle_and_none_is_taken_for_an_obstacle(task: str, seed: int) -> None:
-    meetings = attached(task, seed)
-    assert meetings
-    assert hard(meetings) == []
-
-
-@pytest.mark.slow
-@pytest.mark.timeout(900)
-def test_all_attachments_and_landings_of_the_car_are_gentle() -> None:
-    found = asyncio.run(run_one("car", 0))
-    assert found.success, found.failure
-    assert found.physics is not None
-    assert found.physics.stops == 0
-    assert len(found.physics.attaches) >= 18
-    assert hard(found.physics.attaches) == []
-    assert hard(found.physics.landings) == []

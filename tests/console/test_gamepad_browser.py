@@ -7,18 +7,10 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from tests.helpers.browser import BROWSER_MARKS, console_for, page_at
+from tests.helpers.browser import BROWSER_MARKS, GAMEPAD, HOLD_FOR_ARM, HOLD_TO_DRIVE, console_for, page_at
 from tests.helpers.command_line import shared_robot
 
 pytestmark = BROWSER_MARKS
-PAD = """
-window.pad = {
-    id: "<b>pad</b> of a test", index: 0, connected: true, axes: [0, 0, 0, 0],
-    buttons: Array.from({ length: 8 }, () => ({ pressed: false, value: 0 })),
-};
-navigator.getGamepads = () => [window.pad, null];
-"""
-DRIVE, ARM = 4, 5
 
 
 @pytest.fixture
@@ -37,25 +29,25 @@ def deflection(page: Any) -> list[float]:
 
 
 def test_a_gamepad_drives_while_its_button_is_held(url: str) -> None:
-    with page_at(url, PAD + f"pad.buttons[{DRIVE}].pressed = true; pad.axes[1] = -1;") as page:
+    with page_at(url, GAMEPAD + f"pad.buttons[{HOLD_TO_DRIVE}].pressed = true; pad.axes[1] = -1;") as page:
         page.get_by_text("101 inc1").first.wait_for()
         page.wait_for_function("jauspy.gamepad !== undefined")
         page.bring_to_front()
         assert deflection(page) == [0, 0]  # it was down before
-        press(page, DRIVE, down=False)
+        press(page, HOLD_TO_DRIVE, down=False)
         assert deflection(page) == [0, 0]  # the stick alone
-        press(page, DRIVE)
+        press(page, HOLD_TO_DRIVE)
         assert deflection(page) == [1, 0]
-        press(page, ARM)
+        press(page, HOLD_FOR_ARM)
         page.evaluate("window.dispatchEvent(new Event('blur'))")
         assert deflection(page) == [0, 0]
-        press(page, DRIVE, down=False)
+        press(page, HOLD_TO_DRIVE, down=False)
         assert deflection(page) == [0, 0]
 
         page.evaluate("pad.axes[1] = 0")
         page.get_by_role("button", name="take", exact=True).first.click()
         page.get_by_text("you operate this robot").wait_for()
-        press(page, DRIVE)
+        press(page, HOLD_TO_DRIVE)
         page.evaluate("pad.axes[1] = -1")
         page.wait_for_function("/x 0\\.[2-9]\\d m/.test(document.body.innerText)")
         page.evaluate("document.hasFocus = () => false")
@@ -64,7 +56,7 @@ def test_a_gamepad_drives_while_its_button_is_held(url: str) -> None:
 
 
 def test_the_mapping_and_the_calibration_of_a_pad_are_kept(url: str) -> None:
-    with page_at(url, PAD) as page:
+    with page_at(url, GAMEPAD) as page:
         page.locator(".gamepads summary").click()
         card = page.locator("[data-pad]")
         assert card.locator("b").first.inner_text() == "<b>pad</b> of a test"

@@ -1,4 +1,4 @@
-"""A person's tour by clicks and keys, from the start to a can that is lifted from its table, in the simulated world."""
+"""A person's tour by pointer, keys and gamepad, from a look around to a can that is lifted, in the simulated world."""
 
 from __future__ import annotations
 
@@ -6,17 +6,20 @@ import base64
 import json
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.helpers.browser import BROWSER_MARKS, console_for, page_at
-from tests.helpers.command_line import RunningRobot, shared_robot, start
+from tests.helpers.browser import BROWSER_MARKS, GAMEPAD, HOLD_TO_DRIVE, console_for, page_at
+from tests.helpers.command_line import RunningRobot, camera_direction, shared_robot, start
+from tests.helpers.recorded_run import write_run
 from tests.helpers.robot import described
 
 pytest.importorskip("mujoco", reason="needs the extra 'sim'")
 pytest.importorskip("av", reason="the extra 'video' is not installed")
 pytest.importorskip("cv2", reason="needs the extra 'demo'")
+pytest.importorskip("foxglove", reason="needs the extra 'recording'")
 
 from jauspy.demo.arm import ArmKinematics
 from jauspy.demo.grasp import at_height, decode_image, ray, red_region
@@ -37,6 +40,14 @@ class Operator:
         self.page = page
         _, self.model = described("inc1")
         self.kinematics = ArmKinematics(self.model)
+
+    def wait_until(self, is_so: Callable[[], bool]) -> None:
+        """Wait for half a minute at most."""
+        for _ in range(60):
+            if is_so():
+                return
+            self.page.wait_for_timeout(500)
+        pytest.fail("what was to happen has not happened within 30 s")
 
     # --- driving --------------------------------------------------------------------------------------------------
 
@@ -70,6 +81,70 @@ class Operator:
             if abs(math.remainder(self.pose()[2] - before, math.tau)) < math.radians(1.5):
                 shortest += 30.0
         pytest.fail(f"the robot does not turn to {yaw} rad: {self.pose()}")
+
+    def push_stick(self, way: float) -> None:
+        """Drive that far ahead by the left stick of a gamepad, and let go."""
+        began = self.pose()[0]
+        self.page.evaluate(f"pad.buttons[{HOLD_TO_DRIVE}].pressed = true; pad.axes[1] = -0.6")
+        for _ in range(200):
+            self.page.wait_for_timeout(50)
+            if self.pose()[0] - began >= way:
+                break
+        self.page.evaluate(f"pad.buttons[{HOLD_TO_DRIVE}].pressed = false")  # the stick stays where it is
+        self.page.wait_for_function("jauspy.moving === false")
+        self.page.wait_for_timeout(1000)
+        stopped = self.pose()[0]
+        assert stopped - began >= way
+        self.page.wait_for_timeout(1000)
+        assert self.pose()[0] == pytest.approx(stopped, abs=0.02), "without the dead-man's button nothing moves"
+        self.page.evaluate("pad.axes[1] = 0")
+
+    # --- the cameras and the views --------------------------------------------------------------------------------
+
+    def look_aside(self, robot: RunningRobot) -> None:
+        """Drag the picture of the chassis camera to the left, so that it turns to the right, and have it look ahead."""
+        page = self.page
+        page.locator("figure[aria-label='camera 101.1.107']").click()
+        page.get_by_role("button", name="look").wait_for()
+        box = page.locator("figure.large").bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        page.mouse.move(x, y)
+        page.mouse.down()
+        for step in range(1, 6):
+            page.mouse.move(x - 40 * step, y)
+            page.wait_for_timeout(120)
+        page.mouse.up()
+        self.wait_until(lambda: camera_direction(robot)[0] > 0.2)
+        page.get_by_role("button", name="look").click()
+        page.get_by_text("ahead", exact=True).click()
+        self.wait_until(lambda: abs(camera_direction(robot)[0]) < 0.02)
+
+    def arrange(self) -> None:
+        """Put the views of driving beside each other, drag the line between them, and show one view again."""
+        page = self.page
+        page.keyboard.press("Digit2")
+        page.locator(".desk.arranged #world-map canvas").wait_for()
+        video = page.locator(".pane[data-view='Video']")
+        before = video.bounding_box()["width"]
+        edge = page.locator(".splitter[data-split='width']").bounding_box()
+        page.mouse.move(edge["x"] + 5.0, edge["y"] + edge["height"] / 2)
+        page.mouse.down()
+        page.mouse.move(edge["x"] - 145.0, edge["y"] + edge["height"] / 2, steps=3)
+        page.mouse.up()
+        page.wait_for_function(f"document.querySelector('.pane[data-view=Video]').clientWidth < {before - 130}")
+        page.keyboard.press("Digit1")
+        page.locator(".desk.arranged").wait_for(state="detached")
+
+    def look_into_recording(self, name: str) -> None:
+        """Play one of the recorded runs in the list for a second."""
+        page = self.page
+        page.get_by_role("tab", name="Recordings").click()
+        page.get_by_role("button", name=f"play {name}").click()
+        page.locator("canvas[data-topic]").wait_for()
+        page.get_by_role("button", name="play", exact=True).click()
+        page.wait_for_function("+document.querySelector('canvas[data-topic]').dataset.time > 1")
+        page.locator(".run-bar").get_by_role("button", name="pause").click()
+        page.get_by_role("tab", name="Video").click()
 
     # --- the arm --------------------------------------------------------------------------------------------------
 
@@ -166,20 +241,34 @@ def weight(robot: RunningRobot) -> float:
     return float(re.search(r"force_z\D*(-?[\d.]+)", output)[1]) / 9.81
 
 
-def test_a_person_lifts_the_can_from_its_table(robot: RunningRobot) -> None:
-    with console_for(robot.local) as (url, _), page_at(url) as page:
-        lift_the_can(Operator(page), robot)
+def test_a_person_looks_around_and_lifts_the_can_from_its_table(robot: RunningRobot, tmp_path: Path) -> None:
+    write_run(tmp_path / "yesterday.mcap")
+    with (
+        console_for(robot.local, "--recordings", str(tmp_path)) as (url, _),
+        page_at(url, GAMEPAD) as page,
+    ):
+        operator = Operator(page)
+        look_around(operator, robot)
+        lift_the_can(operator, robot)
 
 
-def lift_the_can(operator: Operator, robot: RunningRobot) -> None:
-    """Drive to the table, find the can, reach for it, close the gripper, and lift."""
+def look_around(operator: Operator, robot: RunningRobot) -> None:
+    """Take control, see yesterday's run, arrange the views, turn a camera, and drive a little by the gamepad."""
     page = operator.page
     page.get_by_text("101 inc1").first.wait_for()
     page.get_by_role("button", name="take", exact=True).click()
     page.get_by_text("you operate this robot").wait_for()
     page.locator(".facts b").wait_for()
     page.wait_for_function(f'+document.querySelector("{ARM_CAMERA}")?.dataset.pictures > 0')
+    operator.look_into_recording("yesterday.mcap")
+    operator.arrange()
+    operator.look_aside(robot)
+    operator.push_stick(0.1)
 
+
+def lift_the_can(operator: Operator, robot: RunningRobot) -> None:
+    """Drive to the table, find the can, reach for it, close the gripper, and lift."""
+    page = operator.page
     operator.drive_to(PLAN.goal.x)
     operator.turn_to(PLAN.goal.heading)
     operator.play((0.0, *PLAN.view))

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from tests.helpers.browser import BROWSER_MARKS, console_for, page_at
-from tests.helpers.command_line import RunningRobot, shared_robot, start
+from tests.helpers.command_line import RunningRobot, camera_direction, shared_robot
 
 pytest.importorskip("av", reason="the extra 'video' is not installed")
 
@@ -27,17 +27,9 @@ def url(robot: RunningRobot) -> Iterator[str]:
         yield address
 
 
-def direction(robot: RunningRobot) -> tuple[float, float]:
-    """Of the chassis camera, to the right and upwards, as the robot reports it."""
-    process = start("query", "101.1.107", "QueryPanTiltJointPositions", "--connect", robot.local, "--id", "42.9.1")
-    output, _ = process.communicate()
-    right, up = (float(re.search(rf"joint{number}_position\D*?(-?[\d.]+(e-?\d+)?)", output)[1]) for number in (1, 2))
-    return right, up
-
-
 def until(robot: RunningRobot, page: Any, is_there: Any) -> tuple[float, float]:
     for _ in range(20):
-        if is_there(*(found := direction(robot))):
+        if is_there(*(found := camera_direction(robot))):
             return found
         page.wait_for_timeout(300)
     pytest.fail(f"the camera looks {found}: {page.locator('.video-said').inner_text()}")

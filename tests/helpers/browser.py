@@ -17,7 +17,7 @@ sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 BROWSER_MARKS = [
     pytest.mark.slow,
-    pytest.mark.alone,
+    pytest.mark.browser,
     pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
 ]
 WAIT = 90_000
@@ -31,6 +31,17 @@ OWN_CODE = """if (window.trustedTypes) {
     });
 }"""
 """Lets playwright evaluate expressions, as `wait_for_function` does, in a page that evaluates its own code only."""
+
+GAMEPAD = """
+window.pad = {
+    id: "<b>pad</b> of a test", index: 0, connected: true, axes: [0, 0, 0, 0],
+    buttons: Array.from({ length: 8 }, () => ({ pressed: false, value: 0 })),
+};
+navigator.getGamepads = () => [window.pad, null];
+"""
+"""A script of a page that then has a gamepad, `pad`, whose axes and buttons a test sets."""
+HOLD_TO_DRIVE, HOLD_FOR_ARM = 4, 5
+"""Buttons of a gamepad, one of which is held while its sticks move something."""
 
 
 @contextmanager

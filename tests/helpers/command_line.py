@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import signal
 import subprocess
@@ -157,3 +158,11 @@ def robot_in_thread(name: str = "inc1") -> Iterator[LocalNode]:
             yield node
         finally:
             portal.run(running.__aexit__(None, None, None))
+
+
+def camera_direction(robot: RunningRobot) -> tuple[float, float]:
+    """Of the chassis camera of inc1, radians to the right and upwards, as the robot reports it."""
+    process = start("query", "101.1.107", "QueryPanTiltJointPositions", "--connect", robot.local, "--id", "42.9.1")
+    output, _ = process.communicate()
+    right, up = (float(re.search(rf"joint{number}_position\D*?(-?[\d.]+(e-?\d+)?)", output)[1]) for number in (1, 2))
+    return right, up
