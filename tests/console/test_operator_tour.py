@@ -195,7 +195,7 @@ class Operator:
         self.page.keyboard.up(key)
         self.page.wait_for_timeout(1000)
         reached = math.dist(self.tool(), began)  # less by what the arm gives way when it stands
-        assert reached >= 0.9 * way, self.page.locator(".jog-answer").inner_text()
+        assert reached >= 0.8 * way, self.page.locator(".jog-answer").inner_text()
 
     # --- the can --------------------------------------------------------------------------------------------------
 
