@@ -66,7 +66,7 @@ def record(
     """Record what the node manager of this machine routes, until Ctrl-C.
 
     A .pcapng file has the datagrams, for Wireshark. A .mcap file has them, too, and each message as JSON on the topic
-    /SENDER/MESSAGE, with a schema made from its definition. The definitions are attached. It opens in Foxglove, with
+    /SENDER/MESSAGE, with a schema made from its definition. All definitions are attached. It opens in Foxglove, with
     frames, poses, scans, joints and a log in Foxglove's schemas; with --robot also meshes, with --video pictures.
     With --capture or --interface, and without --filter, a .mcap file also gets the H.264 in RTP that is seen there.
 

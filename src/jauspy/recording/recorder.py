@@ -13,7 +13,7 @@ from jauspy.capture.dissector import Dissector
 from jauspy.capture.reader import Datagram
 from jauspy.codec.registry import Registry
 from jauspy.recording.described_robot import DescribedRobot
-from jauspy.recording.run_files import NO_ROBOTS, RunFile, create
+from jauspy.recording.run_files import NO_ROBOTS, RunFile, create, prepared
 
 FLUSH_INTERVAL: Final = 0.5
 """Seconds of the traffic after which what was recorded is handed to the operating system."""
@@ -79,6 +79,8 @@ class Recorder:
         self._dissector = Dissector(registry)
         self._number = 0
         self._start = self._flushed = 0.0
+        if limits.rotates:
+            prepared(path, registry, limits.size)  # now, so that no traffic waits for it
         self._file: RunFile | None = self._open() if not limits.rotates else None
         """The file that is written; with rotation from the first datagram on."""
 
@@ -148,7 +150,7 @@ class Recorder:
         if self._limits.rotates:
             self._number += 1
             path = path.with_stem(f"{path.stem}-{self._number:04d}")
-        file = create(path, self._registry, self._robots)
+        file = create(path, self._registry, self._robots, self._limits.size)
         self._start = 0.0
         files = self.recorded.files
         files.append(path)

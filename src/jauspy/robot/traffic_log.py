@@ -275,6 +275,7 @@ class LogWriter:
 
     def _open(self) -> None:
         self._place.folder.mkdir(parents=True, exist_ok=True)
+        size = self._order.settings.size
         self._make_room()
         stem = f"{self._place.subsystem}-log-{time.strftime('%Y%m%d-%H%M%S', time.gmtime())}"
         suffix = ".mcap" if find_spec("foxglove") is not None else ".pcapng"
@@ -282,7 +283,7 @@ class LogWriter:
         while path.exists() or path.is_symlink():
             number += 1
             path = self._place.folder / f"{stem}-{number}{suffix}"
-        self._file = create(path, registry)
+        self._file = create(path, registry, limit=size // FILES)
         self._others = size_of(self._place, without=path)
 
     def _make_room(self) -> None:
