@@ -24,7 +24,8 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.inspection.traffic import seen_messages
 from jauspy.messages import registry as public
-from jauspy.recording.mcap_summary import read_summary
+from jauspy.recording.mcap_records import MAGIC
+from jauspy.recording.mcap_summary import counted_summary, read_summary
 from jauspy.recording.recorder import Limits, Picture, Recorder
 from jauspy.video.h264_payload import join_nals
 
@@ -160,13 +161,19 @@ def info(
 ) -> None:
     """Tell what is in a recording: its time, and messages by sender and name.
 
-    The summary of an MCAP file is enough, whatever its size; other files are read from the beginning to the end.
+    The summary of an MCAP file is enough, whatever its size; other files, and those without a summary as after a crash,
+    are read from the beginning to the end.
 
     Examples:
       jauspy info run.mcap
       jauspy info run.pcapng --json
     """
-    found = _mcap_info(file) if file.suffix == ".mcap" else _capture_info(file)
+    try:
+        with file.open("rb") as opened:
+            is_mcap = opened.read(len(MAGIC)) == MAGIC or file.suffix == ".mcap"
+        found = _mcap_info(file) if is_mcap else _capture_info(file)
+    except OSError as error:
+        raise ConfigError(f"{file} cannot be read: {error.strerror}") from None
     if json:
         console.print_json(found)
         return
@@ -182,11 +189,17 @@ def info(
 
 
 def _mcap_info(path: Path) -> dict[str, Any]:
-    try:
-        with path.open("rb") as opened:
+    is_complete = True
+    with path.open("rb") as opened:
+        try:
             summary = read_summary(opened, str(path))
-    except OSError as error:
-        raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
+        except ConfigError as error:
+            opened.seek(0)
+            summary, problem = counted_summary(opened)
+            if not summary.statistics.message_count:
+                raise error from None
+            is_complete = False
+            console.note(f"{path} has no summary, as after a crash, and was read from its beginning" + _until(problem))
     counts = summary.statistics.channel_message_counts
     rows = []
     for number, channel in summary.channels.items():
@@ -197,24 +210,40 @@ def _mcap_info(path: Path) -> dict[str, Any]:
     return {
         "file": str(path),
         "bytes": path.stat().st_size,
+        "complete": is_complete,
         "start": summary.statistics.message_start_time / 1e9 if has_any else None,
         "end": summary.statistics.message_end_time / 1e9 if has_any else None,
         "messages": sorted(rows, key=lambda row: (-int(row["count"]), str(row["message"]))),
     }
 
 
+def _until(problem: str) -> str:
+    return f" until it is damaged or cut off ({problem})" if problem else ""
+
+
 def _capture_info(path: Path) -> dict[str, Any]:
     counts: Counter[tuple[str, str]] = Counter()
     start = end = None
-    try:
-        with path.open("rb") as opened:
+    problem = ""
+    with path.open("rb") as opened:
+        try:
             for seen in seen_messages(CaptureReader(opened, name=str(path), port=None), public, copies=True):
                 counts[seen.name, str(seen.part.packet.source)] += 1
                 start, end = (seen.time if start is None else start), seen.time
-    except OSError as error:
-        raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
+        except ConfigError as error:
+            if not counts:
+                raise
+            problem = str(error)
+            console.note(problem)
     rows = [{"message": name, "source": source, "count": count} for (name, source), count in counts.most_common()]
-    return {"file": str(path), "bytes": path.stat().st_size, "start": start, "end": end, "messages": rows}
+    return {
+        "file": str(path),
+        "bytes": path.stat().st_size,
+        "complete": not problem,
+        "start": start,
+        "end": end,
+        "messages": rows,
+    }
 
 
 def _bytes(text: str) -> float:
