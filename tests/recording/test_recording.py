@@ -221,6 +221,41 @@ def test_kill_loses_less_than_a_second(tmp_path: Path, suffix: str) -> None:
     assert sum(isinstance(record, Message) for record in found) >= 2 * 90
 
 
+def test_what_came_last_is_written_while_nothing_follows(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [100.0]
+    monkeypatch.setattr("jauspy.recording.recorder.monotonic", lambda: now[0])
+    path = tmp_path / "run.pcapng"
+    recorder = Recorder(path, registry)
+    for number in range(8):
+        recorder.add(datagram(number))
+    assert len(payloads(path)) == 6
+    now[0] += 0.4
+    recorder.flush()
+    assert len(payloads(path)) == 6
+    now[0] += 0.2
+    recorder.flush()
+    assert len(payloads(path)) == 8
+    recorder.close()
+
+
+def no_space(_: object) -> None:
+    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+def test_a_full_disk_that_is_met_while_nothing_comes_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [100.0]
+    monkeypatch.setattr("jauspy.recording.recorder.monotonic", lambda: now[0])
+    recorder = Recorder(tmp_path / "run.pcapng", registry)
+    recorder.add(datagram(0))
+    with monkeypatch.context() as full:
+        full.setattr(PcapngFile, "flush", no_space)
+        now[0] += 1.0
+        recorder.flush()
+    with pytest.raises(OSError, match="No space left"):
+        recorder.add(datagram(1))
+    recorder.close()
+
+
 def run(*arguments: object, status: int = 0) -> Any:
     result = CliRunner().invoke(app, [*map(str, arguments)])
     assert result.exit_code == status, result.output

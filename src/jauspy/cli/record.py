@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import re
+import threading
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -16,11 +18,12 @@ from jauspy.capture.reader import Datagram
 from jauspy.cli import console
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, LocalRoot, OwnId, Timeout
+from jauspy.cli.processes import stoppable
 from jauspy.cli.recorded import Cameras, Robots, cameras, described, pictures_taken
 from jauspy.cli.traffic import CaptureFile, Interface, Multicast, NetworkPort, chosen_network, open_capture
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.recording.recorder import Limits, Picture, Recorder
+from jauspy.recording.recorder import FLUSH_INTERVAL, Limits, Picture, Recorder
 from jauspy.video.h264_payload import join_nals
 
 if TYPE_CHECKING:
@@ -94,12 +97,13 @@ def record(
         from jauspy.cli import client  # takes seconds, and nothing else here needs it
 
         ocu = client.make_ocu(own_id, connect, timeout)
-    with open_capture(file, root, seconds, network=network) as capture:
+    with stoppable(), open_capture(file, root, seconds, network=network) as capture:
         recorder = Recorder(output, known.registry, limits, fits, described(robot))
         if file is None:
             console.note("recording" + ("; Ctrl-C ends it" if seconds is None else f" for {seconds:g} s"))
         try:
-            with pictures_taken(ocu, wanted, recorder.add_picture):
+            flushed = _flushed(recorder) if file is None else nullcontext()
+            with pictures_taken(ocu, wanted, recorder.add_picture), flushed:
                 datagrams: Iterable[Datagram] = capture
                 if with_video and file is not None:
                     datagrams = _with_pictures_of_file(capture, file, recorder, known.registry)
@@ -112,6 +116,24 @@ def record(
             pictures = f"{found.pictures} pictures, " if wanted or found.pictures else ""
             counts = f"{found.datagrams} datagrams, {found.messages} messages, {pictures}{found.bytes} bytes"
             console.note(f"{counts}: {files}")
+
+
+@contextmanager
+def _flushed(recorder: Recorder) -> Iterator[None]:
+    """Have what was recorded handed over also while nothing comes, in a thread while the context is open."""
+    ended = threading.Event()
+
+    def work() -> None:
+        while not ended.wait(FLUSH_INTERVAL / 2.0):
+            recorder.flush()
+
+    thread = threading.Thread(target=work, name="flush", daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        thread.join()
 
 
 def _with_pictures_of_file(
