@@ -46,7 +46,7 @@ def doctor(
         typer.Option(
             "--connect",
             metavar="WHERE",
-            help="Where ID is, if discovery does not find it: udp://HOST[:PORT]; local:DIR is the same as --local-root.",
+            help="Where ID is, if discovery does not find it: udp://HOST[:PORT]; local:DIR is --local-root.",
         ),
     ] = None,
     port: Port = DEFAULT_PORT,
