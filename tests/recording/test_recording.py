@@ -297,6 +297,31 @@ def test_info_of_a_file_that_a_crash_has_cut_off(mcap_file: Path) -> None:
         assert ("no summary" in result.stderr) is not complete
 
 
+@pytest.mark.parametrize("suffix", ["mcap", "pcapng"])
+def test_files_of_killed_recorders_are_read_up_to_their_end(tmp_path: Path, suffix: str) -> None:
+    if suffix == "mcap":
+        pytest.importorskip("foxglove", reason="foxglove-sdk is of the extra `recording`")
+    path = tmp_path / f"run.{suffix}"
+    recorder = Recorder(path, registry)
+    for row in RUN:
+        recorder.add(row)
+    cut = tmp_path / f"cut.{suffix}"
+    cut.write_bytes(path.read_bytes() + (b"" if suffix == "mcap" else b"\6"))  # the end of a chunk is not written yet
+    recorder.close()
+    for verb, told in (
+        (("hz", "--capture", cut), "ReportLocalPose"),
+        (("graph", "--capture", cut), "101.1.102"),
+        (("export", cut, "--csv", "-o", tmp_path / "csv"), "101.1.102_ReportLocalPose.csv"),
+        (("export", cut, "--pcapng", "-o", tmp_path / "again.pcapng"), "datagrams"),
+    ):
+        result = run(*verb)
+        assert told in result.stdout
+        assert "damaged or cut off after" in result.stderr
+    whole = tmp_path / "whole.pcapng"
+    assert "datagrams" in run("record", whole, "--capture", cut).stderr
+    assert 35 <= len(payloads(whole)) <= len(RUN)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["mcap", "pcapng"])
 def test_a_full_disk_is_said_at_once(tmp_path: Path, suffix: str) -> None:

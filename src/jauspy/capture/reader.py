@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import struct
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from io import BufferedReader
 from typing import Any, Final, NamedTuple
 
@@ -162,6 +162,21 @@ def _open(file: BufferedReader[Any], name: str) -> _PcapFrames | PcapngFrames:
         return PcapngFrames(file.read) if file.peek(4)[:4] == _PCAPNG else _PcapFrames(file)
     except (dpkt.Error, struct.error, ValueError) as error:
         raise ConfigError(f"{name} is not a readable pcap or pcapng file ({error})") from None
+
+
+def up_to_damage(datagrams: Iterable[Datagram], tell: Callable[[str], None]) -> Iterator[Datagram]:
+    """The datagrams before the place where a capture is damaged or cut off, as after a crash; `tell` is told of it.
+
+    Raises `ConfigError` if there are none before it.
+    """
+    last: Datagram | None = None
+    try:
+        for last in datagrams:
+            yield last
+    except ConfigError as error:
+        if last is None:
+            raise
+        tell(f"{error}; what is before that was read")
 
 
 def from_hex(text: str) -> bytes:

@@ -6,7 +6,7 @@ import math
 import re
 import threading
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from jauspy.capture.filters import Filter
-from jauspy.capture.reader import Datagram
+from jauspy.capture.reader import Datagram, up_to_damage
 from jauspy.cli import console
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, LocalRoot, OwnId, Timeout
@@ -104,11 +104,11 @@ def record(
         try:
             flushed = _flushed(recorder) if file is None else nullcontext()
             with pictures_taken(ocu, wanted, recorder.add_picture), flushed:
-                datagrams: Iterable[Datagram] = capture
+                datagrams: Iterable[Datagram] = up_to_damage(capture, console.note)
                 if with_video and file is not None:
-                    datagrams = _with_pictures_of_file(capture, file, recorder, known.registry)
+                    datagrams = _with_pictures_of_file(datagrams, file, recorder, known.registry)
                 elif streams is not None and network is not None:
-                    datagrams = _with_pictures(capture, network.port, recorder, streams)
+                    datagrams = _with_pictures(datagrams, network.port, recorder, streams)
                 recorder.run(datagrams)
         finally:
             found = recorder.recorded
@@ -143,13 +143,19 @@ def _with_pictures_of_file(
     from jauspy.export.films import pictures
 
     found = pictures(file, registry)
-    picture = next(found, None)
+
+    def following() -> RecordedPicture | None:
+        with suppress(ConfigError):  # which the datagrams tell, too
+            return next(found, None)
+        return None
+
+    picture = following()
 
     def record_until(time: float) -> None:
         nonlocal picture
         while picture is not None and picture.time <= time:
             _record(picture, recorder)
-            picture = next(found, None)
+            picture = following()
 
     for datagram in datagrams:
         record_until(datagram.time)

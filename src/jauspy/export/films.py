@@ -144,14 +144,19 @@ def export_films(path: Path, folder: Path) -> dict[Path, int]:
     the next film begins. Raises `ConfigError` if there is no video.
     """
     films: dict[str, _Film] = {}
-    with ExitStack() as stack:
-        for recorded in pictures(path):
-            film = films.get(recorded.camera)
-            if film is None:
-                if not films:
-                    make_folder(folder)
-                film = films[recorded.camera] = stack.enter_context(_Film(folder, recorded.camera))
-            film.add(recorded.picture)
+    try:
+        with ExitStack() as stack:
+            for recorded in pictures(path):
+                film = films.get(recorded.camera)
+                if film is None:
+                    if not films:
+                        make_folder(folder)
+                    film = films[recorded.camera] = stack.enter_context(_Film(folder, recorded.camera))
+                film.add(recorded.picture)
+    except ConfigError as error:
+        if any(film.files for film in films.values()):
+            raise ConfigError(f"{error}; the video before that is in {folder}") from None
+        raise
     written = {file: count for film in films.values() for file, count in film.files.items()}
     if not written:
         if films:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 MAGIC: Final = b"\x89MCAP0\r\n"
 MAX_CHUNK: Final = 256 << 20
 """Bytes of a record, also of what a chunk is decompressed to; more counts as damage."""
+UNFINISHED: Final = (1 << 64) - 1
+"""Length of the chunk that Foxglove's library was writing when its program was killed."""
 _HEAD: Final = struct.Struct("<BQ")
 """Opcode and length of a record."""
 _MESSAGE: Final = struct.Struct("<HIQQ")
@@ -41,6 +43,8 @@ def mcap_records(file: IO[bytes]) -> Iterator[Schema | Channel | Message]:
         opcode, size = _HEAD.unpack(head)
         if opcode in (Opcode.DATA_END, Opcode.FOOTER):
             return
+        if size == UNFINISHED:
+            raise ValueError("its last chunk was not finished")
         if size > MAX_CHUNK:
             raise ValueError(f"a record of {size} bytes")
         if opcode not in (Opcode.CHUNK, Opcode.SCHEMA, Opcode.CHANNEL, Opcode.MESSAGE):

@@ -175,9 +175,11 @@ class Recorder:
     def _complete(self) -> None:
         file, self._file = self._file, None
         if file is not None:
-            self._add_pictures(file)
-            file.close()
-            self.recorded.bytes += file.size
+            try:
+                self._add_pictures(file)
+                file.close()
+            finally:
+                self.recorded.bytes += file.size
 
     def _is_full(self, file: RunFile, now: float) -> bool:
         limits = self._limits
