@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Iterator
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, TypeAlias
 
 MAX_BLOCK: Final = 16 << 20
 """Bytes of a block, above which the file counts as damaged."""
@@ -23,13 +23,8 @@ _DROPPED: Final = 5
 """Code of the option `isb_ifdrop`."""
 
 
-class Frame(NamedTuple):
-    """A captured frame."""
-
-    link_type: int
-    time: float
-    """Seconds since 1970, UTC."""
-    data: bytes
+Frame: TypeAlias = tuple[int, float, bytes]
+"""The link type of a frame, its time (s since 1970, UTC) and its bytes."""
 
 
 class _Interface(NamedTuple):
@@ -66,23 +61,27 @@ class PcapngFrames:
         return self._interfaces[0].link_type
 
     def __iter__(self) -> Iterator[Frame]:
-        while header := self._read(8):
-            kind, length = self._head.unpack(header)
+        read, interfaces = self._read, self._interfaces
+        head, packet, number = self._head.unpack, self._packet.unpack_from, self._number.unpack_from
+        while header := read(8):
+            kind, length = head(header)
             if kind not in _PACKETS:
                 self._take(header)
+                interfaces = self._interfaces
+                head, packet, number = self._head.unpack, self._packet.unpack_from, self._number.unpack_from
                 continue
             body = self._body(header, length)
-            high, low, size = self._packet.unpack_from(body, 4)
-            if 20 + size + 4 > len(body):
+            high, low, size = packet(body, 4)
+            if 24 + size > len(body):
                 raise ValueError("a packet is longer than its block")
-            (number,) = (self._number if kind == _PACKET else self._short_number).unpack_from(body)
-            if number >= len(self._interfaces):
-                raise ValueError(f"a packet of interface {number}, which is not described")
-            link_type, ticks, offset = self._interfaces[number]
+            (which,) = number(body) if kind == _PACKET else self._short_number.unpack_from(body)
+            if which >= len(interfaces):
+                raise ValueError(f"a packet of interface {which}, which is not described")
+            link_type, ticks, offset = interfaces[which]
             time = offset + (high << 32 | low) / ticks
             if not 0.0 <= time < MAX_TIME:
                 raise ValueError(f"a packet at {time:g} s")
-            yield Frame(link_type, time, body[20 : 20 + size])
+            yield link_type, time, body[20 : 20 + size]
 
     def _set_order(self, order: str) -> None:
         """Read numbers in the byte order of a section."""

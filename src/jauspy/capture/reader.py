@@ -154,7 +154,7 @@ class _PcapFrames:
 
     def __iter__(self) -> Iterator[Frame]:
         self._file.record_follows()
-        return (Frame(self.link_type, float(time), frame) for time, frame in self._reader)
+        return ((self.link_type, float(time), bytes(frame)) for time, frame in self._reader)
 
 
 def _open(file: BufferedReader[Any], name: str) -> _PcapFrames | PcapngFrames:
