@@ -112,6 +112,7 @@ def test_unequal_needs_a_value_of_which_none_fits() -> None:
         ("src == 1.2.3.4", 8, "is no id"),
         ("src == gate", 8, "is no id"),
         ("x < fast", 5, "< needs a number"),
+        (f"size < 0x{'f' * 300}", 8, "too large"),
         ("x == 1 y == 2", 8, "and, or"),
         ("é == 1", 1, "a name"),
     ],

@@ -2,6 +2,7 @@
 
 import io
 import struct
+import tracemalloc
 
 import dpkt
 import pytest
@@ -115,6 +116,72 @@ def test_blocks_without_packets_are_passed_over():
 def test_a_damaged_block_of_pcapng_is_an_error(damaged):
     with pytest.raises(ConfigError, match=r"x\.pcap is damaged or cut off after frame 1"):
         read(pcapng(packets=[(6, 1)]) + damaged)
+
+
+def interface(link_type, resolution, order="<"):
+    options = struct.pack(order + "HHB3xHH", 9, 1, resolution, 0, 0)
+    return pcapng_block(order, 1, struct.pack(order + "HHI", link_type, 0, 0) + options)
+
+
+def packet_of(number, ticks, data, order="<"):
+    head = struct.pack(order + "IIIII", number, ticks >> 32, ticks & 0xFFFFFFFF, len(data), len(data))
+    return pcapng_block(order, 6, head + data + bytes(-len(data) % 4))
+
+
+def test_each_packet_has_the_link_type_and_the_times_of_its_interface():
+    """As Wireshark writes when it captures from several interfaces, and `mergecap` for several files."""
+    ip = frame()[14:]
+    whole = pcapng() + interface(101, 9) + interface(195, 6)
+    whole += packet_of(1, 3_000_000_000, ip) + packet_of(0, 4_000_000, frame()) + packet_of(2, 1, b"of ZigBee")
+    found, skipped = read(whole)
+    assert [(datagram.number, datagram.time, datagram.payload) for datagram in found] == [
+        (1, 3.0, MESSAGE),
+        (2, 4.0, MESSAGE),
+    ]
+    assert skipped == {"link type 195, which is not supported": 1}
+
+
+def test_sections_follow_each_other_in_any_byte_order():
+    """As `cat` makes of two captures."""
+    whole = pcapng(packets=[(6, 1_000_000)]) + pcapng(">", packets=[(2, 2_000_000)]) + pcapng(packets=[(6, 3_000_000)])
+    assert [datagram.time for datagram in read(whole)[0]] == [1.0, 2.0, 3.0]
+
+
+@pytest.mark.parametrize(
+    "hostile",
+    [
+        packet_of(1, 1, frame()),
+        packet_of(0xFFFFFFFF, 1, frame()),
+        packet_of(0, 0xFFFFFFFF_FFFFFFFF, frame()),
+        pcapng_block("<", 1, struct.pack("<HHIHHq", 1, 0, 0, 14, 8, -(1 << 62))) + packet_of(1, 1, frame()),
+        pcapng_block("<", 1, struct.pack("<HHIHHq", 1, 0, 0, 14, 8, 1 << 62)) + packet_of(1, 1, frame()),
+        interface(1, 6) * 2000,
+        pcapng_block("<", 0x0A0D0D0A, bytes(16)),
+        pcapng_block("<", 0x0A0D0D0A, struct.pack("<IHHq", 0x1A2B3C4D, 1, 0, -1)) + packet_of(0, 1, frame()),
+    ],
+    ids=["no such interface", "far interface", "late", "before 1970", "far future", "many", "no order", "no interface"],
+)
+def test_what_a_hostile_pcapng_claims_is_damage(hostile):
+    with pytest.raises(ConfigError, match=r"x\.pcap is damaged or cut off after frame 1"):
+        read(pcapng(packets=[(6, 1)]) + hostile)
+
+
+def test_sizes_that_a_hostile_pcap_claims_take_no_memory():
+    whole = bytearray(capture_file([frame(), frame()]))
+    whole[24 + 16 + 60 + 8 : 24 + 16 + 60 + 12] = b"\xf0\xff\xff\xff"
+    tracemalloc.start()
+    try:
+        with pytest.raises(ConfigError, match=r"x\.pcap is damaged or cut off after frame 1"):
+            read(bytes(whole))
+        assert tracemalloc.get_traced_memory()[1] < 10 << 20
+    finally:
+        tracemalloc.stop()
+
+
+def test_bits_for_checksums_are_no_link_type():
+    data = bytearray(capture_file([frame()]))
+    data[20:24] = struct.pack(">I" if data[0] == 0xA1 else "<I", 0x54000001)
+    assert [datagram.payload for datagram in read(bytes(data))[0]] == [MESSAGE]
 
 
 @pytest.mark.parametrize("writer", [dpkt.pcap.Writer, dpkt.pcapng.Writer])

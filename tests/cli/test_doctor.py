@@ -47,6 +47,12 @@ def test_exit_status_json_and_quiet(here: tuple[object, ...], free_port: int) ->
     assert "\nok " not in quiet.stdout
 
 
+def test_a_local_root_is_named_as_for_other_verbs(root: Path, free_port: int) -> None:
+    done = run("doctor", "--connect", f"local:{root}", "--port", free_port, "--interface", "127.0.0.1")
+    assert str(root) in done.stdout or "no program" in done.stdout
+    assert "Invalid value" not in done.output
+
+
 def test_wrong_use(here: tuple[object, ...]) -> None:
     assert "is not one component" in run("doctor", "101.1.255").output
     assert "name the component" in run("doctor", "--connect", "udp://127.0.0.1").output

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import signal
 import socket
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from itertools import islice
 from pathlib import Path
 
 import pytest
+from tests.helpers.command_line import JAUSPY
 from typer.testing import CliRunner
 
 from jauspy.capture import writer
@@ -271,3 +273,25 @@ def test_fragments_of_ipv6_are_seen_on_the_cable(cable: tuple[str, str], tmp_pat
     with path.open("rb") as file:
         found = list(CaptureReader(file, name="run"))
     assert {(row.destination, row.payload) for row in found} == {(("ff02::1", 3794), bytes(5000))}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_a_recording_ends_in_order_at_a_signal(
+    sender: socket.socket, free_port: int, tmp_path: Path, number: signal.Signals
+) -> None:
+    path = tmp_path / "run.pcapng"
+    where = ("--multicast", GROUP, "--interface", "lo", "--port", str(free_port))
+    with subprocess.Popen([*JAUSPY, "record", str(path), *where], stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
+        assert "recording" in process.stderr.readline()
+        sender.sendto(PAYLOAD, (GROUP, free_port))
+        end = time.monotonic() + 60.0
+        while not (found := path.stat().st_size > len(writer.preamble())) and time.monotonic() < end:
+            time.sleep(0.05)  # it is written although nothing follows
+        process.send_signal(number)
+        assert found
+        assert "1 datagrams" in process.stderr.read()
+    assert process.returncode == 0
+    with path.open("rb") as file:
+        assert [row.payload for row in CaptureReader(file, name="run", port=free_port)] == [PAYLOAD]

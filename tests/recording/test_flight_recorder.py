@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, strategies as st
+from hypothesis import example, given, strategies as st
 
 from jauspy.capture.dissect import dissect
 from jauspy.capture.reader import CaptureReader, Datagram
@@ -56,6 +56,7 @@ def datagram(seconds: float, message: Message | None = None, source: JausID = RO
     return Datagram(1, START + seconds, ("10.0.0.1", 3794), ("10.0.0.2", 3794), payload)
 
 
+@example(rows=[(0.0, 0), (-1.0, 0), *[(0.0, 0)] * 5, (2.0, 0)], seconds=1.0, size=2100)
 @given(
     rows=st.lists(st.tuples(st.floats(-5.0, 20.0), st.integers(0, 2000))),
     seconds=st.floats(0.0, 30.0),

@@ -76,6 +76,18 @@ async def test_the_same_robot_answers_as_recorded(recording: Path) -> None:
     assert {packet.destination for packet in sent} == {ROBOT}
 
 
+async def test_a_recording_of_a_killed_recorder_is_replayed_up_to_its_end(recording: Path, tmp_path: Path) -> None:
+    cut, told = tmp_path / "cut.pcapng", list[str]()
+    cut.write_bytes(recording.read_bytes()[:-5])
+    with pytest.raises(ConfigError, match="cut off"):
+        load(cut, registry)
+    found = load(cut, registry, on_damage=told.append)
+    assert len(told) == 1
+    assert "cut off" in told[0]
+    async with target() as (network, _):
+        assert (await play(network, found)).differences == []
+
+
 async def test_numbers_are_the_same_too_but_for_the_time(recording: Path) -> None:
     """Among them the id of who is in control, which is another one now."""
     time = ("milliseconds", "seconds", "minutes", "hour", "day", "time", "date")

@@ -1,11 +1,14 @@
 """What recording `inc1` with cameras, lidar and reports costs: as MCAP, as pcapng, and by a flight recorder.
 
-python tools/bench/recording.py [--seconds 10] [--rate 20] [--backend kinematic]
+python tools/bench/recording.py [--seconds 10] [--rate 20] [--backend kinematic] [--rounds 1]
 
 A node manager, the robot, and a client that receives two videos and events of all reports of poses, speeds, joints and
 forces with this rate, and each scan of the lidar (10 Hz). Each run has another recorder, the first none. Shown are
-what the recorder wrote, its processor time in percent of a core, packets that it lost, and the share of the steps of
-the robot's clock that were late. All share the machine: compare the clock with that of the first run.
+what the recorder wrote, its processor time in percent of a core, and packets that it lost.
+
+Then the robot's clock, which pauses when the robot cannot keep up: seconds that the robot advanced in a second of the
+wall clock, steps that began late, and steps that were skipped, with each recorder and without; 1 is real time. All
+share the machine, so that rounds differ by its other work: those without a recorder, too.
 """
 
 from __future__ import annotations
@@ -17,9 +20,10 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import AsyncIterator, Iterator
 from contextlib import AsyncExitStack, ExitStack, asynccontextmanager, contextmanager
-from typing import Any
+from typing import Any, NamedTuple
 
 import psutil
 from _processes import free_port
@@ -27,6 +31,7 @@ from _processes import free_port
 from jauspy.codec.message import Message
 from jauspy.messages import core, environment_sensing as sensing, manipulator, mobility
 from jauspy.ocu import OCU
+from jauspy.robot.realtime import STEP
 
 QUERIES: dict[str, tuple[Message, ...]] = {
     "101.1.102": (
@@ -69,17 +74,34 @@ def child(*command: str, said: str) -> Iterator[subprocess.Popen[str]]:
         process.communicate(timeout=30)
 
 
-def steps(robot: subprocess.Popen[str]) -> tuple[int, int]:
-    """Steps of the robot's clock so far, and those that were late."""
+class RobotClock(NamedTuple):
+    """What the robot's clock has counted up to a time of the wall clock (s), or between two."""
+
+    wall: float
+    steps: int
+    late: int
+    skipped: int
+
+    def since(self, before: RobotClock) -> RobotClock:
+        """What was counted between two times."""
+        return RobotClock(*(now - then for now, then in zip(self, before, strict=True)))
+
+    def __str__(self) -> str:
+        pace = self.steps * STEP / self.wall
+        return f"{pace:.4f} s a second, {self.late / self.steps:6.2%} of the steps late, {self.skipped} skipped"
+
+
+def read_clock(robot: subprocess.Popen[str]) -> RobotClock:
+    """The clock of a robot now, from the counters that it prints in the order of their names."""
     robot.send_signal(signal.SIGUSR1)
     assert robot.stdout is not None
-    late = 0
+    counters = dict.fromkeys(("late", "skipped", "steps"), 0)
     for line in robot.stdout:
-        found = re.search(r"realtime\.(late|steps)\s+(\d+)", line)
-        if found and found[1] == "late":
-            late = int(found[2])
-        elif found:
-            return int(found[2]), late
+        found = re.search(r"realtime\.(late|skipped|steps)\s+(\d+)", line)
+        if found:
+            counters[found[1]] = int(found[2])
+        if counters["steps"]:
+            return RobotClock(time.monotonic(), counters["steps"], counters["late"], counters["skipped"])
     raise SystemExit("the robot has ended")
 
 
@@ -121,8 +143,8 @@ def recorder(how: str, root: str) -> Iterator[subprocess.Popen[str] | None]:
             yield process
 
 
-async def measure(how: str, seconds: float, rate: float, backend: str) -> None:
-    """One run; prints a line."""
+async def measure(how: str, seconds: float, rate: float, backend: str) -> RobotClock:
+    """One run; prints a line, and returns what the robot's clock counted."""
     with ExitStack() as stack:
         root = stack.enter_context(tempfile.TemporaryDirectory(prefix="jb"))
         where = ("--local-root", root, "--port", str(free_port()), "--address", "127.0.0.1", "--plain")
@@ -133,20 +155,20 @@ async def measure(how: str, seconds: float, rate: float, backend: str) -> None:
                 await asyncio.sleep(1.0)  # its start is over
                 watched = None if process is None else psutil.Process(process.pid)
                 used = 0.0 if watched is None else sum(watched.cpu_times()[:2])
-                all_before, late_before = steps(robot)
+                before = read_clock(robot)
                 await asyncio.sleep(seconds)
-                all_after, late_after = steps(robot)
+                clock = read_clock(robot).since(before)
                 used = 0.0 if watched is None else sum(watched.cpu_times()[:2]) - used
                 if process is not None:
                     process.send_signal(signal.SIGINT)
                     assert process.stdout is not None
                     said = await asyncio.to_thread(process.stdout.read)
-        clock = f"{(late_after - late_before) / (all_after - all_before):7.2%} of {all_after - all_before} steps late"
         found = re.search(r"(\d+) messages, (\d+) bytes", said)
         messages, size = (int(number) / (seconds + 1.0) for number in found.groups()) if found else (0.0, 0.0)
         wrote = f"{messages:5.0f} messages/s {size / 1e6:6.3f} MB/s written" if found else ""
         lost = max(map(int, re.findall(r"(\d+) packets were lost", said)), default=0)
-        print(f"  {how:16}{wrote:40}{used / seconds:7.1%} of a core  lost {lost}  {clock}", flush=True)
+        print(f"  {how:16}{wrote:40}{used / seconds:7.1%} of a core  lost {lost}", flush=True)
+        return clock
 
 
 def main() -> None:
@@ -155,9 +177,15 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--rate", type=float, default=20.0)
     parser.add_argument("--backend", default="kinematic")
+    parser.add_argument("--rounds", type=int, default=1)
     options = parser.parse_args()
-    for how in ("nobody", "mcap", "pcapng", "flight recorder"):
-        asyncio.run(measure(how, options.seconds, options.rate, options.backend))
+    clocks: dict[str, list[RobotClock]] = {how: [] for how in ("nobody", "mcap", "pcapng", "flight recorder")}
+    for _ in range(options.rounds):
+        for how, found in clocks.items():
+            found.append(asyncio.run(measure(how, options.seconds, options.rate, options.backend)))
+    print("the robot's clock, recorded by")
+    for how, found in clocks.items():
+        print(f"  {how:16}{RobotClock(*map(sum, zip(*found, strict=True)))}")
 
 
 if __name__ == "__main__":

@@ -123,7 +123,7 @@ class Filter:
 
 
 class _UnknownName(Exception):
-    """A name of the filter that nothing has."""
+    """A name of the filter that nothing has, or a value that a name cannot have."""
 
     def __init__(self, position: int, problem: str) -> None:
         super().__init__(problem)
@@ -216,9 +216,12 @@ def _value(token: Token) -> Value:
         return text[1:-1]
     if token.type != "NUMBER":
         return text
-    if text.lower().endswith("h"):
-        return float(int(text[:-1], 16))
-    return float(int(text, 16)) if "0x" in text.lower() else float(text)
+    try:
+        if text.lower().endswith("h"):
+            return float(int(text[:-1], 16))
+        return float(int(text, 16)) if "0x" in text.lower() else float(text)
+    except OverflowError:
+        raise _UnknownName(token.start_pos or 0, "the number is too large") from None
 
 
 def _equality(name: Token, token: Token, wanted: Value) -> Callable[[object], bool]:

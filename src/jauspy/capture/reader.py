@@ -5,18 +5,21 @@ from __future__ import annotations
 import re
 import struct
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from io import BufferedReader
 from typing import Any, Final, NamedTuple
 
 import dpkt
 
 from jauspy.capture.ip import IP_LINKS, JAUS_PORT, OTHER_PROTOCOL, DatagramAssembler, Udp, ip_packet
+from jauspy.capture.pcapng import MAX_BLOCK, Frame, PcapngFrames
 from jauspy.errors import ConfigError
 from jauspy.protocol.jserial import FrameDecoder
 
 _PCAPNG: Final = b"\x0a\x0d\x0d\x0a"
 _PCAP: Final = tuple(struct.pack(order + "I", magic) for magic in (0xA1B2C3D4, 0xA1B23C4D) for order in "<>")
+_LINK_TYPE: Final = 0x03FFFFFF
+"""Bits of the link type in a pcap file; the others tell of checksums behind frames."""
 _SEPARATORS = re.compile(r"[\s:,_-]+|\b0[xX]")
 
 SERIAL: Final = 147
@@ -40,9 +43,9 @@ class Datagram(NamedTuple):
 
 
 class _CheckedFile:
-    """A capture file for dpkt, which ignores short reads: here they are an error, except between records.
+    """A pcap file for dpkt, which ignores short reads: here they are an error, except between records.
 
-    Both formats are read in pairs: a header, and the rest of its record.
+    It is read in pairs: a header, and the rest of its record, which may not be larger than `MAX_BLOCK`.
     """
 
     def __init__(self, file: BufferedReader[Any]) -> None:
@@ -55,6 +58,8 @@ class _CheckedFile:
 
     def read(self, count: int) -> bytes:
         """Exactly `count` bytes; none at the end of the file."""
+        if count > MAX_BLOCK:
+            raise dpkt.NeedData(f"a record of {count} bytes")
         data = self._file.read(max(count, 0))
         if len(data) < count and (data or not self._between):
             raise dpkt.NeedData("the file ends in the middle of a record")
@@ -71,7 +76,7 @@ class CaptureReader:
     """Iterates over the datagrams from or to `port` (None: any port) in an open capture file.
 
     `skipped` counts, by reason, the frames that held no such datagram; it is complete after the iteration.
-    In a pcapng file, the link type of the first interface applies to all.
+    In a pcapng file, frames of further interfaces with such a link type are among them.
 
     Raises:
         ConfigError: not a capture file, or a link type without IP in it; while iterating: damaged or cut off here.
@@ -82,12 +87,8 @@ class CaptureReader:
         self._port = port
         self._assembler = DatagramAssembler(JAUS_PORT if port is None else port)
         self._serial = FrameDecoder()
-        self._read = file.read
-        self._file = _CheckedFile(file)
-        self._frames = _open(file.peek(4)[:4], self._file, name)
-        self._link_type: int = self._frames.datalink()
-        self.lost = 0
-        """Packets that whoever wrote a pcapng file has lost so far, as its statistics tell."""
+        self._frames = _open(file, name)
+        self._link_type = self._frames.link_type
         if self._link_type not in NAMES:
             known = ", ".join(dict.fromkeys(NAMES.values()))
             raise ConfigError(f"{name}: link type {self._link_type} is not supported; these are: {known}")
@@ -97,26 +98,33 @@ class CaptureReader:
         """Number of skipped frames, by reason."""
         return self._assembler.skipped
 
+    @property
+    def lost(self) -> int:
+        """Packets that whoever wrote a pcapng file has lost so far, as its statistics tell."""
+        return self._frames.lost
+
     def __iter__(self) -> Iterator[Datagram]:
-        datagrams = self._from_line if self._link_type == SERIAL else self._from_network
-        self._file.record_follows()
-        is_pcapng = isinstance(self._frames, dpkt.pcapng.Reader)
-        frames = self._pcapng_frames(self._frames.idb) if is_pcapng else iter(self._frames)
+        frames = iter(self._frames)
         number = 0
         while True:
             try:
-                time, frame = next(frames)
+                link_type, time, frame = next(frames)
             except StopIteration:
                 break
             except (dpkt.Error, struct.error, ValueError):
                 raise ConfigError(f"{self._name} is damaged or cut off after frame {number}") from None
             number += 1
-            for source, destination, payload in datagrams(bytes(frame)):
-                yield Datagram(number, float(time), source, destination, payload)
+            for source, destination, payload in self._datagrams(link_type, frame):
+                yield Datagram(number, time, source, destination, payload)
         self._assembler.finish()
 
-    def _from_network(self, frame: bytes) -> Sequence[Udp]:
-        packet = ip_packet(self._link_type, frame)
+    def _datagrams(self, link_type: int, frame: bytes) -> Sequence[Udp]:
+        if link_type == SERIAL:
+            return self._from_line(frame)
+        if link_type not in IP_LINKS:
+            self.skipped[f"link type {link_type}, which is not supported"] += 1
+            return ()
+        packet = ip_packet(link_type, frame)
         if packet is None:
             self.skipped[OTHER_PROTOCOL] += 1
             return ()
@@ -132,66 +140,43 @@ class CaptureReader:
             self.skipped["damaged JSerial frame"] += len(errors)
         return [Udp(SERIAL_LINE, SERIAL_LINE, datagram) for datagram in datagrams]
 
-    def _pcapng_frames(self, interface: dpkt.pcapng.InterfaceDescriptionBlock) -> Iterator[tuple[float, bytes]]:
-        """Time and bytes of the packet blocks that follow; dpkt takes three times as long, for it makes objects.
 
-        Raises `ValueError` or `struct.error` for a damaged block.
-        """
-        read, order = self._read, "<" if isinstance(interface, dpkt.pcapng.InterfaceDescriptionBlockLE) else ">"
-        ticks, offset = 1e6, 0
-        for option in interface.opts:
-            if option.code == _TIME_RESOLUTION:
-                exponent = option.data[0]
-                ticks = float((2 if exponent & 0x80 else 10) ** (exponent & 0x7F))
-            elif option.code == _TIME_OFFSET:
-                (offset,) = struct.unpack(order + "q", option.data)
-        head, packet = struct.Struct(order + "II"), struct.Struct(order + "4xIII")
-        while header := read(8):
-            kind, length = head.unpack(header)
-            if not 12 <= length <= MAX_BLOCK or length % 4:
-                raise ValueError(f"a block of {length} bytes")
-            body = read(length - 8)
-            if len(body) != length - 8 or body[-4:] != header[4:]:
-                raise ValueError("a block is cut off, or its length differs at its end")
-            if kind in _PACKET_BLOCKS:
-                high, low, size = packet.unpack_from(body)
-                if 20 + size + 4 > len(body):
-                    raise ValueError("a packet is longer than its block")
-                yield offset + (high << 32 | low) / ticks, body[20 : 20 + size]
-            elif kind == _STATISTICS:
-                self.lost = max(self.lost, _dropped(body, order))
+class _PcapFrames:
+    """The frames of a pcap file. Raises `ValueError`, `struct.error` or `dpkt.Error` for a damaged one."""
+
+    lost = 0
+    """The format does not tell."""
+
+    def __init__(self, file: BufferedReader[Any]) -> None:
+        self._file = _CheckedFile(file)
+        self._reader = dpkt.pcap.Reader(self._file)
+        self.link_type: int = self._reader.datalink() & _LINK_TYPE
+
+    def __iter__(self) -> Iterator[Frame]:
+        self._file.record_follows()
+        return ((self.link_type, float(time), bytes(frame)) for time, frame in self._reader)
 
 
-def _dropped(body: bytes, order: str) -> int:
-    """The packets that an interface has dropped, in the options of a statistics block."""
-    at, option = 12, struct.Struct(order + "HH")
-    while at + option.size <= len(body) - 4:
-        code, length = option.unpack_from(body, at)
-        at += option.size
-        if code == _DROPPED and length == 8 and at + 8 <= len(body):
-            (count,) = struct.unpack_from(order + "Q", body, at)
-            return int(count)
-        at += length + -length % 4
-    return 0
-
-
-def _open(head: bytes, file: _CheckedFile, name: str) -> dpkt.pcap.Reader | dpkt.pcapng.Reader:
-    kind = dpkt.pcapng.Reader if head == _PCAPNG else dpkt.pcap.Reader
+def _open(file: BufferedReader[Any], name: str) -> _PcapFrames | PcapngFrames:
     try:
-        return kind(file)
+        return PcapngFrames(file.read) if file.peek(4)[:4] == _PCAPNG else _PcapFrames(file)
     except (dpkt.Error, struct.error, ValueError) as error:
         raise ConfigError(f"{name} is not a readable pcap or pcapng file ({error})") from None
 
 
-_PACKET_BLOCKS: Final = (2, 6)
-"""Types of pcapng blocks with a packet: the obsolete one, and the enhanced one."""
-MAX_BLOCK: Final = 16 << 20
-"""Bytes of a pcapng block, above which the file counts as damaged."""
-_STATISTICS: Final = 5
-_DROPPED: Final = 5
-"""Code of the option `isb_ifdrop`."""
-_TIME_RESOLUTION: Final = 9
-_TIME_OFFSET: Final = 14
+def up_to_damage(datagrams: Iterable[Datagram], tell: Callable[[str], None]) -> Iterator[Datagram]:
+    """The datagrams before the place where a capture is damaged or cut off, as after a crash; `tell` is told of it.
+
+    Raises `ConfigError` if there are none before it.
+    """
+    last: Datagram | None = None
+    try:
+        for last in datagrams:
+            yield last
+    except ConfigError as error:
+        if last is None:
+            raise
+        tell(f"{error}; what is before that was read")
 
 
 def from_hex(text: str) -> bytes:

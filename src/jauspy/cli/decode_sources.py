@@ -18,7 +18,8 @@ from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.protocol import judp
 from jauspy.protocol.jserial import FrameDecoder
-from jauspy.recording.mcap_capture import MAGIC, McapCapture, open_capture_file
+from jauspy.recording.mcap_capture import McapCapture, open_capture_file
+from jauspy.recording.mcap_records import MAGIC
 
 
 class Item(NamedTuple):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from pathlib import Path
 from typing import Annotated, Final
 
 import typer
@@ -30,6 +31,7 @@ from jauspy.ocu.sealing import load_key
 from jauspy.printable import printable
 from jauspy.transport.connect import udp_address
 
+LOCAL: Final = "local:"
 _STYLES: Final = {Severity.OK: "green", Severity.WARN: "yellow", Severity.FAIL: "bold red"}
 _INDENT: Final = " " * 6
 
@@ -41,7 +43,11 @@ def doctor(
     *,
     connect: Annotated[
         str | None,
-        typer.Option("--connect", metavar="udp://HOST[:PORT]", help="Where ID is, if discovery does not find it."),
+        typer.Option(
+            "--connect",
+            metavar="WHERE",
+            help="Where ID is, if discovery does not find it: udp://HOST[:PORT]; local:DIR is --local-root.",
+        ),
     ] = None,
     port: Port = DEFAULT_PORT,
     group: MulticastGroup = DEFAULT_GROUP,
@@ -67,6 +73,8 @@ def doctor(
       jauspy doctor 101.1.102
       jauspy doctor 101.1.102 --connect udp://192.168.1.20 --authority 200
     """
+    if connect is not None and connect.startswith(LOCAL):
+        root, connect = Path(connect.removeprefix(LOCAL)), None
     id = None if peer is None else client.destination(peer)
     if id is not None and id.is_wildcard:
         raise ConfigError(f"{id} is not one component; `jauspy doctor` without an id examines the network")
@@ -104,7 +112,7 @@ def doctor(
 
 def _address(connect: str) -> tuple[str, int]:
     if not connect.startswith("udp://"):
-        raise typer.BadParameter(f"{connect!r} is not udp://HOST[:PORT]", param_hint="--connect")
+        raise typer.BadParameter(f"{connect!r} is not udp://HOST[:PORT] or local:DIR", param_hint="--connect")
     found = run(udp_address(connect))
     if found is None:
         raise typer.Exit(130)

@@ -11,10 +11,9 @@ from typing import Annotated, Any
 import typer
 
 from jauspy.capture.filters import Filter, printed_values
-from jauspy.cli import client, console
+from jauspy.cli import console
 from jauspy.cli.decode_formats import part_json
 from jauspy.cli.definitions import SchemasOption, definitions
-from jauspy.cli.event_reports import event_query, event_reports
 from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, Json, LocalRoot, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.render import Styled, styled_fields
@@ -83,6 +82,9 @@ def echo(
     if subscribe:
         if file is not None or interface is not None or multicast is not None:
             raise ConfigError("--subscribe creates an event at a component; it does not read a capture or a network")
+        from jauspy.cli import client  # this and the next take seconds, and listening needs neither
+        from jauspy.cli.event_reports import event_query, event_reports
+
         component, query = event_query(source, message, known)
         fits = None if only is None else Filter(only, known.registry)
         ocu = client.make_ocu(own_id, connect, timeout, known.registry)

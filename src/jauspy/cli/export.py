@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from jauspy.capture.filters import Filter
+from jauspy.capture.reader import up_to_damage
 from jauspy.cli import console
 from jauspy.cli.definitions import Definitions, SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, FilterOption
@@ -122,7 +123,7 @@ def _export_pcapng(file: Path, path: Path, known: Definitions, only: str | None)
     fits = None if only is None else Filter(only, known.registry)
     with open_capture(file, DEFAULT_ROOT) as capture:
         recorder = Recorder(path, known.registry, fits=fits)
-        recorder.run(capture)
+        recorder.run(up_to_damage(capture, console.note))
     console.print_lines(f"{path}: {recorder.recorded.datagrams} datagrams, {recorder.recorded.bytes} bytes")
 
 

@@ -10,7 +10,6 @@ import time
 from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager, closing, suppress
 from dataclasses import dataclass
-from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated, Final
@@ -25,6 +24,7 @@ from jauspy.errors import ConfigError, TransportError
 from jauspy.inspection.live import LiveCapture
 from jauspy.recording.flight_recorder import FlightRecorder, Folder
 from jauspy.recording.incidents import IncidentDetector, Kind
+from jauspy.recording.run_files import prepared
 
 RECORDINGS: Final = Path("recordings")
 MAX_BEFORE, MAX_AFTER = 600.0, 600.0
@@ -80,8 +80,7 @@ def flight_recorder(
     known = definitions(schemas)
     prefix = "all" if subsystem is None else str(subsystem)
     suffix = ".mcap" if find_spec("foxglove") is not None else ".pcapng"
-    if suffix == ".mcap":
-        import_module("jauspy.recording.feed")  # takes most of a second, during which an incident's traffic would wait
+    prepared(output / f"run{suffix}", known.registry)  # now, so that an incident's traffic does not wait for it
     with stoppable(), suppress(KeyboardInterrupt), closing(LiveCapture(root)) as capture:
         recorder = FlightRecorder(
             Folder(output, prefix, suffix),

@@ -12,16 +12,16 @@ import typer
 
 from jauspy.capture.dissector import Dissector
 from jauspy.capture.filters import Filter
-from jauspy.cli import client, console
+from jauspy.cli import console
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, LocalRoot, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.recorded import Camera, Cameras, Robots, cameras, described, take_pictures
 from jauspy.inspection.live import LiveCapture
-from jauspy.ocu import OCU
 from jauspy.recording.recorder import Picture
 
 if TYPE_CHECKING:
+    from jauspy.ocu import OCU
     from jauspy.recording.live_view import LiveView
     from jauspy.recording.samples import Sample
 
@@ -66,7 +66,11 @@ def live(
     dissector = Dissector(known.registry)
     feed, view = Feed(known.registry, described(robot)), LiveView()
     capture = LiveCapture(root, seconds)
-    ocu = client.make_ocu(own_id, connect, timeout) if wanted else None
+    ocu = None
+    if wanted:
+        from jauspy.cli import client  # takes seconds, and nothing else here needs it
+
+        ocu = client.make_ocu(own_id, connect, timeout)
 
     def samples() -> Iterator[list[Sample]]:
         for datagram in capture:

@@ -128,7 +128,7 @@ VERBS: Final = {
         "Keep the last traffic of this machine in memory, and write it to a file when something happens, until Ctrl-C.",
     ),
     "info": (
-        "jauspy.cli.record:info",
+        "jauspy.cli.info:info",
         "Tell what is in a recording: its time, and messages by sender and name.",
     ),
     "export": (

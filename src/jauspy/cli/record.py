@@ -1,31 +1,29 @@
-"""`jauspy record` and `jauspy info`: record what is routed, and tell what is in a recording."""
+"""`jauspy record`: record what is routed, what passes a network, or a capture."""
 
 from __future__ import annotations
 
 import math
 import re
-import time
-from collections import Counter
+import threading
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from jauspy.capture.filters import Filter
-from jauspy.capture.reader import CaptureReader, Datagram
-from jauspy.cli import client, console
+from jauspy.capture.reader import Datagram, up_to_damage
+from jauspy.cli import console
 from jauspy.cli.definitions import SchemasOption, definitions
-from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, Json, LocalRoot, OwnId, Timeout
+from jauspy.cli.options import DEFAULT_ROOT, Connect, FilterOption, LocalRoot, OwnId, Timeout
+from jauspy.cli.processes import stoppable
 from jauspy.cli.recorded import Cameras, Robots, cameras, described, pictures_taken
 from jauspy.cli.traffic import CaptureFile, Interface, Multicast, NetworkPort, chosen_network, open_capture
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.inspection.traffic import seen_messages
-from jauspy.messages import registry as public
-from jauspy.recording.mcap_summary import read_summary
-from jauspy.recording.recorder import Limits, Picture, Recorder
+from jauspy.recording.recorder import FLUSH_INTERVAL, Limits, Picture, Recorder
 from jauspy.video.h264_payload import join_nals
 
 if TYPE_CHECKING:
@@ -66,7 +64,7 @@ def record(
     """Record what the node manager of this machine routes, until Ctrl-C.
 
     A .pcapng file has the datagrams, for Wireshark. A .mcap file has them, too, and each message as JSON on the topic
-    /SENDER/MESSAGE, with a schema made from its definition. The definitions are attached. It opens in Foxglove, with
+    /SENDER/MESSAGE, with a schema made from its definition. All definitions are attached. It opens in Foxglove, with
     frames, poses, scans, joints and a log in Foxglove's schemas; with --robot also meshes, with --video pictures.
     With --capture or --interface, and without --filter, a .mcap file also gets the H.264 in RTP that is seen there.
 
@@ -94,18 +92,23 @@ def record(
 
         network = replace(network, with_rtp=True)
         streams = RtpStreams(known.registry)
-    ocu = client.make_ocu(own_id, connect, timeout) if wanted else None
-    with open_capture(file, root, seconds, network=network) as capture:
+    ocu = None
+    if wanted:
+        from jauspy.cli import client  # takes seconds, and nothing else here needs it
+
+        ocu = client.make_ocu(own_id, connect, timeout)
+    with stoppable(), open_capture(file, root, seconds, network=network) as capture:
         recorder = Recorder(output, known.registry, limits, fits, described(robot))
         if file is None:
             console.note("recording" + ("; Ctrl-C ends it" if seconds is None else f" for {seconds:g} s"))
         try:
-            with pictures_taken(ocu, wanted, recorder.add_picture):
-                datagrams: Iterable[Datagram] = capture
+            flushed = _flushed(recorder) if file is None else nullcontext()
+            with pictures_taken(ocu, wanted, recorder.add_picture), flushed:
+                datagrams: Iterable[Datagram] = up_to_damage(capture, console.note)
                 if with_video and file is not None:
-                    datagrams = _with_pictures_of_file(capture, file, recorder, known.registry)
+                    datagrams = _with_pictures_of_file(datagrams, file, recorder, known.registry)
                 elif streams is not None and network is not None:
-                    datagrams = _with_pictures(capture, network.port, recorder, streams)
+                    datagrams = _with_pictures(datagrams, network.port, recorder, streams)
                 recorder.run(datagrams)
         finally:
             found = recorder.recorded
@@ -115,6 +118,24 @@ def record(
             console.note(f"{counts}: {files}")
 
 
+@contextmanager
+def _flushed(recorder: Recorder) -> Iterator[None]:
+    """Have what was recorded handed over also while nothing comes, in a thread while the context is open."""
+    ended = threading.Event()
+
+    def work() -> None:
+        while not ended.wait(FLUSH_INTERVAL / 2.0):
+            recorder.flush()
+
+    thread = threading.Thread(target=work, name="flush", daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        thread.join()
+
+
 def _with_pictures_of_file(
     datagrams: Iterable[Datagram], file: Path, recorder: Recorder, registry: Registry
 ) -> Iterator[Datagram]:
@@ -122,13 +143,19 @@ def _with_pictures_of_file(
     from jauspy.export.films import pictures
 
     found = pictures(file, registry)
-    picture = next(found, None)
+
+    def following() -> RecordedPicture | None:
+        with suppress(ConfigError):  # which the datagrams tell, too
+            return next(found, None)
+        return None
+
+    picture = following()
 
     def record_until(time: float) -> None:
         nonlocal picture
         while picture is not None and picture.time <= time:
             _record(picture, recorder)
-            picture = next(found, None)
+            picture = following()
 
     for datagram in datagrams:
         record_until(datagram.time)
@@ -151,70 +178,6 @@ def _record(found: RecordedPicture, recorder: Recorder) -> None:
     unit = join_nals(found.picture.nals)
     recorder.add_picture(Picture(found.camera, found.time, unit, found.picture.is_idr))
     recorder.write_pictures()
-
-
-def info(
-    *,
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="A .mcap, .pcapng or .pcap file.")],
-    json: Json = False,
-) -> None:
-    """Tell what is in a recording: its time, and messages by sender and name.
-
-    The summary of an MCAP file is enough, whatever its size; other files are read from the beginning to the end.
-
-    Examples:
-      jauspy info run.mcap
-      jauspy info run.pcapng --json
-    """
-    found = _mcap_info(file) if file.suffix == ".mcap" else _capture_info(file)
-    if json:
-        console.print_json(found)
-        return
-    start, end = found["start"], found["end"]
-    if start is not None:
-        began = time.strftime("%Y-%m-%d %H:%M:%S", time.gmtime(start))
-        console.print_lines(f"{file}: {found['bytes']} bytes, {end - start:.1f} s from {began} UTC")
-    else:
-        console.print_lines(f"{file}: {found['bytes']} bytes, no messages")
-    rows = [(row["message"], row["source"], str(row["count"])) for row in found["messages"]]
-    if rows:
-        console.print_table(("message", "from", "count"), rows)
-
-
-def _mcap_info(path: Path) -> dict[str, Any]:
-    try:
-        with path.open("rb") as opened:
-            summary = read_summary(opened, str(path))
-    except OSError as error:
-        raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
-    counts = summary.statistics.channel_message_counts
-    rows = []
-    for number, channel in summary.channels.items():
-        source, _, name = channel.topic.removeprefix("/").rpartition("/")
-        if source and channel.message_encoding == "json":
-            rows.append({"message": name, "source": source, "count": counts.get(number, 0)})
-    has_any = bool(summary.statistics.message_count)
-    return {
-        "file": str(path),
-        "bytes": path.stat().st_size,
-        "start": summary.statistics.message_start_time / 1e9 if has_any else None,
-        "end": summary.statistics.message_end_time / 1e9 if has_any else None,
-        "messages": sorted(rows, key=lambda row: (-int(row["count"]), str(row["message"]))),
-    }
-
-
-def _capture_info(path: Path) -> dict[str, Any]:
-    counts: Counter[tuple[str, str]] = Counter()
-    start = end = None
-    try:
-        with path.open("rb") as opened:
-            for seen in seen_messages(CaptureReader(opened, name=str(path), port=None), public, copies=True):
-                counts[seen.name, str(seen.part.packet.source)] += 1
-                start, end = (seen.time if start is None else start), seen.time
-    except OSError as error:
-        raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
-    rows = [{"message": name, "source": source, "count": count} for (name, source), count in counts.most_common()]
-    return {"file": str(path), "bytes": path.stat().st_size, "start": start, "end": end, "messages": rows}
 
 
 def _bytes(text: str) -> float:

@@ -8,16 +8,17 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AsyncExitStack, contextmanager
-from typing import Annotated, Final, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Final, NamedTuple
 
 import typer
 
-from jauspy.cli import client
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.ocu import OCU
 from jauspy.recording.described_robot import DescribedRobot
 from jauspy.recording.recorder import Picture
+
+if TYPE_CHECKING:
+    from jauspy.ocu import OCU
 
 Robots = Annotated[
     list[str] | None,
@@ -67,8 +68,12 @@ def described(names: Sequence[str] | None) -> dict[int, DescribedRobot]:
 
 def cameras(names: Sequence[str] | None) -> list[Camera]:
     """The cameras of `--video`. Raises `ConfigError`."""
+    if not names:
+        return []
+    from jauspy.cli import client  # takes seconds
+
     found = []
-    for name in names or ():
+    for name in names:
         component, slash, sensor = name.partition("/")
         camera = client.destination(component)
         if camera.is_wildcard or (slash and not re.fullmatch(r"[1-9]\d{0,4}", sensor)):

@@ -98,7 +98,7 @@ def replay(
     subsystem, now = _target(target)
     fits = None if only is None else Filter(only, known.registry)
     clients = [JausID.parse(text) for text in sender or ()]
-    recording = load(file, known.registry, clients=clients, subsystem=subsystem, fits=fits)
+    recording = load(file, known.registry, clients=clients, subsystem=subsystem, fits=fits, on_damage=console.note)
     connect = _connection(to)
     playback = Playback(
         speed=None if asap else speed,

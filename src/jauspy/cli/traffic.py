@@ -11,7 +11,7 @@ from typing import Annotated
 import typer
 
 from jauspy.capture.filters import Filter
-from jauspy.capture.reader import CaptureReader
+from jauspy.capture.reader import CaptureReader, up_to_damage
 from jauspy.cli import console
 from jauspy.cli.definitions import Definitions
 from jauspy.cli.options import DEFAULT_PORT
@@ -84,7 +84,10 @@ def chosen_network(interface: str | None, group: str | None, port: int | None, f
 
 
 class Traffic:
-    """The messages that fit, in the order in which they were routed; endless unless from a file."""
+    """The messages that fit, in the order in which they were routed; endless unless from a file.
+
+    A note tells of a file that is damaged or cut off behind its first datagram.
+    """
 
     def __init__(self, capture: Capture, definitions: Definitions, only: str | None) -> None:
         self._capture = capture
@@ -93,7 +96,7 @@ class Traffic:
 
     def __iter__(self) -> Iterator[SeenMessage]:
         fits = self._fits
-        for seen in seen_messages(self._capture, self._registry):
+        for seen in seen_messages(up_to_damage(self._capture, console.note), self._registry):
             if fits is None or fits(seen.part):
                 yield seen
 

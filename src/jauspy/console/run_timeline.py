@@ -29,7 +29,7 @@ from jauspy.geometry.poses import Pose, jaus_pose
 from jauspy.messages import registry
 from jauspy.printable import printable
 from jauspy.recording.foxglove_messages import LOG
-from jauspy.recording.mcap_capture import MAX_CHUNK
+from jauspy.recording.mcap_records import MAX_CHUNK, chunk_records
 from jauspy.recording.mcap_summary import read_summary
 from jauspy.recording.run_files import DATAGRAMS, ENCODING
 from jauspy.video.h264_payload import IDR, nal_type, split_nals
@@ -186,7 +186,6 @@ def _messages(file: BinaryIO, chunks: Sequence[ChunkIndex]) -> Iterator[tuple[in
     """Channel, time (ns) and data of the messages in these chunks; raises what the parser raises."""
     from mcap.data_stream import ReadDataStream  # noqa: PLC0415 - of the extra `recording`
     from mcap.records import Chunk, Message as McapMessage  # noqa: PLC0415
-    from mcap.stream_reader import breakup_chunk  # noqa: PLC0415
 
     for index in chunks:
         if index.chunk_length > MAX_CHUNK or index.uncompressed_size > MAX_CHUNK:
@@ -195,10 +194,7 @@ def _messages(file: BinaryIO, chunks: Sequence[ChunkIndex]) -> Iterator[tuple[in
         stream = ReadDataStream(file)
         if stream.read1() != 0x06 or stream.read8() > MAX_CHUNK:
             raise ValueError(f"no chunk at {index.chunk_start_offset}")
-        chunk = Chunk.read(stream)
-        if chunk.uncompressed_size > MAX_CHUNK:
-            raise ValueError(f"a chunk of {chunk.uncompressed_size} bytes")
-        for record in breakup_chunk(chunk, validate_crc=True):
+        for record in chunk_records(Chunk.read(stream)):
             if isinstance(record, McapMessage):
                 yield record.channel_id, record.log_time, record.data
 

@@ -12,7 +12,8 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError, ProtocolError
 from jauspy.export.rtp_streams import UNSAFE, RecordedPicture, RtpStreams
 from jauspy.export.tables import MAX_NAME, make_folder
-from jauspy.recording.mcap_capture import MAGIC, MAX_CHUNK, open_capture_file
+from jauspy.recording.mcap_capture import open_capture_file
+from jauspy.recording.mcap_records import MAGIC, mcap_records
 from jauspy.video.h264_payload import PPS, SPS, Picture, nal_type, split_nals
 from jauspy.video.rtp import CLOCK_RATE
 
@@ -43,31 +44,33 @@ def _channel_pictures(path: Path) -> Iterator[RecordedPicture]:
     """The pictures of the channels with video; raises `ConfigError` for a damaged file."""
     try:
         with path.open("rb") as file:
-            yield from _decoded_channels(file, path)
+            yield from _decoded_channels(file)
     except (ConfigError, OSError):
         raise
     except Exception as error:  # noqa: BLE001 - what a parser of others raises for damaged files is not listed
         raise ConfigError(f"{path} is damaged: {str(error) or type(error).__name__}") from None
 
 
-def _decoded_channels(file: BinaryIO, path: Path) -> Iterator[RecordedPicture]:
+def _decoded_channels(file: BinaryIO) -> Iterator[RecordedPicture]:
     """The pictures of all channels; their clock is the time stamp of each message, else its log time."""
-    from mcap.reader import SeekingReader  # noqa: PLC0415 - of the extra `recording`
+    from mcap.records import Channel, Message, Schema  # noqa: PLC0415 - of the extra `recording`
 
-    reader = SeekingReader(file, record_size_limit=MAX_CHUNK)
-    summary = reader.get_summary()
-    if summary is None:
-        raise ConfigError(f"{path} has no summary, as after a crash; `mcap recover` makes one")
-    video = {number for number, schema in summary.schemas.items() if schema.name == VIDEO_SCHEMA}
+    video: set[int] = set()
     cameras: dict[str, str] = {}
-    for topic in sorted({channel.topic for channel in summary.channels.values() if channel.schema_id in video}):
-        cameras[topic] = unique(_camera_of(topic), lambda name: name in cameras.values())
-    for _, channel, message in reader.iter_messages(topics=list(cameras)) if cameras else ():
-        format, time, data = compressed_video(message.data)
-        if format == H264:
-            ticks = (time or message.log_time) * CLOCK_RATE // 1_000_000_000
-            picture = Picture(ticks & 0xFFFFFFFF, tuple(split_nals(data)), whole=True)
-            yield RecordedPicture(cameras[channel.topic], message.log_time / 1e9, picture)
+    names: dict[int, str] = {}
+    for record in mcap_records(file):
+        if isinstance(record, Schema) and record.name == VIDEO_SCHEMA:
+            video.add(record.id)
+        elif isinstance(record, Channel) and record.schema_id in video:
+            if record.topic not in cameras:
+                cameras[record.topic] = unique(_camera_of(record.topic), lambda name: name in cameras.values())
+            names[record.id] = cameras[record.topic]
+        elif isinstance(record, Message) and record.channel_id in names:
+            format, time, data = compressed_video(record.data)
+            if format == H264:
+                ticks = (time or record.log_time) * CLOCK_RATE // 1_000_000_000
+                picture = Picture(ticks & 0xFFFFFFFF, tuple(split_nals(data)), whole=True)
+                yield RecordedPicture(names[record.channel_id], record.log_time / 1e9, picture)
 
 
 def _camera_of(topic: str) -> str:
@@ -141,14 +144,19 @@ def export_films(path: Path, folder: Path) -> dict[Path, int]:
     the next film begins. Raises `ConfigError` if there is no video.
     """
     films: dict[str, _Film] = {}
-    with ExitStack() as stack:
-        for recorded in pictures(path):
-            film = films.get(recorded.camera)
-            if film is None:
-                if not films:
-                    make_folder(folder)
-                film = films[recorded.camera] = stack.enter_context(_Film(folder, recorded.camera))
-            film.add(recorded.picture)
+    try:
+        with ExitStack() as stack:
+            for recorded in pictures(path):
+                film = films.get(recorded.camera)
+                if film is None:
+                    if not films:
+                        make_folder(folder)
+                    film = films[recorded.camera] = stack.enter_context(_Film(folder, recorded.camera))
+                film.add(recorded.picture)
+    except ConfigError as error:
+        if any(film.files for film in films.values()):
+            raise ConfigError(f"{error}; the video before that is in {folder}") from None
+        raise
     written = {file: count for film in films.values() for file, count in film.files.items()}
     if not written:
         if films:

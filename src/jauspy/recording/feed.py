@@ -72,7 +72,6 @@ class Feed:
                 "json",
                 foxglove.Schema(name=schema["title"], encoding="jsonschema", data=json.dumps(schema).encode()),
                 {"service": kind.SERVICE, "version": kind.VERSION, "code": f"{kind.CODE:04X}"},
-                kind,
             )
         data = orjson.dumps(rounded_dict(message))
         is_state = isinstance(message, management.ReportStatus | access_control.ReportControl)

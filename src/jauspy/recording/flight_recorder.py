@@ -33,7 +33,7 @@ _NAME: Final = re.compile(rf"\d{{8}}-\d{{6}}-({'|'.join(Kind)})(-\d+)?\.(mcap|pc
 
 
 class Ring:
-    """The datagrams of the last seconds, within a limit of bytes. Clocks that are set back empty it."""
+    """The datagrams of the last seconds, within a limit of bytes. Clocks that are set back by more empty it."""
 
     def __init__(self, seconds: float, size: int = MAX_RING) -> None:
         self._seconds, self._limit = seconds, size
@@ -52,15 +52,18 @@ class Ring:
         return iter(self._datagrams)
 
     def add(self, datagram: Datagram) -> None:
-        """Add a datagram; those that are too old go, and then the oldest until it fits."""
+        """Add a datagram; those that are too old go, and the oldest until it fits."""
         kept = self._datagrams
         kept.append(datagram)
         self.size += len(datagram.payload) + OVERHEAD
-        while kept and abs(datagram.time - kept[0].time) > self._seconds:
-            self._drop()
-        while self.size > self._limit:
-            self.dropped_until = self._drop()
-            self.dropped += 1
+        while kept:
+            is_old = abs(datagram.time - kept[0].time) > self._seconds
+            if not is_old and self.size <= self._limit:
+                return
+            time = self._drop()
+            if not is_old:
+                self.dropped_until = time
+                self.dropped += 1
 
     def _drop(self) -> float:
         oldest = self._datagrams.popleft()

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from io import BufferedReader
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any
 
 from jauspy.capture.ip import JAUS_PORT, DatagramAssembler
 from jauspy.capture.reader import CaptureReader, Datagram
 from jauspy.errors import ConfigError
+from jauspy.recording.mcap_records import MAGIC, mcap_records
 from jauspy.recording.run_files import DATAGRAMS, ENCODING
 
-MAGIC: Final = b"\x89MCAP"
-MAX_CHUNK: Final = 256 << 20
-"""Bytes of a record, also of what a chunk is decompressed to; more counts as damage."""
+if TYPE_CHECKING:
+    from mcap.records import Channel, Message, Schema
 
 
 class McapCapture:
@@ -50,23 +50,18 @@ class McapCapture:
 
     def _packets(self) -> Iterator[tuple[int, bytes]]:
         """Time (ns) and IPv4 packet of each datagram. Raises `_Damaged`."""
-        from mcap.records import Channel, Chunk, McapRecord, Message  # noqa: PLC0415 - of the extra `recording`
-        from mcap.stream_reader import StreamReader, breakup_chunk  # noqa: PLC0415
+        from mcap.records import Channel, Message  # noqa: PLC0415 - of the extra `recording`
 
         topics: set[int] = set()
 
-        def packets(records: Iterable[McapRecord]) -> Iterator[tuple[int, bytes]]:
+        def packets(records: Iterable[Schema | Channel | Message]) -> Iterator[tuple[int, bytes]]:
             for record in records:
-                if isinstance(record, Chunk):
-                    if record.uncompressed_size > MAX_CHUNK:
-                        raise ValueError(f"a chunk of {record.uncompressed_size} bytes")
-                    yield from packets(breakup_chunk(record, validate_crc=True))
-                elif isinstance(record, Channel) and (record.topic, record.message_encoding) == (DATAGRAMS, ENCODING):
+                if isinstance(record, Channel) and (record.topic, record.message_encoding) == (DATAGRAMS, ENCODING):
                     topics.add(record.id)
                 elif isinstance(record, Message) and record.channel_id in topics:
                     yield record.log_time, record.data
 
-        found = packets(StreamReader(self._file, emit_chunks=True, record_size_limit=MAX_CHUNK).records)
+        found = packets(mcap_records(self._file))
         while True:
             try:
                 packet = next(found, None)

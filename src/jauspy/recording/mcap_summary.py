@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import os
 import struct
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from io import BytesIO
 from typing import IO, TYPE_CHECKING, Any, Final, NamedTuple
 
 from jauspy.errors import ConfigError
+from jauspy.recording.mcap_records import mcap_records
 
 if TYPE_CHECKING:
     from mcap.records import Channel, Statistics
@@ -44,6 +46,35 @@ def read_summary(file: IO[bytes], name: str) -> McapSummary:
     if found is None:
         raise ConfigError(f"{name} has no summary, as after a crash; `mcap recover` makes one")
     return found
+
+
+def counted_summary(file: IO[bytes]) -> tuple[McapSummary, str]:
+    """The same of a file without one, as after a crash, by reading all of it; and why it ends early."""
+    from mcap.records import Channel, Message, Statistics  # noqa: PLC0415 - of the extra `recording`
+
+    channels: dict[int, Channel] = {}
+    counts: Counter[int] = Counter()
+    start, end, problem = 0, 0, ""
+    try:
+        for record in mcap_records(file):
+            if isinstance(record, Channel):
+                channels[record.id] = record
+            elif isinstance(record, Message):
+                start = min(start, record.log_time) if counts else record.log_time
+                end = max(end, record.log_time)
+                counts[record.channel_id] += 1
+    except Exception as error:  # noqa: BLE001 - what a parser of others raises for damaged files is not listed
+        problem = str(error) or type(error).__name__
+    known = {"attachment_count": 0, "chunk_count": 0, "metadata_count": 0, "schema_count": 0}
+    statistics = Statistics(
+        channel_count=len(channels),
+        channel_message_counts=dict(counts),
+        message_count=counts.total(),
+        message_end_time=end,
+        message_start_time=start,
+        **known,
+    )
+    return McapSummary(channels, statistics), problem
 
 
 def _read(file: IO[bytes]) -> McapSummary | None:

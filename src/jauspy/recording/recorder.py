@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from time import monotonic
 from typing import Final, NamedTuple
 
 from jauspy.capture.dissect import Part
@@ -13,7 +15,7 @@ from jauspy.capture.dissector import Dissector
 from jauspy.capture.reader import Datagram
 from jauspy.codec.registry import Registry
 from jauspy.recording.described_robot import DescribedRobot
-from jauspy.recording.run_files import NO_ROBOTS, RunFile, create
+from jauspy.recording.run_files import NO_ROBOTS, RunFile, create, prepared
 
 FLUSH_INTERVAL: Final = 0.5
 """Seconds of the traffic after which what was recorded is handed to the operating system."""
@@ -62,7 +64,10 @@ class Picture(NamedTuple):
 
 
 class Recorder:
-    """Writes datagrams to `path`, or to numbered files beside it if the limits rotate."""
+    """Writes datagrams to `path`, or to numbered files beside it if the limits rotate.
+
+    Traffic hands over itself what was recorded before; while there is none, `flush` does so from any thread.
+    """
 
     def __init__(
         self,
@@ -77,8 +82,16 @@ class Recorder:
         self._pictures: deque[Picture] = deque(maxlen=MAX_PICTURES)
         self._path, self._registry, self._limits, self._fits = path, registry, limits, fits
         self._dissector = Dissector(registry)
+        self._lock = threading.Lock()
+        """Held while a file is used."""
+        self._flushed_at, self._is_flushed = monotonic(), True
+        """When something was handed over last (s, monotonic), and whether that was all."""
+        self._problem: OSError | None = None
+        """Why `flush` has failed."""
         self._number = 0
         self._start = self._flushed = 0.0
+        if limits.rotates:
+            prepared(path, registry, limits.size)  # now, so that no traffic waits for it
         self._file: RunFile | None = self._open() if not limits.rotates else None
         """The file that is written; with rotation from the first datagram on."""
 
@@ -98,8 +111,14 @@ class Recorder:
             parts = tuple(filter(self._fits, parts))
             if not parts:
                 return
+        with self._lock:
+            self._add(datagram, parts)
+
+    def _add(self, datagram: Datagram, parts: tuple[Part, ...]) -> None:
+        if self._problem is not None:
+            raise self._problem
         if self._file is not None and self._is_full(self._file, datagram.time):
-            self.close()
+            self._complete()
         if self._file is None:
             self._file = self._open()
         if not self._start:
@@ -110,9 +129,26 @@ class Recorder:
         self._flush(self._file, datagram.time)
 
     def _flush(self, file: RunFile, now: float) -> None:
+        self._is_flushed = False
         if now - self._flushed >= FLUSH_INTERVAL or now < self._flushed:
             file.flush()
-            self._flushed = now
+            self._flushed, self._flushed_at, self._is_flushed = now, monotonic(), True
+
+    def flush(self) -> None:
+        """Write pictures that wait, and hand over to the operating system what was not in time; from any thread.
+
+        An error is raised with the next datagram.
+        """
+        with self._lock:
+            if self._file is None or self._problem is not None:
+                return
+            try:
+                self._add_pictures(self._file)
+                if not self._is_flushed and monotonic() - self._flushed_at >= FLUSH_INTERVAL:
+                    self._file.flush()
+                    self._flushed_at, self._is_flushed = monotonic(), True
+            except OSError as error:
+                self._problem = error
 
     def add_picture(self, picture: Picture) -> None:
         """Record a picture, from any thread; it is written with the next datagram."""
@@ -120,8 +156,9 @@ class Recorder:
 
     def write_pictures(self) -> None:
         """Write the pictures that wait, if a file is open."""
-        if self._file is not None:
-            self._add_pictures(self._file)
+        with self._lock:
+            if self._file is not None:
+                self._add_pictures(self._file)
 
     def _add_pictures(self, file: RunFile) -> None:
         while self._pictures:
@@ -132,11 +169,17 @@ class Recorder:
 
     def close(self) -> None:
         """Complete the file that is written."""
+        with self._lock:
+            self._complete()
+
+    def _complete(self) -> None:
         file, self._file = self._file, None
         if file is not None:
-            self._add_pictures(file)
-            file.close()
-            self.recorded.bytes += file.size
+            try:
+                self._add_pictures(file)
+                file.close()
+            finally:
+                self.recorded.bytes += file.size
 
     def _is_full(self, file: RunFile, now: float) -> bool:
         limits = self._limits
@@ -148,7 +191,7 @@ class Recorder:
         if self._limits.rotates:
             self._number += 1
             path = path.with_stem(f"{path.stem}-{self._number:04d}")
-        file = create(path, self._registry, self._robots)
+        file = create(path, self._registry, self._robots, self._limits.size)
         self._start = 0.0
         files = self.recorded.files
         files.append(path)

@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, BinaryIO, Final, Protocol, cast
+from typing import BinaryIO, Final, Protocol, cast
 
 from jauspy.capture import writer
 from jauspy.capture.dissect import Part
 from jauspy.capture.reader import Datagram
 from jauspy.codec.registry import Registry
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, SchemaError
+from jauspy.recording.definitions_archive import MEDIA_TYPE, NAME, fitting_archive
 from jauspy.recording.described_robot import DescribedRobot
-
-if TYPE_CHECKING:
-    from jauspy.recording.samples import Sample
 
 CHUNK_SIZE: Final = 1 << 20
 """Bytes of an MCAP chunk before it is compressed; each `flush` ends one."""
@@ -47,14 +45,19 @@ class RunFile(Protocol):
         """Complete the file."""
 
 
-def create(path: Path, registry: Registry, robots: Mapping[int, DescribedRobot] = NO_ROBOTS) -> RunFile:
+def create(
+    path: Path, registry: Registry, robots: Mapping[int, DescribedRobot] = NO_ROBOTS, limit: float | None = None
+) -> RunFile:
     """A new file, by its suffix; the registry has the definitions of the messages, `robots` are described ones.
 
+    `limit` is the number of bytes at which it will be closed, None for any: small files go without definitions.
+
     Raises:
-        ConfigError: another suffix, a file that exists, or one that cannot be written.
+        ConfigError: another suffix, a file that exists, or one that cannot be written; definitions that cannot be read.
     """
     if path.suffix not in SUFFIXES:
         raise ConfigError(f"{path} has none of the suffixes {', '.join(SUFFIXES)}")
+    definitions = prepared(path, registry, limit)
     try:
         file = path.open("xb", buffering=0)
     except FileExistsError:
@@ -62,8 +65,23 @@ def create(path: Path, registry: Registry, robots: Mapping[int, DescribedRobot] 
     except OSError as error:
         raise ConfigError(f"{path} cannot be written: {error.strerror}") from None
     if path.suffix == ".mcap":
-        return McapFile(cast("BinaryIO", file), registry, robots)
+        return McapFile(cast("BinaryIO", file), registry, robots, definitions)
     return PcapngFile(cast("BinaryIO", file))
+
+
+def prepared(path: Path, registry: Registry, limit: float | None = None) -> bytes:
+    """The definitions for a file of this name, none for pcapng. Takes up to a second when it is called first.
+
+    Raises `ConfigError` for definitions that cannot be read.
+    """
+    if path.suffix != ".mcap":
+        return b""
+    from jauspy.recording import feed  # noqa: F401, PLC0415 - needs foxglove; what takes long is in the import
+
+    try:
+        return fitting_archive(registry, limit)
+    except SchemaError as error:
+        raise ConfigError(f"the definitions for {path} cannot be read: {error}") from None
 
 
 class PcapngFile:
@@ -102,24 +120,30 @@ class PcapngFile:
 class McapFile:
     """Datagrams; each message as JSON, on a topic of its sender and name; and what Foxglove's schemas tell of them.
 
-    The definitions of the services that were met are attached, so that the file can be read without jauspy.
+    `definitions` (`definitions_archive`) are attached before the first message, so that the file can be read without
+    jauspy, also after the recorder was killed.
     """
 
-    def __init__(self, file: BinaryIO, registry: Registry, robots: Mapping[int, DescribedRobot] = NO_ROBOTS) -> None:
+    def __init__(
+        self,
+        file: BinaryIO,
+        registry: Registry,
+        robots: Mapping[int, DescribedRobot] = NO_ROBOTS,
+        definitions: bytes = b"",
+    ) -> None:
         import foxglove  # noqa: PLC0415 - of the extra `recording`
 
         from jauspy.recording.feed import Feed  # noqa: PLC0415 - needs foxglove
         from jauspy.recording.samples import Channels  # noqa: PLC0415 - needs foxglove
 
-        self._registry = registry
         self._out = _CountedFile(file)
         context = foxglove.Context()
         options = foxglove.mcap.MCAPWriteOptions(profile="jaus", chunk_size=CHUNK_SIZE, compression_threads=0)
         self._writer = foxglove.open_mcap(cast("BinaryIO", self._out), context=context, writer_options=options)
         self._feed = Feed(registry, robots)
-        self._channels = Channels(context, self._attach)
-        self._attached: set[str] = set()
-        """Files of definitions that are in the file."""
+        self._channels = Channels(context)
+        self._definitions = definitions
+        """What is still to be attached."""
 
     @property
     def size(self) -> int:
@@ -128,6 +152,7 @@ class McapFile:
 
     def add(self, datagram: Datagram, parts: Sequence[Part]) -> None:
         """Add a datagram with the messages that are in it."""
+        self._attach(round(datagram.time * 1e9))
         for sample in self._feed.samples(datagram, parts):
             self._channels.add(sample)
         self._out.check()
@@ -136,30 +161,15 @@ class McapFile:
         """Add a picture of a camera's H.264."""
         from jauspy.recording.foxglove_messages import picture  # noqa: PLC0415 - needs foxglove
 
+        self._attach(round(time * 1e9))
         self._channels.add(picture(camera, round(time * 1e9), access_unit, is_idr=is_idr))
         self._out.check()
 
-    def _attach(self, sample: Sample) -> None:
-        """Attach the file that defines a message, once; definitions that were built in Python have none."""
-        kind = sample.form.kind
-        if kind is None:
-            return
-        entries = self._registry.entries_of(kind.CODE)
-        entry = next(
-            (entry for entry in entries if (entry.service, entry.version) == (kind.SERVICE, kind.VERSION)), None
-        )
-        path = Path(self._registry.file_of(entry)) if entry is not None else None
-        if path is None or str(path) in self._attached or path.suffix not in (".xml", ".jsidl"):
-            return
-        self._attached.add(str(path))
-        name = f"{kind.SERVICE.rpartition(':')[2]}-{kind.VERSION}{path.suffix}"
-        self._writer.attach(
-            log_time=sample.time,
-            create_time=sample.time,
-            name=name,
-            media_type="application/xml",
-            data=path.read_bytes(),
-        )
+    def _attach(self, time: int) -> None:
+        """Attach the definitions, once, with the time of what comes first (ns)."""
+        data, self._definitions = self._definitions, b""
+        if data:
+            self._writer.attach(log_time=time, create_time=time, name=NAME, media_type=MEDIA_TYPE, data=data)
 
     def flush(self) -> None:
         """End the present chunk, and write it."""

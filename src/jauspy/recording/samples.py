@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final, Protocol
 
 import foxglove
 from foxglove._foxglove_py import BaseChannel
-
-from jauspy.codec.message import Message
 
 MAX_TOPICS: Final = 10_000
 """Channels of a sink; samples of further topics are left out, but each datagram is there."""
@@ -22,8 +20,6 @@ class ChannelForm:
     encoding: str
     schema: foxglove.Schema
     metadata: Mapping[str, str] = field(default_factory=dict)
-    kind: type[Message] | None = None
-    """The class of JAUS messages that are its samples as JSON."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,11 +73,10 @@ _FORMS: Final[dict[type, ChannelForm]] = {}
 
 
 class Channels:
-    """The channels of a context, each made with the first sample of its topic; `on_new` is called before it."""
+    """The channels of a context, each made with the first sample of its topic."""
 
-    def __init__(self, context: foxglove.Context, on_new: Callable[[Sample], None] | None = None) -> None:
+    def __init__(self, context: foxglove.Context) -> None:
         self._context = context
-        self._on_new = on_new
         self._channels: dict[str, BaseChannel] = {}
 
     def add(self, made: Sample) -> None:
@@ -94,8 +89,6 @@ class Channels:
         """The channel of a sample's topic; None if there are too many."""
         channel = self._channels.get(made.topic)
         if channel is None and len(self._channels) < MAX_TOPICS:
-            if self._on_new is not None:
-                self._on_new(made)
             form = made.form
             # foxglove.Channel would be kept forever in a table of its module, also those of clients that are gone
             channel = self._channels[made.topic] = self._context._create_channel(  # noqa: SLF001

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from jauspy.capture.dissect import Part, read_message
+from jauspy.capture.reader import Datagram, up_to_damage
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
@@ -75,11 +76,19 @@ class Recording:
     """The reports of events that the requests created."""
 
 
-def read_messages(path: Path, registry: Registry) -> Iterator[RecordedMessage]:
-    """The messages in a pcap, pcapng or MCAP file in the order of their ends; raises `ConfigError`."""
+def read_messages(
+    path: Path, registry: Registry, on_damage: Callable[[str], None] | None = None
+) -> Iterator[RecordedMessage]:
+    """The messages in a pcap, pcapng or MCAP file in the order of their ends; raises `ConfigError`.
+
+    With `on_damage`, a file that is damaged or cut off behind its first datagram ends there, and is told.
+    """
     try:
         with path.open("rb") as file:
-            for seen in seen_messages(open_capture_file(file, name=str(path), port=None), registry):
+            capture: Iterable[Datagram] = open_capture_file(file, name=str(path), port=None)
+            if on_damage is not None:
+                capture = up_to_damage(capture, on_damage)
+            for seen in seen_messages(capture, registry):
                 packet, content = seen.part.packet, seen.part.content
                 is_whole = packet.data_flag is DataFlag.SINGLE or len(content.payload) > len(packet.payload)
                 if content.message is not None or (is_whole and packet.ack is not Ack.ACK):
@@ -95,15 +104,16 @@ def load(
     clients: Iterable[JausID] = (),
     subsystem: int | None = None,
     fits: Callable[[Part], bool] | None = None,
+    on_damage: Callable[[str], None] | None = None,
 ) -> Recording:
     """The requests that clients sent to one subsystem, or to all.
 
     `clients` may be wildcard ids; by default all of other subsystems, or of the same if there are none. Without
     `subsystem` it is the one that received the most requests. `fits` says which requests are replayed.
-    Raises `ConfigError` if there are none.
+    `on_damage` as in `read_messages`. Raises `ConfigError` if there are none.
     """
     wanted = tuple(clients)
-    counts = _count(read_messages(path, registry), wanted)
+    counts = _count(read_messages(path, registry, on_damage), wanted)
     if subsystem is None:
         subsystem = _busiest(counts)
     inside = bool(wanted) or not any(id.subsystem != subsystem for id, to in counts if to in (subsystem, ANY_SUBSYSTEM))
@@ -116,7 +126,10 @@ def load(
         raise ConfigError(f"{path} has no command or query of {_named(wanted)}{_to(subsystem)}")
     if len(found) > MAX_CLIENTS:
         raise ConfigError(f"{path} has {len(found)} clients, {MAX_CLIENTS} is the limit; choose with --from")
-    return _collect(path, registry, tuple(found), subsystem, fits)
+    again = None if on_damage is None else lambda _: None
+    return _collect(
+        read_messages(path, registry, again), path, registry, clients=tuple(found), subsystem=subsystem, fits=fits
+    )
 
 
 def _count(messages: Iterable[RecordedMessage], wanted: tuple[JausID, ...]) -> Counter[tuple[JausID, int]]:
@@ -141,8 +154,10 @@ def _busiest(counts: Counter[tuple[JausID, int]]) -> int:
 
 
 def _collect(
+    messages: Iterable[RecordedMessage],
     path: Path,
     registry: Registry,
+    *,
     clients: tuple[JausID, ...],
     subsystem: int,
     fits: Callable[[Part], bool] | None,
@@ -152,7 +167,7 @@ def _collect(
     heard: set[JausID] = set()
     events, confirmed = EventReports(), set[EventKey]()
     start: float | None = None
-    for recorded in read_messages(path, registry):
+    for recorded in messages:
         packet, message = recorded.packet, recorded.message
         if packet.source in matchers and packet.destination.subsystem in (subsystem, ANY_SUBSYSTEM):
             if not recorded.is_request or (fits is not None and not fits(_part(recorded, registry))):

@@ -171,6 +171,7 @@ def run(place: LogPlace, parent: Parent) -> None:
                     with lock:
                         writer.obey(message)
             with lock:
+                writer.flush()
                 progress, counters = writer.progress, dict(writer.counters)
                 writer.problem = ""
             if (progress, counters) != reported:
@@ -210,7 +211,7 @@ class LogWriter:
         self._file: RunFile | None = None
         self._others = size_of(place)
         """Bytes of the files that are complete."""
-        self._flushed = 0.0
+        self._flushed, self._is_flushed = 0.0, True
         self._began: float | None = None
         self._ended: float | None = None
         self.counters = {"datagrams": 0, "lost": 0, "deleted": 0}
@@ -244,6 +245,13 @@ class LogWriter:
             return
         self._guarded(lambda: self._write(datagram, parts))
 
+    def flush(self) -> None:
+        """Hand over to the operating system what was recorded, also while nothing comes."""
+        now = time.time()
+        if self._file is not None and not self._is_flushed and not 0.0 <= now - self._flushed < FLUSH_INTERVAL:
+            self._flushed, self._is_flushed = now, True
+            self._guarded(self._file.flush)
+
     def close(self) -> None:
         """Complete the file that is written."""
         file, self._file = self._file, None
@@ -269,12 +277,15 @@ class LogWriter:
         self._ended = datagram.time
         if self._began is None:
             self._began = datagram.time
+        self._is_flushed = False
         if not 0.0 <= datagram.time - self._flushed < FLUSH_INTERVAL:
-            self._file.flush()
             self._flushed = datagram.time
+            self._file.flush()
+            self._is_flushed = True
 
     def _open(self) -> None:
         self._place.folder.mkdir(parents=True, exist_ok=True)
+        size = self._order.settings.size
         self._make_room()
         stem = f"{self._place.subsystem}-log-{time.strftime('%Y%m%d-%H%M%S', time.gmtime())}"
         suffix = ".mcap" if find_spec("foxglove") is not None else ".pcapng"
@@ -282,7 +293,7 @@ class LogWriter:
         while path.exists() or path.is_symlink():
             number += 1
             path = self._place.folder / f"{stem}-{number}{suffix}"
-        self._file = create(path, registry)
+        self._file = create(path, registry, limit=size // FILES)
         self._others = size_of(self._place, without=path)
 
     def _make_room(self) -> None:

@@ -179,7 +179,8 @@ def load_own(sources: Iterable[str | Path], references: Iterable[str | Path] = (
     more = find_files(references) if references else []
     others = [path for path in more if identity_of(path) not in keys]
     schema = load_beside_builtin([*given, *others], states=False)
-    return Schema(services=tuple(s for s in schema.services if ("service_def", *s.key) in keys))
+    own = tuple(s for s in schema.services if ("service_def", *s.key) in keys)
+    return Schema(services=own, files=tuple(map(str, (*given, *others))))
 
 
 def load_beside_builtin(paths: Iterable[Path], *, states: bool = True) -> Schema:

@@ -6,7 +6,7 @@ the content of the declaration, and `declared` names the declaration.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 Scalar: TypeAlias = Literal["u8", "u16", "u32", "u64", "i8", "i16", "i32", "i64", "f32", "f64"]
@@ -388,6 +388,8 @@ class Schema:
     """All services that were loaded together, in the order of their ids and versions."""
 
     services: tuple[ServiceDefinition, ...]
+    files: tuple[str, ...] = field(default=(), compare=False)
+    """The user's files that they were loaded from, sets of types included; built-in ones are not listed."""
 
     def service(self, id: str, version: str | None = None) -> ServiceDefinition:
         """The service with this URN (newest when `version` is None); `KeyError` when there is none."""

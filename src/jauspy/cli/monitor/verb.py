@@ -7,13 +7,13 @@ import shlex
 import sys
 from contextlib import closing
 from pathlib import Path
-from typing import Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 from rich.text import Text
 
 from jauspy.capture.filters import Filter
-from jauspy.cli import client, console
+from jauspy.cli import console
 from jauspy.cli.definitions import Definitions, SchemasOption, definitions
 from jauspy.cli.fields import message_class, message_from
 from jauspy.cli.monitor import texts
@@ -26,6 +26,9 @@ from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.inspection.timeline import Timeline
 from jauspy.printable import printable_lines
+
+if TYPE_CHECKING:
+    from jauspy.ocu import OCU
 
 ANSWER_SECONDS: Final = 2.0
 
@@ -77,7 +80,7 @@ def asking(root: Path, own_id: str | None, known: Definitions) -> Ask:
             if not cls.IS_QUERY:
                 raise ConfigError(f"{cls.NAME} is not a query; `jauspy send` sends commands")
             query = message_from(known.registry, name, fields)
-            ocu = await asyncio.to_thread(client.make_ocu, own_id, f"local:{root}", ANSWER_SECONDS, known.registry)
+            ocu = await asyncio.to_thread(_made, root, own_id, known)
             async with ocu:
                 answer = await ocu.query(to, query)
         except (JausError, ValueError) as error:  # ValueError: quotes that do not end
@@ -85,3 +88,9 @@ def asking(root: Path, own_id: str | None, known: Definitions) -> Ask:
         return Text.assemble((f"{answer.NAME}\n", "bold"), texts.fields_text(answer))
 
     return ask
+
+
+def _made(root: Path, own_id: str | None, known: Definitions) -> OCU:
+    from jauspy.cli import client  # takes seconds, which the first query waits for, and not the screen
+
+    return client.make_ocu(own_id, f"local:{root}", ANSWER_SECONDS, known.registry)

@@ -22,6 +22,7 @@ from jauspy.transport import multicast, node_status
 DISCOVERY_TIME: Final = 1.0
 """Seconds to wait for answers to discovery."""
 MAX_INTERFACES: Final = 8
+ANY_ADDRESS: Final = "0.0.0.0"  # noqa: S104 # nosec B104 # compared only
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,7 +53,7 @@ class Examination:
             probe.discover(DISCOVERY_TIME)
             yield from check_network(probe)
             if self.peer is not None:
-                address = self.address or known_address(self.root, self.peer)
+                address = self.address or known_address(self.root, self.peer, self.used_interfaces)
                 yield from PeerExamination(probe, self.peer, address, self.authority, self.key).findings()
 
 
@@ -64,13 +65,31 @@ def usable_interfaces(chosen: tuple[str, ...]) -> tuple[str, ...]:
     return selected[:MAX_INTERFACES]
 
 
-def known_address(root: Path, id: JausID) -> Address | None:
-    """The address that the node manager of this machine has learned for a component."""
-    for peer in node_status.read_at_once(root).get("peers", ()):
-        host, _, port = str(peer["address"]).rpartition(":")
-        if str(peer["id"]) == str(id) and port.isdecimal() and len(port) < 6 and _is_ipv4(host):
-            return host, min(int(port), 65535)
+def known_address(root: Path, id: JausID, own: tuple[str, ...] = ()) -> Address | None:
+    """The address that the node manager of this machine has learned for a component, or its own for those attached.
+
+    `own` are addresses of this machine, the first of which stands for a node manager that receives on all.
+    """
+    status = node_status.read_at_once(root)
+    for peer in status.get("peers", ()):
+        if str(peer["id"]) == str(id) and (address := _address(peer["address"])) is not None:
+            return address
+    if all(str(component["id"]) != str(id) for component in status.get("components", ())):
+        return None
+    networks = status.get("networks")
+    for network in networks if isinstance(networks, list) else ():
+        address = _address(network.get("address")) if isinstance(network, dict) else None
+        if address is not None:
+            return (own[0] if own and address[0] == ANY_ADDRESS else address[0]), address[1]
     return None
+
+
+def _address(text: object) -> Address | None:
+    """An IPv4 address with its port, as a status writes it."""
+    host, _, port = str(text).rpartition(":")
+    if not (port.isdecimal() and len(port) < 6 and _is_ipv4(host)):
+        return None
+    return host, min(int(port), 65535)
 
 
 def _is_ipv4(host: str) -> bool:
