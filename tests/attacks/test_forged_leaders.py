@@ -184,10 +184,16 @@ async def test_a_convoy_is_set_by_the_client_in_control_and_bounded(two: TwoRobo
         [(101, 102), (103, 102)],
         [(102, 102)],
         [(0, 102)],
+        [(103, 102), (102, 103)],  # two that wait for each other
+        [(101, 104), (103, 102), (105, 103), (102, 105)],
+        [(102, 101), (101, 102)],
+        [(101, 102), (103, 101)],  # the head, 101, follows
     ):
         await two.tell_leader(update(orders))
         assert plan.leader_of(102) is None
-    assert host.counters["bad_convoy"] == 4
+    assert host.counters["bad_convoy"] == 8
+    await two.tell_leader(update([(101, 102), (102, 103), (102, 104), (104, 105)]))
+    assert [plan.leader_of(number) for number in (101, 102, 103, 104, 105)] == [None, 101, 102, 102, 104]
 
 
 async def test_responses_of_others_do_not_register_a_follower(two: TwoRobots) -> None:

@@ -249,5 +249,25 @@ def test_steps_are_generated_for_every_service_of_the_profile(urn):
     assert bool(steps) == any(service.messages for service in found)  # broadcasts are tested by steps of their own
 
 
+SINGLE = (
+    ("PlatformState", 110, "Controlled.Available"),
+    ("Communicator", 110, "Controlled.Available.Ready"),
+    ("AEODRSDigitalVideo", 106, "NotControlled"),
+    ("AEODRSVideoIlluminator", 106, "NotControlled"),
+    ("H264VideoEncoding", 106, "Controlled.Available"),
+)
+"""Services whose inputs need particular values, or that send more than their definitions tell."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "component", "states"), SINGLE, ids=[name for name, *_ in SINGLE])
+def test_inc1_passes_the_steps_of_one_service(name, component, states):
+    urns = [urn for urn in definitions() if urn.endswith(f":{name}")]
+    target = robot(name="inc1", component=component, tick=None)
+    report = examined(service_profile(urns[0], registry), target, JausID(101, 1, component), only=(states,))
+    assert [f"{step.id}: {step.reason}" for step in report.failures] == []
+    assert any(step.verdict is Verdict.PASS for step in report.results)
+
+
 def test_profile_is_listed():
     assert find("iop-v3").asks_for_services

@@ -7,6 +7,12 @@ import pytest
 from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryControl
+from jauspy.messages.iop import (
+    ConfirmHandoffRequest,
+    ConfirmReleaseControl,
+    RequestHandoff,
+    RequestReleaseControl,
+)
 from jauspy.services.core import AccessControl, Liveness
 from jauspy.services.iop import EnhancedAccessControl
 from jauspy.services.iop.handoff import Decision
@@ -61,6 +67,33 @@ async def test_component_without_the_service_is_named(virtual_network):
     ):
         with pytest.raises(ResponseTimeout, match="check that it offers EnhancedAccessControl"):
             await second.request_handoff(ME, "", within=2)
+
+
+@pytest.mark.parametrize("kind", [RequestHandoff, RequestReleaseControl, ConfirmReleaseControl, ConfirmHandoffRequest])
+@pytest.mark.parametrize("after", [0, 1])
+async def test_message_that_is_lost_is_sent_again(virtual_network, kind, after):
+    virtual_network.lose(kind, 1, after=after)
+    asked, subsystem = await handed_over(virtual_network, Decision.GRANTED)
+    assert len(asked) == 1
+    assert subsystem == 43
+
+
+async def test_handoff_that_is_not_decided_in_time_is_told(virtual_network):
+    first = virtual_network.ocu("42.1.1", decide_handoff=lambda where, request: Decision.WAIT)
+    second = virtual_network.ocu("43.1.1")
+    async with made(virtual_network), first, second, first.service(ME, "EnhancedAccessControl").control():
+        with pytest.raises(ResponseTimeout, match=r"nothing is decided on the handoff of 101\.1\.1 within 8 s"):
+            await second.request_handoff(ME, "", within=8)
+
+
+async def test_explanation_has_the_characters_that_can_be_sent(virtual_network):
+    asked = []
+    first = virtual_network.ocu("42.1.1", decide_handoff=lambda *shown: asked.append(shown[1].explanation))
+    second = virtual_network.ocu("43.1.1")
+    async with made(virtual_network), first, second, first.service(ME, "EnhancedAccessControl").control():
+        with pytest.raises(ControlRejected):
+            await second.request_handoff(ME, "la porte du c\u0153ur co\u00fbte 5 \u20ac", within=8)
+    assert asked == ["la porte du c?ur co\u00fbte 5 ?"]
 
 
 @pytest.mark.parametrize(("explanation", "authority"), [("x" * 256, 100), ("", 256), ("", -1)])

@@ -361,3 +361,5 @@ async def test_the_verb_says_when_it_does_not_begin(two: TwoRobots) -> None:
         await two.robots[1].follow(101, gap=0.5, max_gap=1.0)
     with pytest.raises(ConfigError, match="each robot drives in it once"):
         await two.robots[0].set_convoy(102, 102)
+    with pytest.raises(ConfigError, match=r"a follower is 70000; it must be the number of a subsystem, 1\.\.65534"):
+        await two.robots[0].set_convoy(70000)

@@ -72,9 +72,11 @@ INC1: Final[Mapping[str, str]] = {
     "LeaderManagement": "registers who follows it, and waits for those of its convoy",
     "GuardedTeleopPolicyManager": "slows and stops the chassis before what lidar and depth camera see; off at first",
     "SelfCollisionAvoidancePolicyManager": "slows and stops joints before links touch; off at first",
+    "PathReporter": "of `jauspy navigate`: the way that it drives",
+    "CostMap2D": "of `jauspy navigate`: costs of the ground, zones to keep out of",
     "HandoffController": "of every OCU of jauspy: `OCU(decide_handoff=...)`, `ocu.request_handoff`",
 }
-"""What each service does on inc1, or, for services of clients, in the OCU."""
+"""What each service does on inc1, or, for those that it does not offer, who has it beside the robot."""
 
 
 def services() -> list[ServiceDefinition]:

@@ -34,17 +34,19 @@ def health(
     found = run(_ask(client.own_id(own_id, connect), connect, subsystem))
     if found is None:
         return
-    battery, entries = found
+    battery, entries, node = found
+    ids = [f"{subsystem}.{node}.{entry.component}" for entry in entries]
     if as_json:
         rows: list[dict[str, Any]] = [{"battery": asdict(battery)}] if battery else []
-        for row in (*rows, *(asdict(entry) for entry in entries)):
+        for row in (*rows, *({"id": id, **asdict(entry)} for id, entry in zip(ids, entries, strict=True))):
             console.print_json(_plain(row))
     else:
         if battery is not None:
             console.stdout().print(battery_line(battery))
-        for entry in entries:
+        width = max(map(len, ids), default=0)
+        for id, entry in zip(ids, entries, strict=True):
             severity = (f"{entry.severity:<5}", STYLES.get(entry.severity, ""))
-            console.stdout().print(Text.assemble(severity, f"{subsystem}.{entry.component:<4} {entry.text}"))
+            console.stdout().print(Text.assemble(severity, f"{id:<{width}}  {entry.text}"))
     if not all(entry.is_well for entry in entries):
         raise typer.Exit(1)
 
@@ -56,14 +58,19 @@ def battery_line(battery: BatteryReport) -> str:
     return "battery: " + (", ".join(parts) or "it reports nothing")
 
 
-async def _ask(own_id: str, connect: str | None, subsystem: int) -> tuple[BatteryReport | None, list[HealthReport]]:
+async def _ask(
+    own_id: str, connect: str | None, subsystem: int
+) -> tuple[BatteryReport | None, list[HealthReport], int]:
+    """The battery, the health of all parts, and the node of the component that reports it."""
     async with OCU(own_id, connect) as ocu:
         robot = await ocu.robot(subsystem)
         offered = {name: any(part.find(name) for part in robot.components) for name in (BATTERY, HEALTH)}
         if not any(offered.values()):
             raise ConfigError(f"subsystem {subsystem} offers neither {HEALTH} nor {BATTERY}, which tell it")
         battery = await robot.battery() if offered[BATTERY] else None
-        return battery, await robot.health() if offered[HEALTH] else []
+        if not offered[HEALTH]:
+            return battery, [], 0
+        return battery, await robot.health(), robot.service(HEALTH).id.node
 
 
 BATTERY: Final = "PowerPlantManager"

@@ -128,6 +128,8 @@ class Follower:
         column = (subsystem, *followers)
         for number in column:
             check_number(number, "a follower", whole=True)
+            if not 1 <= number <= 65534:
+                raise ConfigError(f"a follower is {number}; it must be the number of a subsystem, 1..65534")
         if len(set(column)) < len(column):
             raise ConfigError(f"a convoy of {', '.join(map(str, column))}: each robot drives in it once")
         orders = [

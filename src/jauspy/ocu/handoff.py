@@ -12,6 +12,7 @@ from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.iop import ConfirmHandoffRequest, RequestHandoff
 from jauspy.ocu.connection import Connection
+from jauspy.services.units import sent_text
 
 Code = ConfirmHandoffRequest.ResponseCode
 PENDING: Final = (Code.QUEUED, Code.DEFERRED)
@@ -30,7 +31,9 @@ async def request_handoff(
     """Ask the client in control of a component to hand over, and wait for its decision.
 
     Afterwards this client has control until the component's time-out; take it by `control` with the same authority.
-    Raises `ControlRejected` with the reason, and `ResponseTimeout` when nothing is decided `within` these seconds.
+    Characters of the explanation that JAUS cannot send (not Latin-1) become question marks. Raises `ControlRejected`
+    with the reason, and `ResponseTimeout` when the component does not answer, or nothing is decided `within` these
+    seconds.
     """
     check_text(explanation, "the explanation of a handoff")
     check_number(authority, "authority", whole=True)
@@ -44,12 +47,21 @@ async def request_handoff(
         if message.response_code not in PENDING and not decision.done():
             decision.set_result(int(message.response_code))
 
+    is_waiting = False
     with connection.replies.listening(component, answered, ConfirmHandoffRequest):
-        connection.send(component, RequestHandoff(authority, explanation))
         try:
-            code = await asyncio.wait_for(decision, within)
-        except TimeoutError:
-            what = f"{component} has not answered a request for handoff within {within:g} s"
-            raise ResponseTimeout(f"{what}; check that it offers EnhancedAccessControl") from None
+            async with asyncio.timeout(within):
+                # resent until it is answered; a further request of a client that waits replaces the first one
+                await connection.request(
+                    component, RequestHandoff(authority, sent_text(explanation)), ConfirmHandoffRequest
+                )
+                is_waiting = True
+                code = await decision
+        except (TimeoutError, ResponseTimeout):
+            if is_waiting:
+                raise ResponseTimeout(f"nothing is decided on the handoff of {component} within {within:g} s") from None
+            raise ResponseTimeout(
+                f"{component} does not answer a request for handoff; check that it offers EnhancedAccessControl"
+            ) from None
     if code != Code.GRANTED:
         raise ControlRejected(f"{component} did not hand control over: {REASONS.get(code, f'code {code}')}")

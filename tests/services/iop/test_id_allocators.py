@@ -12,6 +12,7 @@ import jauspy
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
+from jauspy.messages.core import ReportHeartbeatPulse
 from jauspy.messages.exp import GrantSubsystemID, QuerySubsystemIDs, RequestSubsystemID
 from jauspy.messages.iop import GrantNodeID, RequestNodeID
 from jauspy.protocol import judp
@@ -19,7 +20,7 @@ from jauspy.protocol.header import Broadcast, Packet
 from jauspy.services.core import with_core_services
 from jauspy.services.host import Host
 from jauspy.services.iop import NodeIDAllocator, SubsystemIDAllocator
-from jauspy.services.iop.id_allocators import EVERYBODY, GRANTS, MAX_SUBSYSTEMS, NEW_BURST
+from jauspy.services.iop.id_allocators import EVERYBODY, GRANTS, MAX_HEARD, MAX_SUBSYSTEMS, NEW_BURST
 from jauspy.testing import LocalNode
 
 ME, NOBODY = JausID(1, 1, 110), JausID(0, 0, 30)
@@ -124,6 +125,42 @@ def test_nodes_are_those_that_nobody_has_and_only_of_the_own_subsystem():
         numbers.append(tested.granted(RequestNodeID([*key(number), 30]), JausID(1, 0, 30)).node_id)
     assert sorted(id for id in numbers if id) == list(range(3, 255)), "3 is of the same key as before"
     assert numbers[-1] == 0
+
+
+@pytest.mark.parametrize("service", [SubsystemIDAllocator, NodeIDAllocator])
+def test_numbers_of_those_who_are_heard_are_not_handed_out(service):
+    tested = Allocating(service())
+    first, source = (100, NOBODY) if service is SubsystemIDAllocator else (2, JausID(1, 0, 30))
+
+    def ask(number: int) -> int:
+        tested.now += 1.0
+        if service is SubsystemIDAllocator:
+            return tested.granted(RequestSubsystemID(key(number), VEHICLE)).subsystem_id
+        return tested.granted(RequestNodeID([*key(number), 30]), source).node_id
+
+    def beat(number: int) -> None:
+        sender = JausID(number, 1, 1) if service is SubsystemIDAllocator else JausID(1, number, 1)
+        tested.host.receive(ReportHeartbeatPulse().encode(), sender, tested.now)
+
+    beat(first)
+    beat(first + 2)
+    tested.host.receive(ReportHeartbeatPulse().encode(), JausID(7, first + 3, 1), tested.now)
+    assert [ask(1), ask(2), ask(1)] == [first + 1, first + 3, first + 1]
+
+
+def test_a_flood_of_heartbeats_is_bounded_and_uses_up_no_numbers():
+    tested = Allocating(SubsystemIDAllocator())
+    for number in range(100, 10_000):
+        tested.host.receive(ReportHeartbeatPulse().encode(), JausID(number, 1, 1), tested.now)
+    table = tested.host.service(SubsystemIDAllocator)._table
+    assert len(table._heard) == MAX_HEARD
+    assert tested.granted(RequestSubsystemID(MAC, VEHICLE)).subsystem_id == 100, "it is not heard any more"
+    for number in range(100, 100 + MAX_HEARD):
+        tested.host.receive(ReportHeartbeatPulse().encode(), JausID(number, 1, 1), tested.now)
+    assert tested.granted(RequestSubsystemID(key(1), VEHICLE)).subsystem_id == 100 + MAX_HEARD
+    for number in range(5000, 5000 + MAX_HEARD):
+        tested.host.receive(ReportHeartbeatPulse().encode(), JausID(number, 1, 1), tested.now)
+    assert tested.granted(RequestSubsystemID(key(2), VEHICLE)).subsystem_id == 101, "no number is lost"
 
 
 # --- components without an id -----------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from jauspy.codec.registry import Registry
 from jauspy.conformance.profile import ServiceKey
 from jauspy.ids import JausID
 from jauspy.messages import registry
+from jauspy.messages.core import ReportHeartbeatPulse
 from jauspy.schema import behavior, model
 from jauspy.schema.inheritance import most_derived_first, parents_among
 from jauspy.schema.loader import load_needed
@@ -299,6 +300,10 @@ TRANSPORT: Final = "urn:jaus:jss:core:Transport"
 """URN of the service Transport, which has no messages, so the registry lacks it."""
 
 
+SENDS_HEARTBEATS: Final = frozenset({"urn:jaus:jss:iop:UnsolicitedHeartbeat", "urn:jaus:jss:iop:Communicator"})
+"""Services that send heartbeats without a query: by their definition, or to measure a link."""
+
+
 @dataclass(frozen=True)
 class ComponentUnderTest:
     """The component under test as its definitions describe it."""
@@ -312,6 +317,12 @@ class ComponentUnderTest:
     def keys(self) -> frozenset[ServiceKey]:
         """The services, with versions."""
         return frozenset(definition.key for definition in self.definitions)
+
+    @property
+    def unsolicited(self) -> frozenset[int]:
+        """The ids of messages that may come at any time."""
+        offered = {definition.id for definition in self.definitions}
+        return frozenset({ReportHeartbeatPulse.CODE}) if offered & SENDS_HEARTBEATS else frozenset()
 
     def transition(self, rule: str) -> str:
         """The name of a transition of this component in reports."""

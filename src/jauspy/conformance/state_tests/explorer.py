@@ -207,6 +207,8 @@ class Stimulus:
     """Part of that time within which no answer may arrive."""
     once: bool = False
     """True if it is tested in the first state only."""
+    may_send: tuple[str, ...] = ()
+    """Messages that may come besides: outputs of the service that no action of its definition sends."""
 
     def fits(self, situation: Situation) -> bool:
         """True if it can be prepared in this situation and has a visible effect."""

@@ -40,6 +40,7 @@ from jauspy.conformance.state_tests.explorer import (
 )
 from jauspy.conformance.state_tests.lists import LISTS
 from jauspy.conformance.state_tests.neutral_messages import neutral, presence_fields
+from jauspy.conformance.state_tests.profile_services import PROFILE_SERVICES
 from jauspy.conformance.state_tests.sensors import SENSORS, STILL_IMAGES
 from jauspy.conformance.state_tests.state_test import StateTest
 from jauspy.conformance.steering import MANAGEMENT, STOP, Path
@@ -180,6 +181,7 @@ STIMULI: Final[tuple[Stimulus, ...]] = (
     *CELL_COMMANDS,
     *ARMS,
     *STILL_IMAGES,
+    *PROFILE_SERVICES,
     *CLOCK_STIMULI,
     *SENSORS,
     *LIMITS,

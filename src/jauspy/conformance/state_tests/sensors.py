@@ -42,6 +42,8 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
     SetVisualSensorConfiguration as SetVisual,
 )
 
+ENVIRONMENT_SENSING: Final = "urn:jaus:jss:environmentSensing:"
+"""Beginning of the ids of its services: IOP has messages of the same names with other fields."""
 CURRENT_SETTING: Final = "setting of a sensor"
 PRECISION: Final = 0.01
 """Allowed relative error of a value by its resolution on the wire and in the sensor."""
@@ -70,6 +72,7 @@ class SensorSetting:
             after=self._set_back,
             checks={"ConfirmSensorConfiguration": has(request_id_rec__request_id=CREATE)},
             verify=self._check_setting,
+            of=ENVIRONMENT_SENSING,
         )
 
     def _values(self, report: Message) -> dict[int, Any]:

@@ -43,6 +43,13 @@ class StateTest:
         judge = self.stimulus.judge(self.role)
         return self.subject.machine.predict(self.situation, self.stimulus.message, self.role, judge)
 
+    @cached_property
+    def _unsolicited(self) -> frozenset[int]:
+        """The ids of messages that may come, and that no right outcome has."""
+        predicted = {output.message for prediction in self.predictions for output in prediction.outputs}
+        besides = self.subject.unsolicited | {self.subject.kind(name).CODE for name in self.stimulus.may_send}
+        return besides - {self.subject.kind(name).CODE for name in predicted}
+
     @property
     def transitions(self) -> tuple[str, ...]:
         """Names of the transitions that may be taken, with the id of the component."""
@@ -126,7 +133,7 @@ class StateTest:
             early = tester.now - began < self.stimulus.earliest * seconds
             tester.check("it does not come early", f"it came after {tester.now - began:.1f} s" if early else "")
         explorer.observe()
-        extra = [name for role in CLIENTS for name in explorer.client(role).unasked()]
+        extra = [name for role in CLIENTS for name in explorer.client(role).unasked(self._unsolicited)]
         rule = "nothing else comes" if prediction.outputs else "there is no answer"
         explorer.tester.expected.append(rule)
         explorer.tester.check(rule, f"{', '.join(extra)} came, which is not declared here" if extra else "")
@@ -200,7 +207,7 @@ class StateTest:
         return [
             packet
             for packet in explorer.client(role).pending
-            if packet.source == self.subject.component and packet.code not in EVENTS
+            if packet.source == self.subject.component and packet.code not in EVENTS | self._unsolicited
         ]
 
     def _note_initialized(self, explorer: Explorer, after: Situation, seen: ObservedState) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 from jauspy.messages.iop import ReportConvoyDetails, UpdateConvoyDetails
@@ -15,8 +16,8 @@ SUBSYSTEMS: Final = range(1, 0xFFFF)
 class Convoy(Service, urn="urn:jaus:jss:iop:Convoy"):
     """Keeps the convoys that the controlling client has set, which replace all earlier ones.
 
-    A make-up in which a vehicle follows itself, or two others, is refused and counted, as is one of more than
-    `MAX_ORDERS` followers.
+    A make-up in which a vehicle follows two others, or itself along any chain of vehicles, is refused and counted, as
+    is one of more than `MAX_ORDERS` followers, and a convoy whose head follows a vehicle of it.
     """
 
     def __init__(self) -> None:
@@ -34,7 +35,8 @@ class Convoy(Service, urn="urn:jaus:jss:iop:Convoy"):
     def update_convoy_details(self, msg: UpdateConvoyDetails) -> None:
         """Take over the make-up of all convoys (F101)."""
         orders = [order for convoy in msg.convoy_list for order in convoy.convoy_order_list]
-        if problem := _problem([(order.leader_id, order.vehicle_id) for order in orders]):
+        problem = _problem([(order.leader_id, order.vehicle_id) for order in orders])
+        if problem := problem or next(filter(None, map(_problem_of_head, msg.convoy_list)), ""):
             self.host.count("bad_convoy", problem)
             self.host.begin_command()(False)
             return
@@ -60,8 +62,28 @@ def _problem(orders: list[tuple[int, int]]) -> str:
     followers = [follower for _, follower in orders]
     if len(set(followers)) < len(followers):
         return "a vehicle follows two others"
-    if any(leader == follower for leader, follower in orders):
-        return "a vehicle follows itself"
     if any(number not in SUBSYSTEMS for order in orders for number in order):
         return "a number is not that of a subsystem, 1..65534"
+    return _ring({follower: leader for leader, follower in orders})
+
+
+def _ring(leaders: Mapping[int, int]) -> str:
+    """Names a vehicle that follows itself, directly or behind others; empty if there is none."""
+    checked: set[int] = set()
+    for vehicle in leaders:
+        column: list[int] = []
+        ahead: int | None = vehicle
+        while ahead is not None and ahead not in checked:
+            checked.add(ahead)
+            column.append(ahead)
+            ahead = leaders.get(ahead)
+        if ahead in column:
+            return f"vehicle {ahead} follows itself: no vehicle of its convoy is at the front"
     return ""
+
+
+def _problem_of_head(convoy: UpdateConvoyDetails.ConvoySeq) -> str:
+    """Why the vehicle at the front of a convoy is not there; empty if it is."""
+    head = convoy.convoy_record.head_id
+    ahead = next((order.leader_id for order in convoy.convoy_order_list if order.vehicle_id == head), None)
+    return "" if ahead is None else f"vehicle {head} is the head of its convoy, and follows {ahead}"

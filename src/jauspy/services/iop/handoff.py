@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from jauspy.arguments import check_number
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.iop import (
@@ -24,7 +25,7 @@ from jauspy.messages.iop import (
 )
 from jauspy.protocol.seal import Operator
 from jauspy.services.core import AccessControl
-from jauspy.services.service import Service
+from jauspy.services.service import Service, ServiceHost
 
 MAX_REQUESTS: Final = 16
 """Clients that may wait for control of one component."""
@@ -51,6 +52,7 @@ class EnhancedAccessControl(Service, urn="urn:jaus:jss:iop:EnhancedAccessControl
 
     `handoff_timeout`: whole seconds, 1..255, after which a request that nobody has answered ends. `enhanced_timeout`:
     seconds for which one that was put off goes on waiting. Handing over stops all motion, like any loss of control.
+    Lists of requests and decisions are resent until they are acknowledged.
     """
 
     def __init__(self, *, handoff_timeout: int = 15, enhanced_timeout: int = 60) -> None:
@@ -119,7 +121,7 @@ class EnhancedAccessControl(Service, urn="urn:jaus:jss:iop:EnhancedAccessControl
             )
             for request in self._requests.values()
         ]
-        self.host.send(controller, RequestReleaseControl(listed))
+        deliver(self.host, controller, RequestReleaseControl(listed))
 
     def process_handoff_response(self, msg: ConfirmReleaseControl) -> None:
         """Carry out the decisions of the client in control; of several grants the first counts."""
@@ -195,7 +197,7 @@ class EnhancedAccessControl(Service, urn="urn:jaus:jss:iop:EnhancedAccessControl
         self._tell(request, code)
 
     def _tell(self, request: HandoffRequest, code: ConfirmHandoffRequest.ResponseCode) -> None:
-        self.host.send(request.client, ConfirmHandoffRequest(id=request.id, response_code=code))
+        deliver(self.host, request.client, ConfirmHandoffRequest(id=request.id, response_code=code))
 
     def _remove(self, client: JausID) -> int:
         """Remove a request; its number, or 0."""
@@ -253,7 +255,17 @@ class HandoffController(Service, urn="urn:jaus:jss:iop:HandoffController"):
 
     def _send(self, component: JausID, decisions: Iterable[tuple[int, Decision]]) -> None:
         listed = [ReleaseControlRec(id=id, response_code=code) for id, code in decisions]
-        self.host.send(component, ConfirmReleaseControl(listed))
+        deliver(self.host, component, ConfirmReleaseControl(listed))
+
+
+def deliver(host: ServiceHost, destination: JausID, message: Message) -> None:
+    """Send a message, resent until it is acknowledged; what is not is counted."""
+
+    def ended(delivered: bool) -> None:
+        if not delivered:
+            host.count("handoff_not_delivered", f"{message.NAME} to {destination}")
+
+    host.send(destination, message, on_acknowledged=ended)
 
 
 def _request(record: RequestReleaseControl.RequestReleaseControlRec) -> HandoffRequest:

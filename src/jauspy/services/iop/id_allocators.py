@@ -2,14 +2,16 @@
 
 As with the allocator of the JAUS Toolset, whoever asks again with the same key gets the same id, the first subsystem is
 100, and grants are broadcast, since the asker has no address yet. What is handed out is kept until the component ends.
+Numbers of those whose heartbeats were heard are not handed out, also by an allocator that was started again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Sequence
 from typing import Any, Final
 
 from jauspy.ids import JausID
+from jauspy.messages.core import ReportHeartbeatPulse
 from jauspy.messages.exp import GrantSubsystemID, QuerySubsystemIDs, ReportSubsystemIDs, RequestSubsystemID
 from jauspy.messages.iop import GrantNodeID, RequestNodeID
 from jauspy.protocol.header import Broadcast
@@ -19,6 +21,8 @@ FIRST_SUBSYSTEM, LAST_SUBSYSTEM = 100, 65534
 LAST_NODE: Final = 254
 MAX_SUBSYSTEMS: Final = 1024
 """Subsystems in the table; further ones get 0, which says that it failed."""
+MAX_HEARD: Final = 1024
+"""Numbers that are known to be in use; of more of them, those heard longest ago are forgotten."""
 MAX_REPORTED: Final = 255
 GRANTS: Final = 20.0
 """Broadcasts a second; who asks more often is not answered."""
@@ -47,8 +51,10 @@ class _Allowance:
 class IDTable:
     """Ids by the keys of those who asked."""
 
-    def __init__(self, ids: Iterable[int], capacity: int, taken: Callable[[], Collection[int]]) -> None:
-        self._free, self._capacity, self._taken = iter(ids), capacity, taken
+    def __init__(self, ids: Sequence[int], capacity: int, taken: Callable[[], Collection[int]]) -> None:
+        self._ids, self._capacity, self._taken = ids, capacity, taken
+        self._heard: dict[int, None] = {}
+        """Numbers in use, those heard last at the end."""
         self._granted: dict[bytes, tuple[int, int]] = {}
         self._grants = _Allowance(GRANTS, GRANTS)
         self._new = _Allowance(NEW_BURST, NEW_RATE)
@@ -68,11 +74,18 @@ class IDTable:
             return 0
         if not self._new.use(now):
             return None
-        taken = set(self._taken())
-        id = next((id for id in self._free if id not in taken), 0)
+        taken = {*self._taken(), *self._heard, *(id for id, _ in self._granted.values())}
+        id = next((id for id in self._ids if id not in taken), 0)
         if id:
             self._granted[key] = (id, kind)
         return id
+
+    def note(self, id: int) -> None:
+        """Note that somebody has this number."""
+        self._heard.pop(id, None)
+        self._heard[id] = None
+        if len(self._heard) > MAX_HEARD:
+            del self._heard[next(iter(self._heard))]
 
 
 class SubsystemIDAllocator(Service, urn="urn:jaus:jss:exp:aeodrs:SubsystemIDAllocator"):
@@ -81,6 +94,10 @@ class SubsystemIDAllocator(Service, urn="urn:jaus:jss:exp:aeodrs:SubsystemIDAllo
     def __init__(self, taken: Callable[[], Collection[int]] = tuple) -> None:
         ids = range(FIRST_SUBSYSTEM, LAST_SUBSYSTEM + 1)
         self._table = IDTable(ids, MAX_SUBSYSTEMS, lambda: {self.host.id.subsystem, *taken()})
+
+    def attached(self) -> None:
+        """Listen to heartbeats."""
+        self.host.expect(ReportHeartbeatPulse, lambda _, source: self._table.note(source.subsystem))
 
     def broadcast_grant_subsystem_i_dto_system(self, msg: RequestSubsystemID) -> None:
         """Tell everybody who has which number; 0 once there are none."""
@@ -111,6 +128,14 @@ class NodeIDAllocator(Service, urn="urn:jaus:jss:iop:NodeIDAllocator"):
 
     def __init__(self, taken: Callable[[], Collection[int]] = tuple) -> None:
         self._table = IDTable(range(1, LAST_NODE + 1), LAST_NODE, lambda: {self.host.id.node, *taken()})
+
+    def attached(self) -> None:
+        """Listen to heartbeats."""
+        self.host.expect(ReportHeartbeatPulse, lambda _, source: self._on_heartbeat(source))
+
+    def _on_heartbeat(self, source: JausID) -> None:
+        if source.subsystem == self.host.id.subsystem:
+            self._table.note(source.node)
 
     def broadcast_grant_node_i_dto_subsystem(self, msg: RequestNodeID, source: JausID) -> None:
         """Tell the subsystem who has which number; requests of other subsystems are refused."""
