@@ -382,6 +382,11 @@ class Layout:
         """rad/s^2."""
         self._types: Mapping[str, str] = {part.name: part.type for part in self.setup.parts}
 
+    @property
+    def arms(self) -> tuple[str, ...]:
+        """The names of the modular arms; the first one is commanded where none is named."""
+        return tuple(name for name in (self.setup.arm, self.setup.second_arm) if name)
+
     def type_of(self, part: str) -> PartType:
         """The type of a part. Raises `ConfigError` for an unknown name."""
         return self.setup.type_of(part)
