@@ -75,6 +75,9 @@ class FakeCell:
         await self.follow(path, tool_speed=tool_speed)
         return await self.connector(connector)
 
+    async def blocked(self) -> str:
+        return ""
+
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
         self.time += 0.8 if fresh else 0.0
         return {

@@ -166,7 +166,8 @@ class CellClient:
         """Same as `follow`, but stop as soon as a connector that holds nothing has attached something.
 
         One that holds something already stops the motion when its force has changed by `contact`, in newtons. The arm
-        then holds where it is: pressing on would load the joint. Returns the connector's state.
+        then holds where it is: pressing on would load the joint. What the UR10 itself finds in its way ends the motion,
+        too, as `blocked` tells: it is what was to be touched. Returns the connector's state.
         """
         before = await self._settled(connector)
         for start, goal in pairwise(path.points):
@@ -180,9 +181,17 @@ class CellClient:
                         return state
                     await asyncio.sleep(POLL)
                 motion.result()
+            except RequestError:
+                if not await self.blocked():
+                    raise
+                break
             finally:
                 await _cancel(motion)
         return await self.connector(connector)
+
+    async def blocked(self) -> str:
+        """What was in the way of the UR10's last motion, as a sentence; empty if nothing was."""
+        return await (await self._ur10()).blocked()
 
     async def full_speed(self) -> None:
         """Permit the UR10's joints their full speed, for `aim`."""

@@ -67,9 +67,13 @@ class Cell(Protocol):
     ) -> ConnectorState:
         """Same as `follow`, but stop as soon as a connector that holds nothing has attached something.
 
-        One that holds something already stops the motion when its force has changed by `contact`, in newtons. Returns
-        the connector's state.
+        One that holds something already stops the motion when its force has changed by `contact`, in newtons. What the
+        UR10 itself finds in its way ends the motion, too. Returns the connector's state.
         """
+        ...
+
+    async def blocked(self) -> str:
+        """What was in the way of the UR10's last motion, as a sentence; empty if nothing was."""
         ...
 
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:

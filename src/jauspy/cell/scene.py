@@ -239,6 +239,19 @@ class PlanningScene:
                     best = _pair_distance(held, link, best)
         return best
 
+    def clearance_from(self, positions: Array, names: Iterable[str]) -> Clearance:
+        """The smallest distance of the arm alone, without what it holds, from these things, up to `FAR`.
+
+        They count also inside of `without`.
+        """
+        self._place(positions)
+        best = Clearance(FAR)
+        for link in self._links:
+            for name in names if link.joint else ():
+                for thing in self._things.get(name, ()):
+                    best = _pair_distance(link, thing, best)
+        return best
+
     def clearance_of(self, pieces: Iterable[Piece], pose: pin.SE3) -> Clearance:
         """The smallest distance of a free body from the things that stand around, up to `FAR`."""
         best = Clearance(FAR)
