@@ -38,7 +38,7 @@ class Reports:
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
         return {name: SeenPart("", pose) for name, pose in self.seen.items()}
 
-    async def arm(self) -> ModularArmState:
+    async def arm(self, name: str = "") -> ModularArmState:
         zeros = (0.0,) * len(self.joints)
         return ModularArmState(BASE, "", tuple(self.joints), (), tuple(self.joints.values()), zeros, zeros, zeros)
 

@@ -17,7 +17,7 @@ pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_ty
 pytest.importorskip("matplotlib", reason="needs the extra `plot`")
 
 from jauspy.cell import swing, tasks, trials
-from jauspy.cell.design import build, rehearsal
+from jauspy.cell.design import build, choice
 from jauspy.cell.iso9283 import measurement, page
 from jauspy.cell.measurements import Measured
 from jauspy.cell.session import Session
@@ -243,7 +243,7 @@ def test_a_design_is_built_and_compared_with_what_was_measured(tmp_path: Path, m
         return [Measured(0, designs[0][0].name, success=True, values=figures), failed]
 
     monkeypatch.setattr(build, "build_all", build_all)
-    monkeypatch.setattr(rehearsal, "first_buildable", lambda layout, found, *rest: found.best)
+    monkeypatch.setattr(choice, "first_buildable", lambda layout, found, *rest, before: found.best)
     tasks = Path(__file__).parents[2] / "docs" / "tasks"
     names = ("one_point", "far")
     files = [str(tasks / f"{name}.json") for name in names]

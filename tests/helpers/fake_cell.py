@@ -75,6 +75,9 @@ class FakeCell:
         await self.follow(path, tool_speed=tool_speed)
         return await self.connector(connector)
 
+    async def blocked(self) -> str:
+        return ""
+
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
         self.time += 0.8 if fresh else 0.0
         return {
@@ -106,7 +109,7 @@ class FakeCell:
     async def leave(self, part: str) -> None:
         self.log.append(f"leave {part}")
 
-    async def arm(self) -> ModularArmState:
+    async def arm(self, name: str = "") -> ModularArmState:
         joints, at = [], "platform_1/top"
         while at in self.attached:
             part, _ = self.attached[at]
@@ -116,12 +119,12 @@ class FakeCell:
         zeros = (0.0,) * len(joints)
         return ModularArmState("platform_1/top", at, tuple(joints), (), zeros, zeros, zeros, zeros)
 
-    async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
+    async def move_arm(self, positions: Sequence[float], duration: float = 0.0, *, name: str = "") -> None:
         assert len(positions) == len((await self.arm()).joints)
         self.log.append(f"move {[None if math.isnan(each) else each for each in positions]}")
         self.time += duration
 
-    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
+    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint], *, name: str = "") -> None:
         self.log.append(f"follow {', '.join(joints)}")
         self.time += points[-1].time
 

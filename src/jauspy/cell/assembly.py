@@ -24,6 +24,7 @@ from jauspy.cell.schedule import Schedule, TaskFailed
 from jauspy.cell.slots import FIVE_JOINTS, AssemblyResult, PartResult, Slot, Tip, slot_goals
 from jauspy.errors import JausError
 from jauspy.geometry.vectors import GRAVITY
+from jauspy.platform.modular.arm import ModularArmState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.platform.modular.parts import PartKind, mass_of
 
@@ -330,15 +331,24 @@ class Assembler(Carrier):
         if self.layout.type_of(part).kind is not PartKind.SERVO:
             return
         until = self.cell.now() + 3.0
-        while part not in (state := await self.cell.arm()).joints:
+        while (found := await self._arm_with(part)) is None:
             if self.cell.now() > until:
                 raise TaskFailed(f"{part} was joined, but is not a joint of the arm 3 s later; has it power?")
             await self.cell.sleep(0.1)
+        name, state = found
         index = state.joints.index(part)
         for angle in (CHECK_ANGLE, 0.0):
             goal = [math.nan] * len(state.joints)
             goal[index] = angle
-            await self.cell.move_arm(goal, CHECK_TIME)
+            await self.cell.move_arm(goal, CHECK_TIME, name=name)
+
+    async def _arm_with(self, joint: str) -> tuple[str, ModularArmState] | None:
+        """The modular arm that has a joint, by name, and its state."""
+        for name in self.layout.arms:
+            state = await self.cell.arm(name)
+            if joint in state.joints:
+                return name, state
+        return None
 
     # --- geometry ---
 

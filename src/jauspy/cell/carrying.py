@@ -256,12 +256,15 @@ class Carrier:
     # --- touching ---
 
     async def touch(self, path: Path, connector: str, frame: pin.SE3, *, speed: float = TOUCH_SPEED) -> ConnectorState:
-        """Move until a connector attaches something; press on, along -z of `frame`, while none does."""
+        """Move until a connector attaches something; press on, along -z of `frame`, while none does.
+
+        Where the UR10 has found what it presses on, pressing harder would not help.
+        """
         for press in range(PRESSES + 1):
             await self.cell.touch(path, connector, tool_speed=speed)
             state = await self._wait_held(connector)
             self.at = await self.cell.posture()
-            if state.attached_to or not state.enabled or press == PRESSES:
+            if state.attached_to or not state.enabled or press == PRESSES or await self.cell.blocked():
                 break
             path = self.handling.pressed(self.at, frame)
         return state

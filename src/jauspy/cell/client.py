@@ -87,8 +87,6 @@ class CellClient:
         self._offset = math.inf
         """Seconds that the robot's clock is behind this one, by the observation that came fastest."""
         self.counts: dict[str, int] = defaultdict(int)
-        self._arm_name = layout.setup.arm or None
-        """The modular arm that is commanded."""
 
     async def __aenter__(self) -> Self:
         self._robot = await self._ocu.discover(self._config.subsystem)
@@ -168,7 +166,8 @@ class CellClient:
         """Same as `follow`, but stop as soon as a connector that holds nothing has attached something.
 
         One that holds something already stops the motion when its force has changed by `contact`, in newtons. The arm
-        then holds where it is: pressing on would load the joint. Returns the connector's state.
+        then holds where it is: pressing on would load the joint. What the UR10 itself finds in its way ends the motion,
+        too, as `blocked` tells: it is what was to be touched. Returns the connector's state.
         """
         before = await self._settled(connector)
         for start, goal in pairwise(path.points):
@@ -182,9 +181,17 @@ class CellClient:
                         return state
                     await asyncio.sleep(POLL)
                 motion.result()
+            except RequestError:
+                if not await self.blocked():
+                    raise
+                break
             finally:
                 await _cancel(motion)
         return await self.connector(connector)
+
+    async def blocked(self) -> str:
+        """What was in the way of the UR10's last motion, as a sentence; empty if nothing was."""
+        return await (await self._ur10()).blocked()
 
     async def full_speed(self) -> None:
         """Permit the UR10's joints their full speed, for `aim`."""
@@ -334,27 +341,31 @@ class CellClient:
         """Speed and travel of the belt."""
         return await (await self._component(self._module("CM-CNV"))).conveyor.state()
 
-    # --- the modular arm ------------------------------------------------------------------------------------------
+    # --- the modular arms -----------------------------------------------------------------------------------------
+    # `name` is that of an arm in the cell's file: `layout.arms` has them, the first one is the default
 
-    async def arm(self) -> ModularArmState:
+    async def arm(self, name: str = "") -> ModularArmState:
         """The modular arm's joints and motion."""
-        return await (await self._component(self._module("CM-ARM", self._arm_name))).modular_arm.state()
+        return await (await self._component(self._arm_id(name))).modular_arm.state()
 
-    async def command_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
+    async def command_arm(self, positions: Sequence[float], duration: float = 0.0, *, name: str = "") -> None:
         """Have the modular arm begin a motion; NaN leaves a joint as it is, 0 seconds is as fast as limits allow."""
-        await (await self._control(self._module("CM-ARM", self._arm_name))).modular_arm.begin(positions, duration)
+        await (await self._control(self._arm_id(name))).modular_arm.begin(positions, duration)
 
-    async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
+    async def move_arm(self, positions: Sequence[float], duration: float = 0.0, *, name: str = "") -> None:
         """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
-        await (await self._control(self._module("CM-ARM", self._arm_name))).modular_arm.move(positions, duration)
+        await (await self._control(self._arm_id(name))).modular_arm.move(positions, duration)
 
-    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
+    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint], *, name: str = "") -> None:
         """Move joints of the modular arm through points, and wait; raises `RequestError` as `move_arm` does."""
-        await (await self._control(self._module("CM-ARM", self._arm_name))).modular_arm.follow(joints, points)
+        await (await self._control(self._arm_id(name))).modular_arm.follow(joints, points)
 
     async def choose_controller(self, controller: ArmController) -> None:
         """Choose how the joints of the modular arm follow."""
-        await (await self._control(self._module("CM-ARM", self._arm_name))).modular_arm.set_controller(controller)
+        await (await self._control(self._arm_id(""))).modular_arm.set_controller(controller)
+
+    def _arm_id(self, name: str) -> JausID:
+        return self._module("CM-ARM", name or next(iter(self.layout.arms), None))
 
     # --- the car --------------------------------------------------------------------------------------------------
 

@@ -19,7 +19,7 @@ from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.slots import PartResult
-from jauspy.cell.standing import Joined, base_frame, frames_of, standing_on
+from jauspy.cell.standing import Joined, base_frame, frames_of, joint_positions, standing_on
 
 ABOVE: Final = 0.002
 """Metres above the floor of its bin from which on a part is pressed down until it is in contact."""
@@ -68,8 +68,7 @@ class Disassembler:
         joined = await standing_on(self.cell, self.layout, base)
         if not joined:
             raise TaskFailed(f"nothing stands on {base}")
-        state = await self.cell.arm()
-        positions = dict(zip(state.joints, state.positions, strict=True))
+        positions = await joint_positions(self.cell, self.layout)
         frames = frames_of(self.layout, await base_frame(self.cell, self.layout, base), joined, positions)
         await self.ur10.look()
         self.ur10.stands(frames)

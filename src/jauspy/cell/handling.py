@@ -37,6 +37,8 @@ LINE_MARGIN: Final = 0.003
 """Metres to keep from everything but what is touched, on straight lines."""
 BIN_MARGIN: Final = 0.0015
 """The same where a part is grasped: one that lies at a bin's wall is not much higher than that."""
+TOUCHED_MARGIN: Final = 0.001
+"""The same from what the held part touches: parts are short, and the gripper comes close to what they join."""
 MAX_PLANS: Final = 8
 """Postures for which a whole plan is tried."""
 CONDITION: Final = 0.03
@@ -164,7 +166,7 @@ class Handling:
         goals: Sequence[pin.SE3],
         *,
         along: pin.SE3 | None = None,
-        touches: Iterable[str] = (),
+        touches: Sequence[str] = (),
         distance: float = INSERT,
         press: float = PRESS,
     ) -> PlacePlan:
@@ -196,6 +198,7 @@ class Handling:
             with self.scene.without(*touches):
                 insert = self.planner.line(posture, near * grasp, margin=LINE_MARGIN)
                 contact = self.planner.line(insert.end, deeper * grasp, margin=LINE_MARGIN)
+                self._check_arm(contact.end, touches)
                 self._check_retreat(contact.end, part)
             return PlacePlan(transfer, insert, contact, goal)
 
@@ -211,6 +214,12 @@ class Handling:
         """Away from what was released, backward."""
         back = self.layout.kinematics.forward(start) * shifted(z=-distance)
         return self.planner.line(start, back)
+
+    def _check_arm(self, posture: Array, touched: Iterable[str]) -> None:
+        """Only what the arm holds may touch something: its links stay off that, too."""
+        found = self.scene.clearance_from(posture, touched)
+        if found.distance < TOUCHED_MARGIN:
+            raise NoPath(f"{' and '.join(found.between)} would touch")
 
     def _check_retreat(self, posture: Array, part: str) -> None:
         """The gripper must get away from the part that it has put down."""

@@ -67,9 +67,13 @@ class Cell(Protocol):
     ) -> ConnectorState:
         """Same as `follow`, but stop as soon as a connector that holds nothing has attached something.
 
-        One that holds something already stops the motion when its force has changed by `contact`, in newtons. Returns
-        the connector's state.
+        One that holds something already stops the motion when its force has changed by `contact`, in newtons. What the
+        UR10 itself finds in its way ends the motion, too. Returns the connector's state.
         """
+        ...
+
+    async def blocked(self) -> str:
+        """What was in the way of the UR10's last motion, as a sentence; empty if nothing was."""
         ...
 
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
@@ -91,14 +95,14 @@ class Cell(Protocol):
         """Release control of a part, which is about to lose its power."""
         ...
 
-    async def arm(self) -> ModularArmState:
-        """The modular arm's joints and motion."""
+    async def arm(self, name: str = "") -> ModularArmState:
+        """The joints and motion of a modular arm, of the first one without a name."""
         ...
 
-    async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
+    async def move_arm(self, positions: Sequence[float], duration: float = 0.0, *, name: str = "") -> None:
         """Move the modular arm, and wait until it is there; raises `RequestError` if it does not arrive."""
         ...
 
-    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint]) -> None:
+    async def follow_arm(self, joints: Sequence[str], points: Sequence[TrajectoryPoint], *, name: str = "") -> None:
         """Move joints of the modular arm through points, and wait; raises `RequestError` as `move_arm` does."""
         ...

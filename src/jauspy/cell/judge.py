@@ -65,6 +65,10 @@ class Truth(Protocol):
         """Measure these parts at each step from now on."""
         ...
 
+    def watch_groups(self, groups: Sequence[Sequence[str]]) -> Sequence[Watched]:
+        """Same as `watch`, for several groups of parts, each also against the others."""
+        ...
+
 
 class Faults(Protocol):
     """Breaks parts of a simulated cell."""
@@ -167,6 +171,10 @@ class Judge:
     def watch(self, parts: Iterable[str]) -> Watched:
         """Measure these parts at each step from now on; the result is kept up to date."""
         return self._truth.watch(parts)
+
+    def watch_groups(self, groups: Sequence[Sequence[str]]) -> Sequence[Watched]:
+        """Same as `watch`, for several groups of parts, each also against the others. Earlier watches end."""
+        return self._truth.watch_groups(groups)
 
     def drawn_since(self, before: PowerState) -> dict[str, float]:
         """Figures of what modules and batteries gave since then, by name: joules, fractions, volts.

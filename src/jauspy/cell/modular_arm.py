@@ -70,8 +70,11 @@ class ArmOperator:
         ur10: Array = PARKED,
         *,
         base_name: str = "",
+        name: str = "",
     ) -> None:
         self._ur10 = ur10
+        self.name = name
+        """Name of the modular arm in the cell's file; the first one if it is empty."""
         self.cell = cell
         self.layout = layout
         self.members = tuple(members)
@@ -109,7 +112,8 @@ class ArmOperator:
             type = layout.type_of(item.part)
             output = after.connector.partition("/")[2] if after is not None else next(iter(type.connectors), "")
             members.append(Member(item.part, type, item.offset, output))
-        return cls(cell, layout, await base_frame(cell, layout, base), members, base_name=base)
+        frame = await base_frame(cell, layout, base)
+        return cls(cell, layout, frame, members, base_name=base, name=await _arm_on(cell, layout, base))
 
     def _make_scene(self) -> PlanningScene:
         """The obstacles around the arm: the cell without the arm's own parts, and the UR10 at rest."""
@@ -128,7 +132,7 @@ class ArmOperator:
 
     async def state(self) -> ModularArmState:
         """The arm's state, in the order of the chain; raises `TaskFailed` if it has other joints."""
-        state = await self.cell.arm()
+        state = await self.cell.arm(self.name)
         if sorted(state.joints) != sorted(self.chain.joints):
             raise TaskFailed(f"the arm has the joints {', '.join(state.joints)}, not {', '.join(self.chain.joints)}")
         return state
@@ -146,7 +150,7 @@ class ArmOperator:
     async def ready(self, within: float = 5.0) -> None:
         """Wait until the arm has all its joints; raises `TaskFailed`."""
         until = self.cell.now() + within
-        while sorted((await self.cell.arm()).joints) != sorted(self.chain.joints):
+        while sorted((await self.cell.arm(self.name)).joints) != sorted(self.chain.joints):
             if self.cell.now() > until:
                 await self.state()
             await self.cell.sleep(0.1)
@@ -195,7 +199,7 @@ class ArmOperator:
                 continue
             try:
                 self.last_goal = path.end
-                await self.cell.follow_arm(self.chain.joints, points)
+                await self.cell.follow_arm(self.chain.joints, points, name=self.name)
             except MotionRefused:
                 points = [TrajectoryPoint(point.time * SLOWER, point.positions) for point in points]
             else:
@@ -215,7 +219,7 @@ class ArmOperator:
         """
         duration = self.held_duration(await self.positions(), goal, duration)
         self.last_goal = goal
-        await self.cell.move_arm(await self.vector(goal), duration)
+        await self.cell.move_arm(await self.vector(goal), duration, name=self.name)
 
     def held_duration(self, start: Array, goal: Array, duration: float) -> float:
         """Seconds of a motion, at least `duration`, in which no connection is loaded beyond what is safe."""
@@ -235,7 +239,7 @@ class ArmOperator:
 
     async def vector(self, goal: Array) -> list[float]:
         """Positions in the order in which the arm's controller counts its joints."""
-        order = (await self.cell.arm()).joints
+        order = (await self.cell.arm(self.name)).joints
         by_name = dict(zip(self.chain.joints, goal.tolist(), strict=True))
         return [by_name.get(name, math.nan) for name in order]
 
@@ -259,6 +263,14 @@ class ArmOperator:
             if self.cell.now() > until:
                 return ""
             await self.cell.sleep(POLL)
+
+
+async def _arm_on(cell: CellClient, layout: Layout, base: str) -> str:
+    """The name of the modular arm that has the chain on a connector; empty, for the first one, if none says so yet."""
+    for name in layout.arms[1:]:
+        if (await cell.arm(name)).base == base:
+            return name
+    return ""
 
 
 def smooth_duration(start: Array, goal: Array, speeds: Array) -> float:

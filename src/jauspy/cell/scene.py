@@ -239,6 +239,19 @@ class PlanningScene:
                     best = _pair_distance(held, link, best)
         return best
 
+    def clearance_from(self, positions: Array, names: Iterable[str]) -> Clearance:
+        """The smallest distance of the arm alone, without what it holds, from these things, up to `FAR`.
+
+        They count also inside of `without`.
+        """
+        self._place(positions)
+        best = Clearance(FAR)
+        for link in self._links:
+            for name in names if link.joint else ():
+                for thing in self._things.get(name, ()):
+                    best = _pair_distance(link, thing, best)
+        return best
+
     def clearance_of(self, pieces: Iterable[Piece], pose: pin.SE3) -> Clearance:
         """The smallest distance of a free body from the things that stand around, up to `FAR`."""
         best = Clearance(FAR)
@@ -381,6 +394,11 @@ class Layout:
         self.accelerations: Array = self.speeds / ACCELERATION_TIME
         """rad/s^2."""
         self._types: Mapping[str, str] = {part.name: part.type for part in self.setup.parts}
+
+    @property
+    def arms(self) -> tuple[str, ...]:
+        """The names of the modular arms; the first one is commanded where none is named."""
+        return tuple(name for name in (self.setup.arm, self.setup.second_arm) if name)
 
     def type_of(self, part: str) -> PartType:
         """The type of a part. Raises `ConfigError` for an unknown name."""

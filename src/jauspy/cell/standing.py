@@ -28,8 +28,8 @@ class Reports(Protocol):
         """The parts that the sensor has seen."""
         ...
 
-    async def arm(self) -> ModularArmState:
-        """The modular arm's joints."""
+    async def arm(self, name: str = "") -> ModularArmState:
+        """The joints of a modular arm, of the first one without a name."""
         ...
 
 
@@ -115,10 +115,18 @@ def frames_of(
     return found
 
 
+async def joint_positions(cell: Reports, layout: Layout) -> dict[str, float]:
+    """Positions of the joints of all modular arms, by servo module, in radians."""
+    found: dict[str, float] = {}
+    for name in layout.arms:
+        state = await cell.arm(name)
+        found |= zip(state.joints, state.positions, strict=True)
+    return found
+
+
 async def all_frames(cell: Reports, layout: Layout) -> dict[str, pin.SE3]:
     """Frames in the world of all parts that stand on bases, by the reports of connectors and joints."""
-    state = await cell.arm()
-    positions = dict(zip(state.joints, state.positions, strict=True))
+    positions = await joint_positions(cell, layout)
     found: dict[str, pin.SE3] = {}
     for part in layout.setup.parts:
         kind = layout.type_of(part.name)

@@ -261,7 +261,7 @@ class SimulatedCell:
                 mujoco.mj_step(model, data)
                 self._check_loads()
             self._steps += 1
-            if (watch := self._truth.watching) is not None:
+            for watch in self._truth.watching:
                 watch.step()
             for probe in self._probes:
                 probe.step(self.time)

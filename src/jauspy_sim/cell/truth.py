@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import mujoco
@@ -34,7 +34,7 @@ class Truth:
 
     def __init__(self, cell: CellModel, data: mujoco.MjData, servos: Mapping[str, SimulatedServo]) -> None:
         self._cell, self._model, self._data, self._servos = cell, cell.model, data, servos
-        self.watching: Watch | None = None
+        self.watching: list[Watch] = []
         """What is measured at each step; None measures nothing."""
         self.writes: Writes | None = None
         """Positions that were written since the cell settled; None before."""
@@ -104,16 +104,22 @@ class Truth:
 
     def watch(self, parts: Iterable[str]) -> Watched:
         """Measure these parts against the robot's links, the bins and fixtures at each step from now on."""
+        return self.watch_groups([tuple(parts)])[0]
+
+    def watch_groups(self, groups: Sequence[Sequence[str]]) -> list[Watched]:
+        """Same as `watch`, for several groups of parts, each also against the others. Earlier watches end."""
         model = self._model
         names = [str(mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, number)) for number in range(model.nbody)]
-        own = set(parts)
-        bodies = [name for name in names if name.partition(".")[0] in own]
         setup = self._cell.setup
         fixed = {"conveyor", "belt", *(bin.name for bin in setup.bins), *(fixture.name for fixture in setup.fixtures)}
         obstacles = [name for name in names if name.startswith(self._cell.prefix) or name in fixed]
-        servos = {name: servo for name, servo in self._servos.items() if name in own}
-        self.watching = Watch(model, self._data, bodies, obstacles, servos)
-        return self.watching.found
+        bodies = [[name for name in names if name.partition(".")[0] in group] for group in groups]
+        self.watching = []
+        for number, group in enumerate(groups):
+            others = [name for other, found in enumerate(bodies) if other != number for name in found]
+            servos = {name: servo for name, servo in self._servos.items() if name in group}
+            self.watching.append(Watch(model, self._data, bodies[number], obstacles + others, servos))
+        return [watch.found for watch in self.watching]
 
     def _name(self, geom: int) -> str:
         body = self._model.body(self._model.geom_bodyid[geom]).name

@@ -10,7 +10,10 @@ import pytest
 pytest.importorskip("mujoco", reason="the simulated cell needs the extra 'sim'")
 pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
+from tests.helpers.cells import small_cell
+
 from jauspy.cell.judge import WatchedBackend
+from jauspy.geometry.poses import Pose
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.robot import robot_files
 from jauspy.robot.config import ModuleConfig, RobotConfig
@@ -19,6 +22,7 @@ from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork
 from jauspy_sim.backend import MujocoBackend
 from jauspy_sim.cell.robot import SimulatedCell
+from jauspy_sim.cell.watch import FAR
 
 LEFT = ("servo_1", "servo_3", "tube_2", "servo_4")
 RIGHT = ("servo_5", "servo_11", "tube_4")
@@ -77,3 +81,17 @@ async def test_two_arms_on_one_base_move_at_the_same_time_and_keep_their_joints(
             assert (await arms[0].state()).joints == (), "it does not take those of the other arm"
             assert (await arms[1].state()).joints == ("servo_5", "servo_11")
             assert cell.servos["servo_5"].state().claimed_by == "arm_2"
+
+
+def test_groups_of_parts_are_measured_against_each_other() -> None:
+    cell = small_cell(["box_1", "box_2", "box_3"])
+    for number, along in enumerate((0.0, 0.3, 0.5)):
+        cell.place(f"box_{number + 1}", Pose(x=1.0 + along, z=0.001))
+    alone = cell.truth.watch(["box_1"])
+    cell.advance(0.02)
+    assert alone.clearance == FAR, "a watch of one group does not see other parts"
+    first, second = cell.truth.watch_groups([["box_1"], ["box_2"]])
+    cell.advance(0.02)
+    side = cell.setup.types["box"].solids[0].size[0]
+    assert first.clearance == pytest.approx(0.3 - side, abs=0.002)
+    assert second.clearance == first.clearance, "box_3 is nearer, and in no group"

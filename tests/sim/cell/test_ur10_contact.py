@@ -13,6 +13,8 @@ pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", e
 
 from tests.helpers.cells import cell_model, put_on, small_cell, weightless
 
+from jauspy.cell.carrying import Carrier
+from jauspy.cell.frames import shifted, turned
 from jauspy.cell.iso9283.loads import with_bolted_load
 from jauspy.cell.motion import Path
 from jauspy.cell.session import UNDISTURBED, simulated
@@ -187,3 +189,42 @@ async def test_the_services_report_it_and_the_client_raises_with_their_words(cap
         await cell.slide(np.array([0.0, 0.5, 0.0]), 2.0)
         assert caplog.text.count("blocked: ") >= 2
         assert force_on_post(robot.model, robot.data) < 5.0
+
+
+TABLE = Fixture(POST.name, (PartSolid(Shape.CUBOID, (0.3, 0.3, 0.3), 1.0),), Pose(x=0.0, y=-0.65, z=0.15))
+
+
+@pytest.mark.slow
+async def test_a_touch_ends_at_what_the_gripper_cannot_hold() -> None:
+    """Nothing attaches on a bare table: the UR10 finds that it presses, and does not press harder."""
+
+    def change(model: RobotModel) -> RobotModel:
+        assert model.cell is not None
+        platforms = tuple(part for part in model.cell.parts if part.name == "platform_2")
+        bare = replace(model.cell, parts=platforms, bins=(), fixtures=(TABLE,), conveyor=None, car="")
+        return replace(model, cell=bare)
+
+    async with simulated(0, UNDISTURBED, change=change) as session:
+        robot, ur10 = session.true._robot, Carrier(session.cell, session.layout)
+        down, kinematics = turned("x", math.pi), session.layout.kinematics
+        ur10.at = await session.cell.posture()
+        over = kinematics.solve(shifted(0.0, -0.65, 0.35) * down, ur10.at)[0].positions
+        await session.cell.follow(Path((ur10.at, over)))
+        ur10.at = await session.cell.posture()
+        await session.cell.enable("gripper", True)
+        forces = [0.0]
+        step = robot.advance
+
+        def watched(dt: float) -> None:
+            step(dt)
+            forces.append(force_on_post(robot.model, robot.data))
+
+        robot.advance = watched
+        path = ur10.planner.line(over, shifted(0.0, -0.65, 0.297) * down)
+        state = await ur10.touch(path, "gripper", shifted() * turned("x", 0.0))
+        assert not state.attached_to
+        assert robot.groups["ur10"].contact.number == 1, "it does not press on"
+        assert await session.cell.blocked()
+        assert 20.0 < max(forces) < 60.0
+        await ur10.go(ur10.handling.retreat(ur10.at), contact=True)
+        assert forces[-1] == 0.0

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
@@ -25,14 +25,17 @@ from jauspy.cell.design.surroundings import LOAD, furnished, set_up
 from jauspy.cell.design.tasks import DesignTask, Goal, projections
 from jauspy.cell.disassembly import Disassembler
 from jauspy.cell.frames import Array, se3, transform
+from jauspy.cell.judge import Watched
 from jauspy.cell.measurements import Measured
 from jauspy.cell.modular_arm import ArmOperator
+from jauspy.cell.motion import Path as JointPath
 from jauspy.cell.scene import cell_of, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.session import ROBOT, Session, simulated
 from jauspy.errors import JausError
 from jauspy.geometry.poses import Transform
 from jauspy.platform.description import RobotModel
+from jauspy.platform.modular.parts import CellSetup
 
 CAMERA: Final = "platforms"
 """The camera that films it."""
@@ -86,28 +89,41 @@ class DesignRun:
     """One design: built, used and taken apart. Figures go to `found`, also those of a run that fails."""
 
     def __init__(
-        self, session: Session, task: DesignTask, design: Design, base: str, *, load: float, found: Measured
+        self,
+        session: Session,
+        task: DesignTask,
+        design: Design,
+        base: str,
+        *,
+        load: float,
+        found: Measured,
+        ur10: Assembler | None = None,
     ) -> None:
         self._session, self._cell, self._judge = session, session.cell, session.true
         self._task, self._design, self._base, self._load = task, design, base, load
         self._found = found
-        self._ur10 = Assembler(session.cell, session.layout, seed=found.seed)
-
-    async def run(self) -> None:
-        """Build it, go to all goals, and take it apart. Raises `JausError` when it cannot be done."""
-        design, values, drawn = self._design, self._found.values, self._judge.power().energy
+        self._ur10 = ur10 or Assembler(session.cell, session.layout, seed=found.seed)
+        values = found.values
         values |= {"mass": design.costs["mass"], "numJ": design.costs["numJ"], "designed_cyc": design.costs["cyc"]}
         values |= {f"designed_{name}": design.costs[name] for name in ("effort", "mechEnergy")}
         values |= {"designed_torque": design.torque, "designed_connector": design.moment}
-        self._ur10.at = await self._cell.posture()
-        await self._build()
-        arm = await ArmOperator.found(self._cell, self._session.layout, self._base)
-        await arm.ready()
-        await self._use(arm)
-        await self._take_apart()
-        values["energy"] = self._judge.power().energy - drawn
 
-    async def _build(self) -> None:
+    async def run(self) -> None:
+        """Build it, go to all goals, and take it apart. Raises `JausError` when it cannot be done."""
+        drawn = self._judge.power().energy
+        self._ur10.at = await self._cell.posture()
+        await self.build()
+        await self._ur10.park()
+        use = await self.use()
+        await use.begin(self._judge.watch(use.parts))
+        for goal in self._task.goals:
+            await use.go(await use.plan(goal))
+        await use.finish()
+        await self.take_apart()
+        self._found.values["energy"] = self._judge.power().energy - drawn
+
+    async def build(self) -> None:
+        """Join the modules, and the load. Raises `TaskFailed`."""
         found, drawn = self._found, self._judge.power().energy
         slots = slots_of(self._design.elements, self._session.layout.setup.types, self._load)
         owner, _, connector = self._base.partition("/")
@@ -118,83 +134,122 @@ class DesignRun:
         found.values |= {"build_time": built.duration, "build_energy": self._judge.power().energy - drawn}
         if built.failure:
             raise TaskFailed(f"not built: {built.failure}")
-        await self._ur10.park()
 
-    async def _use(self, arm: ArmOperator) -> None:
-        """Go to all goals on free paths, each piece as fast as modules and connectors bear, and upright again."""
-        cell, judge, task, found = self._cell, self._judge, self._task, self._found
-        chain = await self._loaded(arm)
-        watched = judge.watch([member.name for member in arm.members] + [LOAD] * bool(self._load))
-        begun, drawn, moving = cell.now(), judge.power().energy, 0.0
-        kinematics = ChainKinematics(
-            transform(arm.base), [(transform(member.offset), member.type) for member in arm.members]
-        )
-        motions: list[TimedMotion] = []
-        missed: list[str] = []
-        for goal, wanted in zip(task.goals, self._wanted(kinematics), strict=True):
-            q = kinematics.solve(goal, wanted)
-            if q is None:
-                raise TaskFailed(f"goal {goal.name} cannot be reached by the arm as it was built")
-            path = arm.planner.to_posture(await arm.positions(), q)
-            pieces = [(b, chain.shortest(a, b)) for a, b in pairwise(path.points)]
-            since = cell.now()
-            for end, motion in pieces:
-                await arm.move(end, SLACK * motion.duration)
-            moving += cell.now() - since
-            motions += [motion for _, motion in pieces]
-            await cell.sleep(REST)
-            tip = transform(judge.connector(arm.tip))
-            missed += [goal.name] * (not goal.met(tip))
-            found.rows.append(_row(goal, tip, sum(motion.duration for _, motion in pieces)))
-        found.values |= {
-            "cyc": moving,
-            "time_in_use": cell.now() - begun,
-            "energy_in_use": judge.power().energy - drawn,
-            "effort": sum(motion.effort for motion in motions),
-            "mechEnergy": sum(motion.energy for motion in motions),
-            "planned_torque": max(motion.torque for motion in motions),
-            "planned_connector": max(motion.connector for motion in motions),
-            "torque": watched.torque,
-            "clearance": watched.clearance,
-            "contacts": float(watched.contacts),
-            "largest_error": max(row["error"] for row in found.rows if "goal" in row),
-            "goals_reached": float(len(task.goals) - len(missed)),
-            "goals": float(len(task.goals)),
-        }
-        if missed:
-            raise TaskFailed(f"outside of the tolerance: {', '.join(missed)}")
-        if self._load and (held := judge.attached().get(arm.tip)) != LOAD:
-            raise TaskFailed(f"the load was lost: {arm.tip} holds {held or 'nothing'}")
-        await arm.go(np.zeros(arm.chain.model.nq), margin=0.0)
-        found.values["contacts"] = float(watched.contacts)
-        if watched.contacts:
-            raise TaskFailed("the arm or its load touched something")
+    async def use(self) -> Use:
+        """The arm that was built, ready to go to its goals."""
+        arm = await ArmOperator.found(self._cell, self._session.layout, self._base)
+        await arm.ready()
+        return Use(self._session, self._task, self._design, arm, load=self._load, found=self._found)
 
-    async def _loaded(self, arm: ArmOperator) -> LoadedChain:
-        """The arm as its connectors report it, with its load in the scene, which has what the sensor sees."""
-        await arm.look(LOAD)
-        limits = self._session.layout.setup.limits
-        if not self._load:
-            return LoadedChain(arm.base, arm.chain, limits)
-        type = self._session.layout.type_of(LOAD)
-        arm.scene.hold(LOAD, pieces_of_part(type), se3((await self._cell.connector(arm.tip)).offset))
-        return LoadedChain(arm.base, arm.chain, limits, self._load, type.solids[0].size[2] / 2.0)
-
-    def _wanted(self, kinematics: ChainKinematics) -> list[Array]:
-        """The designed postures for the arm as it was built, in which elbows may be turned by half a turn."""
-        rows = [np.array(row) for row in self._design.positions]
-        types = self._session.layout.setup.types
-        designed = posture(kinematics.mount, self._design.elements, types, [0.0] * len(rows[0]))
-        senses = _senses(kinematics.axes(), designed)
-        return [senses * row for row in rows]
-
-    async def _take_apart(self) -> None:
+    async def take_apart(self) -> None:
+        """Put the modules back into their bins. Raises `TaskFailed`."""
         found, judge = self._found, self._judge
         taken = await Disassembler(self._cell, self._session.layout, self._ur10).run(self._base)
         found.values |= {"take_apart_time": taken.duration, "put_down": float(len(taken.put_down))}
         still = sorted({row.part for row in taken.parts} & set(judge.attached().values()))
         if still:
             raise TaskFailed(f"not taken apart: {', '.join(still)}")
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """A free path to a goal, and the motions along it."""
+
+    goal: Goal
+    path: JointPath
+    motions: tuple[TimedMotion, ...]
+
+
+class Use:
+    """An arm that was built, on its way to the goals of its task; figures go to `found`."""
+
+    def __init__(
+        self, session: Session, task: DesignTask, design: Design, arm: ArmOperator, *, load: float, found: Measured
+    ) -> None:
+        self._session, self._cell, self._judge = session, session.cell, session.true
+        self.arm = arm
+        self._task, self._load, self._found = task, load, found
+        self.parts = (*arm.parts, *[LOAD] * bool(load))
+        """What moves."""
+        self._moving = 0.0
+        parts = [(transform(member.offset), member.type) for member in arm.members]
+        self._kinematics = ChainKinematics(transform(arm.base), parts)
+        wanted = _wanted(self._kinematics, design, session.layout.setup)
+        self._wanted = {goal.name: row for goal, row in zip(task.goals, wanted, strict=True)}
+        self._motions: list[TimedMotion] = []
+        self._missed: list[str] = []
+
+    async def begin(self, watched: Watched) -> None:
+        """Put what the sensor sees into the scene, and take the load, if there is one, as the tip reports it.
+
+        `watched` is what the simulation measures of its parts from now on.
+        """
+        self._watched = watched
+        self._begun, self._drawn = self._cell.now(), self._judge.power().energy
+        await self.arm.look(LOAD)
+        limits = self._session.layout.setup.limits
+        if not self._load:
+            self._chain = LoadedChain(self.arm.base, self.arm.chain, limits)
+            return
+        type = self._session.layout.type_of(LOAD)
+        self.arm.scene.hold(LOAD, pieces_of_part(type), se3((await self._cell.connector(self.arm.tip)).offset))
+        height = type.solids[0].size[2] / 2.0
+        self._chain = LoadedChain(self.arm.base, self.arm.chain, limits, self._load, height)
+
+    async def plan(self, goal: Goal) -> Way:
+        """A free path to a goal, each piece of it as fast as modules and connectors bear. Raises `JausError`."""
+        q = self._kinematics.solve(goal, self._wanted[goal.name])
+        if q is None:
+            raise TaskFailed(f"goal {goal.name} cannot be reached by the arm as it was built")
+        path = self.arm.planner.to_posture(await self.arm.positions(), q)
+        return Way(goal, path, tuple(self._chain.shortest(a, b) for a, b in pairwise(path.points)))
+
+    async def go(self, way: Way) -> None:
+        """Move there, and measure where the tip is then."""
+        since = self._cell.now()
+        for end, motion in zip(way.path.points[1:], way.motions, strict=True):
+            await self.arm.move(end, SLACK * motion.duration)
+        self._moving += self._cell.now() - since
+        self._motions += way.motions
+        await self._cell.sleep(REST)
+        tip = transform(self._judge.connector(self.arm.tip))
+        self._missed += [way.goal.name] * (not way.goal.met(tip))
+        self._found.rows.append(_row(way.goal, tip, sum(motion.duration for motion in way.motions)))
+
+    async def finish(self) -> None:
+        """State the figures, and move the arm upright. Raises `TaskFailed` if it has not done its task."""
+        found, goals = self._found, float(len(self._task.goals))
+        found.values |= {
+            "cyc": self._moving,
+            "time_in_use": self._cell.now() - self._begun,
+            "energy_in_use": self._judge.power().energy - self._drawn,
+            "effort": sum(motion.effort for motion in self._motions),
+            "mechEnergy": sum(motion.energy for motion in self._motions),
+            "planned_torque": max(motion.torque for motion in self._motions),
+            "planned_connector": max(motion.connector for motion in self._motions),
+            "torque": self._watched.torque,
+            "clearance": self._watched.clearance,
+            "contacts": float(self._watched.contacts),
+            "largest_error": max(row["error"] for row in found.rows if "goal" in row),
+            "goals_reached": goals - len(self._missed),
+            "goals": goals,
+        }
+        if self._missed:
+            raise TaskFailed(f"outside of the tolerance: {', '.join(self._missed)}")
+        if self._load and (held := self._judge.attached().get(self.arm.tip)) != LOAD:
+            raise TaskFailed(f"the load was lost: {self.arm.tip} holds {held or 'nothing'}")
+        await self.arm.go(np.zeros(self.arm.chain.model.nq), margin=0.0)
+        found.values["contacts"] = float(self._watched.contacts)
+        if self._watched.contacts:
+            raise TaskFailed("the arm or its load touched something")
+
+
+def _wanted(kinematics: ChainKinematics, design: Design, cell: CellSetup) -> list[Array]:
+    """The designed postures for the arm as it was built, in which elbows may be turned by half a turn."""
+    rows = [np.array(row) for row in design.positions]
+    designed = posture(kinematics.mount, design.elements, cell.types, [0.0] * len(rows[0]))
+    senses = _senses(kinematics.axes(), designed)
+    return [senses * row for row in rows]
 
 
 def _senses(axes: Array, designed: ChainPosture) -> Array:

@@ -7,7 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+import numpy as np
+
 from jauspy.cell.design.tasks import Obstacle
+from jauspy.cell.frames import Array
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY, Vector, Z, add, cross, difference, dot, rotation_about, scaled
 from jauspy.platform.modular.parts import PartType, ServoData, body_inertia, mass_of, output_inertia
@@ -81,6 +84,14 @@ class ChainPosture:
                 if second > part + 2:
                     best = min(best, math.dist(point, other) - RADIUS)
         return best - RADIUS
+
+    def clearance_from(self, middle_lines: Array) -> float:
+        """Smallest distance from other chains, of which points of the middle lines are given; shape (points, 3)."""
+        if not len(middle_lines):
+            return math.inf
+        own = np.array([point for point, _ in self.points])
+        apart = np.linalg.norm(own[:, None, :] - middle_lines[None, :, :], axis=2)
+        return float(apart.min()) - 2.0 * RADIUS
 
 
 def servos(elements: Sequence[Element], types: Mapping[str, PartType]) -> list[ServoData]:

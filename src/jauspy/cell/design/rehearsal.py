@@ -32,10 +32,21 @@ def slots_of(elements: Sequence[Element], types: Mapping[str, PartType], load: f
     return (*found, Slot(LOAD, (LOAD,), "", QUARTERS)) if load else tuple(found)
 
 
-def first_buildable(layout: Layout, found: Found, base: str, load: float, note: Callable[[str], None]) -> Design | None:
-    """The cheapest design that a search has found and that can be built; `note` is told why others cannot."""
+def first_buildable(
+    layout: Layout,
+    found: Found,
+    base: str,
+    load: float,
+    note: Callable[[str], None],
+    *,
+    before: Sequence[tuple[Design, str]] = (),
+) -> Design | None:
+    """The cheapest design that a search has found and that can be built; `note` is told why others cannot.
+
+    `before` are the arms without a load that stand there already, each with its connector.
+    """
     for design in reversed(found.designs):
-        why = why_not_buildable(layout, design, base, load)
+        why = why_not_buildable(layout, design, base, load, before)
         if not why:
             return design
         note(f"the design of cost {design.cost:.3f} cannot be built: {why}")
@@ -43,10 +54,22 @@ def first_buildable(layout: Layout, found: Found, base: str, load: float, note: 
     return None
 
 
-def why_not_buildable(layout: Layout, design: Design, base: str, load: float) -> str:
-    """Why the UR10 could not join the parts of a design where the file has them; empty if a plan was found."""
-    owner, _, connector = base.partition("/")
+def why_not_buildable(
+    layout: Layout, design: Design, base: str, load: float, before: Sequence[tuple[Design, str]] = ()
+) -> str:
+    """Why the UR10 could not join the parts of a design where the file has them; empty if a plan was found.
+
+    `before` are the arms without a load that it builds first, each with its connector.
+    """
     ur10 = Rehearsal(layout)
+    for other, connector in before:
+        if why := _why_not_joined(ur10, layout, other, connector, 0.0):
+            return why
+    return _why_not_joined(ur10, layout, design, base, load)
+
+
+def _why_not_joined(ur10: Rehearsal, layout: Layout, design: Design, base: str, load: float) -> str:
+    owner, _, connector = base.partition("/")
     placed = next(part for part in layout.setup.parts if part.name == owner)
     frame = se3_of_pose(placed.pose) * connector_frame(layout.type_of(owner), connector)
     tip = Tip(base, owner, frame)

@@ -20,6 +20,7 @@ from jauspy.cell.design.chains import ChainPosture, Element, placed, posture, se
 from jauspy.cell.design.kinematics import ChainKinematics
 from jauspy.cell.design.loads import LoadedChain, TimedMotion
 from jauspy.cell.design.tasks import DesignTask
+from jauspy.cell.frames import Array
 from jauspy.cell.motion import NoPath
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
@@ -66,6 +67,34 @@ class Found:
     def best(self) -> Design | None:
         """The cheapest design."""
         return self.designs[-1] if self.designs else None
+
+
+@dataclass(frozen=True, slots=True)
+class Neighbour:
+    """Another arm on the same base: the parts that it uses, and all places that it passes."""
+
+    used: Counter[str] = field(default_factory=Counter)
+    """How many parts of each type."""
+    middle_lines: Array = field(default_factory=lambda: np.empty((0, 3)))
+    """Points of its middle lines in all postures on its way; shape (points, 3), metres."""
+
+    @classmethod
+    def of(cls, cell: CellSetup, base: str, design: Design) -> Neighbour:
+        """The arm of a design on its way from upright to all goals, and back."""
+        upright = np.zeros(len(servos(design.elements, cell.types)))
+        rows = [upright, *(np.array(row) for row in design.positions), upright]
+        mount = mount_of(cell, base)
+        points = [
+            point
+            for start, goal in itertools.pairwise(rows)
+            for share in np.linspace(0.0, 1.0, LINE_STEPS).tolist()
+            for point, _ in posture(mount, design.elements, cell.types, start + share * (goal - start)).points
+        ]
+        return cls(Counter(element.type for element in design.elements), np.array(points))
+
+
+ALONE: Final = Neighbour()
+"""None."""
 
 
 def parse_costs(text: str) -> dict[str, float]:
@@ -115,13 +144,22 @@ class Search:
     """An anytime search: equal seeds give equal results, unless `seconds` end it before `candidates` do."""
 
     def __init__(
-        self, cell: CellSetup, task: DesignTask, base: str, *, load: float, weights: Mapping[str, float], seed: int
+        self,
+        cell: CellSetup,
+        task: DesignTask,
+        base: str,
+        *,
+        load: float,
+        weights: Mapping[str, float],
+        seed: int,
+        beside: Neighbour = ALONE,
     ) -> None:
         """`base` is the connector that carries the chain, as in `platform_1/top`; `load` in kilograms at the tip."""
         self._cell, self._base, self._types, self._task = cell, base, cell.types, task
         self._load, self._weights = load, weights
         self.mount = mount_of(cell, base)
-        self.stock = stock_of(cell)
+        self._beside = beside
+        self.stock = stock_of(cell) - beside.used
         self._random = np.random.default_rng(seed)
         self._inline = [name for name in self.stock if self._axis(name) == 2]
         self._elbows = [name for name in self.stock if self._axis(name) == 1]
@@ -255,7 +293,8 @@ class Search:
 
     def _margins(self, elements: Sequence[Element], positions: Sequence[float]) -> tuple[float, float, float]:
         found = posture(self.mount, elements, self._types, positions, self._load)
-        return (*utilisation(found, elements, self._cell, self._base), found.clearance(self._task.obstacles))
+        clearance = min(found.clearance(self._task.obstacles), found.clearance_from(self._beside.middle_lines))
+        return (*utilisation(found, elements, self._cell, self._base), clearance)
 
 
 def utilisation(chain: ChainPosture, elements: Sequence[Element], cell: CellSetup, base: str) -> tuple[float, float]:
@@ -302,11 +341,12 @@ def check(
     design: Design,
     *,
     load: float,
+    beside: Neighbour = ALONE,
 ) -> list[str]:
     """What is wrong with a solution, recomputed at its goals and on the way; empty for a valid one."""
     elements, positions, durations = design.elements, design.positions, design.durations
     wrong = []
-    used, stock = Counter(element.type for element in elements), stock_of(cell)
+    used, stock = Counter(element.type for element in elements), stock_of(cell) - beside.used
     wrong += [f"{name}: {count} used, {stock[name]} in the cell" for name, count in used.items() if count > stock[name]]
     if wrong:
         return wrong
@@ -321,7 +361,7 @@ def check(
             wrong.append(f"goal {goal.name}: missed")
         if max(torque, moment) > 1.0 / SAFETY:
             wrong.append(f"goal {goal.name}: torque {torque:.2f}, connector {moment:.2f} of the limits")
-        if chain.clearance(task.obstacles) <= 0.0:
+        if min(chain.clearance(task.obstacles), chain.clearance_from(beside.middle_lines)) <= 0.0:
             wrong.append(f"goal {goal.name}: collision")
     moving = loaded_chain(cell, base, elements, load)
     for goal, (start, end), duration in zip(task.goals, _pairs(positions), durations, strict=True):

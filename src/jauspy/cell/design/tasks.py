@@ -3,6 +3,9 @@
 Format: https://cobra.cps.cit.tum.de, as `timor-python` 1.1.1 reads and writes it. Of it, goals of the types `at` and
 `reach` are read, the projections `x`, `y`, `z`, `r_sph` and `Theta_R`, and obstacles that are boxes; the rest is
 refused. Metres and radians, in the world's frame. What no projection restricts is free.
+
+For two arms on one base, each goal has the key `arm`, which CoBRA does not have: the connector of the base that carries
+the arm which is to reach it.
 """
 
 from __future__ import annotations
@@ -10,7 +13,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -23,6 +26,9 @@ MAX_SIZE: Final = 1_000_000
 """Bytes of a task's file."""
 MAX_ENTRIES: Final = 100
 """Goals, and obstacles."""
+MAX_NAME: Final = 80
+"""Characters of a name that are kept."""
+MAX_ARMS: Final = 2
 PROJECTIONS: Final = ("x", "y", "z", "r_sph", "Theta_R")
 _ORTHOGONAL: Final = 1e-4
 """Permitted error of a rotation's rows: files have four digits at least."""
@@ -35,6 +41,8 @@ class Goal:
     name: str
     pose: Transform
     tolerances: Mapping[str, tuple[float, float]]
+    arm: str = ""
+    """The connector of the base whose arm is to reach it; empty in a task for one arm."""
 
     def met(self, tip: Transform) -> bool:
         """True if a tip's pose is within all tolerances."""
@@ -58,6 +66,15 @@ class DesignTask:
     name: str
     goals: tuple[Goal, ...]
     obstacles: tuple[Obstacle, ...] = ()
+
+    @property
+    def arms(self) -> tuple[str, ...]:
+        """The connectors of the base that carry an arm, in the order of the goals; empty for one arm."""
+        return tuple(dict.fromkeys(goal.arm for goal in self.goals if goal.arm))
+
+    def of(self, arm: str) -> DesignTask:
+        """The task of one of the arms."""
+        return replace(self, name=f"{self.name}/{arm}", goals=tuple(goal for goal in self.goals if goal.arm == arm))
 
 
 def projections(error: Transform) -> dict[str, float]:
@@ -88,10 +105,13 @@ def parse_task(document: object) -> DesignTask:
     read = tuple(_goal(goal, f"goals[{index}]") for index, goal in enumerate(goals))
     if len({goal.name for goal in read}) != len(read):
         raise ConfigError("goals: two have the same ID")
+    arms = {goal.arm for goal in read}
+    if arms != {""} and ("" in arms or len(arms) != MAX_ARMS):
+        raise ConfigError(f"goals: either none has an arm, or each has one of {MAX_ARMS}")
     boxes: list[Obstacle] = []
     for index, obstacle in enumerate(_entries(document, "obstacles")):
         boxes += _obstacle(obstacle, f"obstacles[{index}]")
-    return DesignTask(str(header.get("ID", "task"))[:80], read, tuple(boxes))
+    return DesignTask(str(header.get("ID", "task"))[:MAX_NAME], read, tuple(boxes))
 
 
 def _table(value: object, key: str) -> dict[str, Any]:
@@ -144,7 +164,11 @@ def _goal(value: object, key: str) -> Goal:
     if any(low > high for low, high in limits):
         raise ConfigError(f"{place}.tolerance: a lower limit is above the upper one")
     tolerances = {name: (low, high) for name, (low, high) in zip(names, limits, strict=True)}
-    return Goal(str(table.get("ID", key))[:80], _transform(pose.get("nominal"), f"{place}.nominal"), tolerances)
+    arm = table.get("arm", "")
+    if not isinstance(arm, str) or len(arm) > MAX_NAME:
+        raise ConfigError(f"{key}.arm: must be the name of a connector, as in left")
+    nominal = _transform(pose.get("nominal"), f"{place}.nominal")
+    return Goal(str(table.get("ID", key))[:MAX_NAME], nominal, tolerances, arm)
 
 
 def _obstacle(value: object, key: str) -> list[Obstacle]:
@@ -162,7 +186,6 @@ def _obstacle(value: object, key: str) -> list[Obstacle]:
         x, y, z = (_number(parameters.get(axis), f"{key}.collision.parameters.{axis}") for axis in "xyz")
         if min(x, y, z) <= 0.0:
             raise ConfigError(f"{key}.collision.parameters: must be above zero")
-        found.append(
-            Obstacle(str(table.get("ID", key))[:80], _transform(solid.get("pose"), f"{key}.collision.pose"), (x, y, z))
-        )
+        pose = _transform(solid.get("pose"), f"{key}.collision.pose")
+        found.append(Obstacle(str(table.get("ID", key))[:MAX_NAME], pose, (x, y, z)))
     return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json as json_module
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,9 +13,14 @@ from jauspy.cli import console
 from jauspy.cli.cell.options import Record, Seed, View, check_extra
 from jauspy.cli.options import Json
 from jauspy.cli.processes import run
+from jauspy.errors import ConfigError
 
 if TYPE_CHECKING:
+    from collections.abc import Coroutine
+
+    from jauspy.cell.design.choice import Choice
     from jauspy.cell.design.search import Design, Found
+    from jauspy.cell.design.tasks import DesignTask
     from jauspy.cell.measurements import Measured
 
 
@@ -48,6 +53,10 @@ def design(
     is taken apart before the next one is built. Among designs the cheapest one is taken of which a quick plan shows how
     the UR10 joins its parts. All figures of what was built are measured in the simulation.
 
+    A task whose goals name arms, as connectors of the base, is one for two arms: both are chosen, built beside each
+    other, commanded and measured, the second one clear of the first. For it a base with one connector is exchanged for
+    a platform for two arms.
+
     Torques and loads of connectors are those at rest and in the motions between goals. Exit status 1 if no chain was
     found for a task, or one did not do its task.
 
@@ -57,46 +66,37 @@ def design(
     check_extra()
     if (record or view) and not build:
         raise typer.BadParameter("--record and --view show what is built; add --build")
-    from jauspy.cell.design.build import build_all
-    from jauspy.cell.design.rehearsal import first_buildable
-    from jauspy.cell.design.search import Search, check, parse_costs
-    from jauspy.cell.design.surroundings import furnished
+    from jauspy.cell.design.choice import Chooser
+    from jauspy.cell.design.pair import with_two_arms
+    from jauspy.cell.design.search import parse_costs
     from jauspy.cell.design.tasks import load_task
-    from jauspy.cell.scene import Layout, cell_of
     from jauspy.robot import robot_files
 
-    wanted = [load_task(path) for path in tasks]
-    model = robot_files.robot_model(robot_files.load(robot))
+    wanted, config = [load_task(path) for path in tasks], robot_files.load(robot)
+    paired = bool(wanted[0].arms)
+    if any(bool(task.arms) != paired for task in wanted):
+        raise ConfigError("tasks for one arm and for two need different bases; run a command for each")
+    if paired:
+        if load:
+            raise ConfigError("--load is for a single arm; leave it out for two arms on one base")
+        base = base.partition("/")[0]
+        config = with_two_arms(config, base)
+    chooser = Chooser(
+        robot_files.robot_model(config), parse_costs(cost), seed, load, candidates, limit, build, console.note
+    )
     results: list[dict[str, Any]] = []
-    chosen: list[Design | None] = []
+    able: list[tuple[DesignTask, list[Design]]] = []
     for task in wanted:
-        cell = cell_of(model)
-        found = Search(cell, task, base, load=load, weights=parse_costs(cost), seed=seed).run(
-            candidates, limit, console.note
-        )
-        best = found.best
-        if build:
-            layout = Layout(replace(model, cell=furnished(cell, [task], base, load)))
-            best = first_buildable(layout, found, base, load, console.note)
-        wrong = [] if best is None else check(cell, task, base, best, load=load)
-        chosen.append(None if wrong else best)
-        results.append(
-            {
-                "task": task.name,
-                "base": base,
-                "load": load,
-                "tried": found.tried,
-                "lost": dict(found.reasons.most_common()),
-                "design": None if best is None else asdict(best),
-                "wrong": wrong,
-            }
-        )
+        choices = chooser.choose(task, base)
+        results += [_result(choice, load) for choice in choices]
         if not json:
-            _print_design(task.name, best, found)
-    able = [(task, design) for task, design in zip(wanted, chosen, strict=True) if design is not None]
+            for choice in choices:
+                _print_design(choice.task.name, choice.design, choice.found)
+        if choices[-1].is_valid:
+            able.append((task, [choice.design for choice in choices if choice.design is not None]))
     problem = ""
     if build and able:
-        measured = run(build_all(able, base, robot, load=load, seed=seed, film=record, view=view)) or []
+        measured = run(_build(able, base, robot, load=load, seed=seed, film=record, view=view)) or []
         names = {found.task: found for found in measured}
         for result in results:
             if result["task"] in names:
@@ -110,9 +110,44 @@ def design(
         out.write_text(json_module.dumps(results if len(results) > 1 else results[0], indent=1))
     if json:
         console.print_json(results if len(results) > 1 else results[0])
-    done = all("built" in result and result["built"]["success"] for result in results) if build else all(chosen)
+    done = len(able) == len(wanted)
+    if build:
+        done = done and all("built" in result and result["built"]["success"] for result in results)
     if not done or problem:
         raise typer.Exit(1)
+
+
+def _result(choice: Choice, load: float) -> dict[str, Any]:
+    return {
+        "task": choice.task.name,
+        "base": choice.base,
+        "load": load,
+        "tried": choice.found.tried,
+        "lost": dict(choice.found.reasons.most_common()),
+        "design": None if choice.design is None else asdict(choice.design),
+        "wrong": list(choice.wrong),
+    }
+
+
+def _build(
+    able: list[tuple[DesignTask, list[Design]]],
+    base: str,
+    robot: str,
+    *,
+    load: float,
+    seed: int,
+    film: Path | None,
+    view: bool,
+) -> Coroutine[Any, Any, list[Measured]]:
+    """Build and use the arms of each task in the simulation."""
+    from jauspy.cell.design.build import build_all
+    from jauspy.cell.design.pair import Pair, build_pairs
+
+    if able[0][0].arms:
+        pairs = [Pair(task, dict(zip(task.arms, designs, strict=True))) for task, designs in able]
+        return build_pairs(pairs, base, robot, seed=seed, film=film, view=view)
+    single = [(task, design) for task, (design,) in able]
+    return build_all(single, base, robot, load=load, seed=seed, film=film, view=view)
 
 
 def _print_design(task: str, best: Design | None, found: Found) -> None:
