@@ -116,7 +116,7 @@ class ComponentSender:
             if self._try(datagram):
                 return
             self._wait_until_writable()
-        for _ in range(self._queue.push(datagram)):
+        for _ in self._queue.push(datagram):
             self._counters.drop("queue_full", self._path)
         self._since_attempt += 1
         if self._since_attempt == RETRY_EVERY:
