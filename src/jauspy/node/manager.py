@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Final, Self, TypeAlias
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.node import liveness
+from jauspy.node.back_pressure import BackPressure
 from jauspy.node.component_senders import ComponentSenders
 from jauspy.node.config import NodeConfig, load_key, make_gateway, parse_pattern, source_limits
 from jauspy.node.ingress import Ingress
@@ -216,7 +217,9 @@ class NodeManager:
         self._closed.clear()
         counters = self._router.counters
         reader = DatagramReader(self._local, counters, self._max_age)
-        base.start_reading(self._loop, reader, self._from_component, self._socket_error, take_is_fast=True)
+        resume = base.start_reading(self._loop, reader, self._from_component, self._socket_error, take_is_fast=True)
+        pause = partial(self._loop.remove_reader, self._local)
+        self._component_senders.back_pressure = BackPressure(pause, resume, counters)
         authenticated = any(network.authenticator for network in self._networks.values())
         receive = self._from_network if authenticated else self._receive
         self._ingress = Ingress(receive, counters, self._max_age, sources=self._router.sources)
@@ -280,6 +283,8 @@ class NodeManager:
             if timer is not None:
                 timer.cancel()
         self._timer = self._membership_timer = self._liveness_timer = None
+        if self._component_senders.back_pressure is not None:
+            self._component_senders.back_pressure.close()
         base.stop_reading(self._loop, local_socket)
         if self._ingress is not None:
             self._ingress.close()
