@@ -7,7 +7,7 @@ from tests.conformance.simulated import START
 from tests.conformance.winch import ID, SOURCE, URN, winch, winch_messages
 from typer.testing import CliRunner
 
-from jauspy.cli import conformance as verb
+from jauspy.cli import conformance_runs
 from jauspy.cli.main import app
 from jauspy.conformance import Report, Settings, TargetComponent, Verdict, VirtualTarget, run
 from jauspy.conformance.state_tests.plan import service_profile
@@ -77,7 +77,7 @@ def test_verb_tests_a_service_by_its_urn(monkeypatch: pytest.MonkeyPatch) -> Non
     async def open_link(connect: str | None) -> VirtualTarget:
         return target
 
-    monkeypatch.setattr(verb, "open_link", open_link)
+    monkeypatch.setattr(conformance_runs, "open_link", open_link)
     where = ["--target", str(ID), "--schemas", str(SOURCE)]
     listed = CliRunner().invoke(app, ["conformance", URN, "--list", *where])
     assert f"{READY}.Pulling/LockWinch/controller" in listed.stdout

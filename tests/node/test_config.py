@@ -29,7 +29,21 @@ def written(tmp_path: Path) -> Path:
     return tmp_path / "nm.toml"
 
 
-@pytest.mark.parametrize("text", ["", GATEWAY, 'local_mode = 0o600\nmetrics = "127.0.0.1:9794"\nlog = "json"\n'])
+LIMITS = """
+address = "10.0.0.1"
+limit = { "all" = "250 kbit/s", "ReportLocalPose" = "5/s" }
+[[networks]]
+name = "radio"
+address = "10.1.0.1"
+limit = { "0x4A00-0x4AFF" = "20 kbit/s" }
+[[serial]]
+device = "/dev/ttyS0"
+limit = { "all" = "9600 bit/s" }
+"""
+SERVICES = 'local_mode = 0o600\nmetrics = "127.0.0.1:9794"\nlog = "json"\n'
+
+
+@pytest.mark.parametrize("text", ["", GATEWAY, LIMITS, SERVICES])
 def test_printed_configuration_reads_back_equal(written: Path, text: str) -> None:
     written.write_text(text)
     config = load_config(written)

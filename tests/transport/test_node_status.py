@@ -83,6 +83,23 @@ async def test_a_location_has_what_was_sent_and_what_waits(root: Path) -> None:
     }
 
 
+async def test_a_location_has_what_the_limits_of_its_link_left_out(root: Path) -> None:
+    row = {"id": "42.1.1", "address": "192.0.2.7:3794", "heard": 0.5, "network": "radio", "link": "radio"}
+    odd: list[object] = [7, {"link": "radio"}, {"link": "radio", "message": "x", "count": "many"}, {"count": 3}]
+    some = [{"link": "radio", "message": "A", "count": n} for n in (1, 2)] + [
+        {"link": "lan", "message": "A", "count": 9}
+    ]
+    many = [{"link": "radio", "message": f"M{number}", "count": 1} for number in range(10_000)]
+    async with serving(root, json.dumps({**GOOD, "peers": [row], "left_out": [*odd, *some, *many]}).encode()):
+        locator = node_status.Locator(root)
+        found: list[Location] = []
+        locator.locate(JausID.parse("42.1.1"), found.append)
+        await until(lambda: len(found) == 1)
+        locator.close()
+    assert found[0].left_out[0] == ("A", 3)
+    assert len(found[0].left_out) == node_status.MAX_LEFT_OUT
+
+
 async def test_a_location_has_the_ports_of_the_node_managers(root: Path) -> None:
     networks = {"networks": [{"address": "127.0.0.1:4794"}, {"address": 7}, 3]}
     peers = {"peers": [{"id": "42.1.1", "address": "192.0.2.7:4795", "heard": 0.5}]}

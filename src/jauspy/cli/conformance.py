@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import asyncio
 import os
 import sys
-import time
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import closing, contextmanager
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -17,25 +15,25 @@ from rich.table import Table
 from rich.text import Text
 
 from jauspy.cli import console
+from jauspy.cli.conformance_campaign import Campaign, Plan, run_campaign
+from jauspy.cli.conformance_runs import (
+    Target,
+    chosen_profile,
+    is_urn,
+    named_offers,
+    parse_targets,
+    report_of,
+    steps_of,
+)
 from jauspy.cli.definitions import SchemasOption, definitions
-from jauspy.cli.options import Json, Peer
+from jauspy.cli.options import ClusterOption, Json, Peer
 from jauspy.cli.processes import stoppable
-from jauspy.cli.schema.ls import find as find_definitions
-from jauspy.codec.registry import Registry
 from jauspy.conformance import reports
-from jauspy.conformance.known_deviations import marked, with_known_deviations
-from jauspy.conformance.link import TesterLink, open_link
-from jauspy.conformance.profile import Offers, Profile, Step, find, known
-from jauspy.conformance.reports import explanation, result_json, summary, summary_json, transcript
-from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
-from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_steps, run
+from jauspy.conformance.profile import Step, find, known
+from jauspy.conformance.reports import explanation, result_json, summary, summary_json, totals_json, transcript
+from jauspy.conformance.results import Report, Result, Verdict, transitions_summary, worst
+from jauspy.conformance.runner import Interrupted, OnResult, Settings
 from jauspy.errors import ConfigError, JausError
-from jauspy.ids import JausID
-from jauspy.inspection.peers import find_kind
-from jauspy.messages import registry
-from jauspy.schema import Schema, load_builtin
-from jauspy.schema.inheritance import lineage, parents_among
-from jauspy.schema.model import ServiceDefinition
 
 ProfileName = Annotated[
     str | None,
@@ -45,12 +43,13 @@ ProfileName = Annotated[
         "urn:acme:Winch, tests every transition of this service, which --schemas may define.",
     ),
 ]
-Target = Annotated[
-    str | None,
+Targets = Annotated[
+    list[str] | None,
     typer.Option(
         "--target",
-        metavar="ID",
-        help="What to test: 101.1.102 is a component, 101.1.255 all components of a node, 101 those of a robot.",
+        metavar="ID[@WHERE]",
+        help="What to test: 101.1.102 is a component, 101.1.255 all components of a node, 101 those of a robot. May be "
+        "repeated, for one report of all; each may have its own --connect after @, as in 101@udp://192.168.1.101.",
     ),
 ]
 Listing = Annotated[bool, typer.Option("--list", help="List the profiles, or the steps of PROFILE, without testing.")]
@@ -97,7 +96,7 @@ Pcapng = Annotated[
 def conformance(
     *,
     profile: ProfileName = None,
-    target: Target = None,
+    target: Targets = None,
     list_: Listing = False,
     connect: Where = None,
     timeout: Deadline = 1.5,
@@ -110,6 +109,7 @@ def conformance(
     pcapng: Pcapng = None,
     schemas: SchemasOption = None,
     peer: Peer = None,
+    cluster: ClusterOption = None,
 ) -> None:
     """Test a robot or component of any vendor, step by step.
 
@@ -122,47 +122,82 @@ def conformance(
     Examples:
       jauspy conformance igvc-2015 --target 101.1.255 --html report.html
       jauspy conformance iop-v3 --target 101
+      jauspy conformance core-1.1 --target 101.1.102@udp://10.0.0.1 --target 102.1.102@udp://10.0.0.2 --cluster local
       jauspy conformance core-1.1 --target 101.1.102 --connect udp://192.168.1.101
       jauspy conformance core-1.1 --target 126.1.11 --connect local:/tmp --services Management@1.0
       jauspy conformance urn:acme:Winch --target 101.1.120 --schemas Winch.xml
       jauspy conformance acme_steps:PROFILE --target 101.1.120 --schemas acme.xml
       jauspy conformance --list
     """
-    if profile is not None and ":" in profile and not _is_urn(profile):
+    if profile is not None and ":" in profile and not is_urn(profile):
         sys.path.append("")  # the user's profile may be in the current directory; last, so that it hides no module
     try:
         defined = definitions(schemas)
-        offers = named_offers(services, target, defined.own)
+        targets = parse_targets(target or (), connect)
+        offers = [named_offers(services, one.id, defined.own) for one in targets]
         if list_:
             if profile is None:
                 show_list()
             else:
+                first, known_offers = (targets[0], offers[0]) if targets else (None, None)
                 chosen = chosen_profile(profile, defined.registry)
-                show_steps(steps_of(chosen, target, connect, timeout, offers, messages=defined.registry))
+                show_steps(steps_of(chosen, first, timeout, known_offers, messages=defined.registry))
             return
-        if profile is None or target is None:
+        if profile is None or not targets:
             raise ConfigError("name a profile and a target, as in `jauspy conformance igvc-2015 --target 101.1.255`")
         files = ReportFiles(junit=junit, html=html, pcapng=pcapng)
+        chosen = chosen_profile(profile, defined.registry)
         settings = Settings(timeout, motion, tuple(only or ()))
         with stoppable() as stopped:
-            try:
-                with progress_line() as progress:
-                    watch = _print_json if json else progress
-                    chosen = chosen_profile(profile, defined.registry)
-                    report = report_of(
-                        chosen, target, connect, settings, watch, offers=offers, messages=defined.registry, peer=peer
-                    )
-                status = report.status
-            except Interrupted as stop:
-                report, status = stop.report, stopped()
-            for problem in (unwritten := files.write(report)):
+            if len(targets) == 1 and cluster is None:
+                try:
+                    with progress_line() as progress:
+                        watch = _print_json if json else progress
+                        report = report_of(
+                            chosen,
+                            targets[0],
+                            settings,
+                            watch,
+                            offers=offers[0],
+                            messages=defined.registry,
+                            peer=peer,
+                        )
+                    runs, status = [report], report.status
+                except Interrupted as stop:
+                    runs, status = [stop.report], stopped()
+            else:
+                plan = Plan(profile, settings, services, tuple(schemas or ()), peer)
+                campaign = _run_all(plan, targets, cluster, json=json)
+                runs, status = campaign.reports, stopped() if campaign.is_interrupted else worst(campaign.reports)
+            for problem in (unwritten := files.write(runs)):
                 console.error(problem)
             with _ignoring_closed_pipe():
-                _show(report, json=json)
+                _show(runs, several=len(targets) > 1, json=json)
     except JausError as error:
         console.error(str(error))
         raise typer.Exit(2) from None
     raise typer.Exit(2 if unwritten else status)
+
+
+def _run_all(plan: Plan, targets: Sequence[Target], cluster: str | None, *, json: bool) -> Campaign:
+    """Test several targets; with `json` each step is printed with its target, and each target's summary."""
+    with progress_line() as progress:
+
+        def on_result(target: Target, result: Result) -> None:
+            if json:
+                with _ignoring_closed_pipe():
+                    console.print_json({"target": target.id, "connect": target.where} | result_json(result))
+            else:
+                progress(result)
+
+        def on_report(report: Report) -> None:
+            with _ignoring_closed_pipe():
+                if json:
+                    console.print_json(summary_json(report))
+                else:
+                    console.note(f"{report.target}: {report.problem or summary(report)}")
+
+        return run_campaign(plan, targets, cluster, on_result=on_result, on_report=on_report)
 
 
 def _print_json(result: Result) -> None:
@@ -184,15 +219,17 @@ def _ignoring_closed_pipe() -> Iterator[None]:
         raise ConfigError(f"the results cannot be written: {error.strerror}") from error
 
 
-def _show(report: Report, *, json: bool) -> None:
-    """Print the report; with `json` the steps have been printed, and the summary follows."""
-    if report.problem:
-        console.error(report.problem)
-    if not json:
-        show(report)
-        return
-
-    console.print_json(summary_json(report))
+def _show(runs: Sequence[Report], *, several: bool, json: bool) -> None:
+    """Print the reports; with `json` the steps have been printed, and the summary follows."""
+    for report in runs:
+        if report.problem:
+            console.error(f"{report.target}: {report.problem}" if several else report.problem)
+        if not json:
+            show(report)
+    if json and runs:
+        console.print_json(totals_json(runs) if several else summary_json(runs[0]))
+    elif several:
+        show_totals(runs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,12 +253,14 @@ class ReportFiles:
                 raise ConfigError(f"{path} is given for {other} and for {kind}; choose different files")
             kinds[path.resolve()] = kind
 
-    def write(self, report: Report) -> list[str]:
+    def write(self, runs: Sequence[Report]) -> list[str]:
         """Write the files; returns an error message for each that cannot be written."""
+        if not runs:
+            return []
         problems = (
-            _write(self.junit, lambda: reports.junit(report)),
-            _write(self.html, lambda: reports.page(report).encode()),
-            _write(self.pcapng, lambda: reports.capture(report)),
+            _write(self.junit, lambda: reports.junit(*runs)),
+            _write(self.html, lambda: reports.page(*runs).encode()),
+            _write(self.pcapng, lambda: reports.capture(*runs)),
         )
         return [problem for problem in problems if problem]
 
@@ -243,115 +282,6 @@ def _write(path: Path | None, content: Callable[[], bytes]) -> str:
     except OSError as error:
         return f"{path}: cannot be written: {error.strerror}"
     return ""
-
-
-def _is_urn(profile: str) -> bool:
-    return profile.startswith("urn:")
-
-
-def chosen_profile(name: str, messages: Registry) -> Profile:
-    """The profile of this name, or that of the service with this URN. Raises `ConfigError` for an unknown one."""
-    if not _is_urn(name):
-        return find(name)
-    from jauspy.conformance.state_tests.plan import service_profile
-
-    return service_profile(name, messages)
-
-
-def named_offers(names: str | None, target: str | None, own: Schema | None = None) -> Offers | None:
-    """The services that the user names, and their ancestors, as offers of the target; None without names.
-
-    `own` has the user's definitions.
-    """
-    if names is None or target is None:
-        return None
-    if (id := _id(target)).is_wildcard:
-        raise ConfigError(f"--services names the services of one component, and {id} has wildcards")
-    schema = Schema(services=(*(own.services if own else ()), *load_builtin().services))
-    parent_of = parents_among(schema.services)
-    found: dict[str, ServiceDefinition] = {}
-    for name in filter(None, (name.strip() for name in names.split(","))):
-        services = [match.service for match in find_definitions(schema, name) if match.message is None]
-        if len(services) != 1:
-            several = ", ".join(service.id for service in services)
-            raise ConfigError(f"--services {name}: {'name one of ' + several if several else 'this is a message'}")
-        for service in lineage(services[0], parent_of):
-            if (other := found.setdefault(service.id, service)).version != service.version:
-                raise ConfigError(
-                    f"--services {name}: it needs {service.name} {service.version}, and the services before it need "
-                    f"{service.name} {other.version}; give a version to each, as in {services[0].name}@{other.version}"
-                )
-    return Offers({id: frozenset(service.key for service in found.values())})
-
-
-def steps_of(
-    profile: Profile,
-    target: str | None,
-    connect: str | None,
-    timeout: float,
-    offers: Offers | None,
-    *,
-    messages: Registry,
-) -> tuple[Step, ...]:
-    """The steps of a profile; the target is queried only if they depend on its services, and these are not named."""
-    if not profile.asks_for_services:
-        return profile.plan(Offers({}))
-    if target is None:
-        raise ConfigError(
-            f"the steps of {profile.name} depend on the target's services; add --target, as in --target 101.1.102"
-        )
-    with closing(asyncio.run(open_link(connect))) as link:
-        return planned_steps(profile, link, _id(target), offers=offers, timeout=timeout, registry=messages)
-
-
-def report_of(
-    profile: Profile,
-    target: str,
-    connect: str | None,
-    settings: Settings,
-    watch: OnResult,
-    *,
-    offers: Offers | None = None,
-    messages: Registry = registry,
-    peer: str | None = None,
-) -> Report:
-    """Run a profile; raises `Interrupted`, which has the report so far."""
-    id = _id(target)
-    kind = None if peer is None else find_kind(peer)
-
-    def watch_marked(result: Result) -> None:
-        watch(result if kind is None else marked(result, profile.name, kind))
-
-    with closing(asyncio.run(open_link(connect))) as link:
-        try:
-            report = run(
-                profile,
-                link,
-                id,
-                began=time.time(),
-                offers=offers,
-                settings=settings,
-                registry=messages,
-                watch=watch_marked,
-            )
-        except Interrupted as stop:
-            stop.report = with_known_deviations(_with_notes(stop.report, link), kind)
-            raise
-        return with_known_deviations(_with_notes(report, link), kind)
-
-
-def _id(target: str) -> JausID:
-    id = JausID.parse(f"{target}.255.255" if target.isascii() and target.isdigit() else target)
-    if 0 in (id.subsystem, id.node, id.component):
-        raise ConfigError(
-            f"{id} is not the id of a component: no part may be 0; 255 is the wildcard of node and component"
-        )
-    return id
-
-
-def _with_notes(report: Report, link: TesterLink) -> Report:
-    """The report with the notes of the wire."""
-    return replace(report, notes=(*getattr(link, "notes", ()), *report.notes))
 
 
 _STYLES: Final = {Verdict.PASS: "green", Verdict.SKIPPED: "dim"}
@@ -380,6 +310,15 @@ def show(report: Report) -> None:
         out.print(Text(f"{total}{rest}", style="dim"))
     style = "bold green" if report.status == 0 else "bold red"
     out.print(Text(f"{report.profile}, {report.target}: {summary(report)}", style=style))
+
+
+def show_totals(runs: Sequence[Report]) -> None:
+    """Print a line for each target."""
+    table = Table("target", "seconds", "result", box=None, pad_edge=False, header_style="dim")
+    for report in runs:
+        style = "green" if report.status == 0 else "red"
+        table.add_row(report.target, f"{report.seconds:.1f}", Text(report.problem or summary(report), style=style))
+    console.stdout(pipe_width=PIPE_WIDTH).print(table)
 
 
 def _table(report: Report) -> Table:

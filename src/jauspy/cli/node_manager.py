@@ -284,6 +284,9 @@ def _show(status: Mapping[str, Any]) -> None:
             for refusal in refused
         )
         _table("refused by the gateway", rows)
+    if left_out := status.get("left_out"):
+        rows = ((kind["message"], f"on {kind['link']}", kind["limit"], str(kind["count"])) for kind in left_out)
+        _table("left out by the limits of links", rows)
     _table("queues", ((name, str(count)) for name, count in status["queues"].items()))
     counters = status["counters"]
     dropped = {name: count for name, count in counters.items() if name.startswith("dropped.")}

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from importlib.resources import files
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any, Final
 from xml.etree import ElementTree as ET
 
 from jauspy.capture import writer
-from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
+from jauspy.conformance.results import Report, Result, Verdict, transitions_summary, worst
 from jauspy.conformance.trace import Direction, TraceEntry
 from jauspy.errors import ConfigError
 from jauspy.printable import printable_lines
@@ -45,25 +48,43 @@ def html_template() -> Template:
     return environment.from_string(files(__package__).joinpath("report.html.j2").read_text())
 
 
-def page(report: Report) -> str:
-    """One HTML file that needs nothing else: no script, no font, no network. Raises `ConfigError` without Jinja2."""
-    return html_template().render(
-        report=report,
-        style=files(__package__).joinpath("report.css").read_text(),
-        began=datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%d %H:%M:%S UTC"),
-        summary=summary(report),
-        counts=[(verdict, report.counts[verdict]) for verdict in Verdict if report.counts[verdict]],
-        transitions=transitions_summary(report),
-        not_taken=[transition for transition in report.transitions if not transition.step],
-    )
+def page(*reports: Report) -> str:
+    """One HTML file that needs nothing else: no script, no font, no network. Raises `ConfigError` without Jinja2.
+
+    Several reports follow each other; a table before them has the result of each target.
+    """
+    runs = [
+        {
+            "report": report,
+            "mark": f"{number}/" if len(reports) > 1 else "",
+            "began": datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%d %H:%M:%S UTC"),
+            "summary": summary(report),
+            "counts": [(verdict, report.counts[verdict]) for verdict in Verdict if report.counts[verdict]],
+            "transitions": transitions_summary(report),
+            "not_taken": [transition for transition in report.transitions if not transition.step],
+        }
+        for number, report in enumerate(reports, start=1)
+    ]
+    return html_template().render(runs=runs, style=files(__package__).joinpath("report.css").read_text())
 
 
 # --- JUnit ------------------------------------------------------------------------------------------------------------
 
 
-def junit(report: Report) -> bytes:
-    """JUnit XML, which CI servers show: a suite with a case for each step. A run that was not possible is an error."""
+def junit(*reports: Report) -> bytes:
+    """JUnit XML, which CI servers show: a suite for each report, with a case for each step.
+
+    A run that was not possible is an error.
+    """
     suites = ET.Element("testsuites", name="jauspy conformance")
+    for report in reports:
+        _suite(suites, report)
+    ET.indent(suites)
+    written: bytes = ET.tostring(suites, encoding="utf-8", xml_declaration=True)
+    return written
+
+
+def _suite(suites: ET.Element, report: Report) -> None:
     suite = ET.SubElement(
         suites,
         "testsuite",
@@ -86,9 +107,6 @@ def junit(report: Report) -> bytes:
     if report.problem:
         case = ET.SubElement(suite, "testcase", classname=f"jauspy.{report.profile}", name="the run", time="0")
         ET.SubElement(case, "error", type="could not run", message=printable_lines(report.problem))
-    ET.indent(suites)
-    written: bytes = ET.tostring(suites, encoding="utf-8", xml_declaration=True)
-    return written
 
 
 def _case(suite: ET.Element, report: Report, result: Result) -> None:
@@ -190,6 +208,19 @@ def summary_json(report: Report) -> dict[str, Any]:
     }
 
 
+def totals_json(reports: Sequence[Report]) -> dict[str, Any]:
+    """Several runs together: how many targets have which exit status, and the verdicts of all steps."""
+    verdicts = sum((report.counts for report in reports), Counter[Verdict]())
+    return {
+        "targets": len(reports),
+        "passed": [report.target for report in reports if report.status == 0],
+        "failed": [report.target for report in reports if report.status == 1],
+        "not_tested": [report.target for report in reports if report.status > 1],
+        "verdicts": {str(verdict): count for verdict, count in sorted(verdicts.items())},
+        "status": worst(reports),
+    }
+
+
 # --- pcapng -----------------------------------------------------------------------------------------------------------
 
 TESTER: Final = ("192.0.2.42", judp.PORT)
@@ -198,12 +229,12 @@ TARGET: Final = ("192.0.2.1", judp.PORT)
 """Addresses for documentation (RFC 5737): a run records bytes and times, not addresses."""
 
 
-def capture(report: Report) -> bytes:
-    """The datagrams of a run as a pcapng file, for Wireshark and `jauspy decode`."""
+def capture(*reports: Report) -> bytes:
+    """The datagrams of runs in the order of their times as a pcapng file, for Wireshark and `jauspy decode`."""
     blocks = [writer.preamble()]
-    for entry in report.entries:
+    entries = [(report.began + entry.at, entry) for report in reports for entry in report.entries]
+    for time, entry in sorted(entries, key=itemgetter(0)) if len(reports) > 1 else entries:
         tester = OTHER_PORT if entry.other_port else TESTER
         source, destination = (tester, TARGET) if entry.direction is Direction.SENT else (TARGET, tester)
-        nanoseconds = int((report.began + entry.at) * 1e9)
-        blocks.append(writer.packet(source, destination, entry.data, nanoseconds))
+        blocks.append(writer.packet(source, destination, entry.data, int(time * 1e9)))
     return b"".join(blocks)

@@ -12,6 +12,7 @@ from jauspy.codec.registry import Registry
 from jauspy.codec.rounding import rounded
 from jauspy.errors import DecodeError
 from jauspy.ids import JausID, message_id
+from jauspy.messages import registry as known_messages
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
 
@@ -46,10 +47,20 @@ class TraceEntry:
             return (f"{len(self.data)} bytes that are no AS5669A packet",)
         return tuple(f"{packet.source} to {packet.destination}: {self._content(packet)}" for packet in self.packets)
 
+    def __reduce__(self) -> tuple[object, ...]:
+        """Pickle without the definitions, which are those of this process: what was decoded goes along."""
+        return _unpickled, (self.at, str(self.direction), self.data, self.lines, self.other_port)
+
     def _content(self, packet: Packet) -> str:
         if not packet.payload:
             return f"{packet.ack.name}, sequence number {packet.sequence}"
         return described(packet.payload, self.registry)
+
+
+def _unpickled(at: float, direction: str, data: bytes, lines: tuple[str, ...], other_port: bool) -> TraceEntry:
+    entry = TraceEntry(at, Direction(direction), data, known_messages, other_port)
+    entry.__dict__["lines"] = lines
+    return entry
 
 
 def described(payload: bytes, registry: Registry) -> str:

@@ -13,6 +13,8 @@ from typing import Final
 
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
+from jauspy.node import back_pressure
+from jauspy.node.back_pressure import BackPressure
 from jauspy.node.liveness import MAX_ID, ComponentSockets
 from jauspy.protocol import junior
 from jauspy.protocol.address_book import ComponentPort
@@ -57,7 +59,8 @@ class ComponentSender:
 
     An unread datagram occupies the receive queue of the component and the send buffer of its sender. With one socket
     for all, a component that stops reading would block the others as soon as that buffer is full.
-    `on_unbound(path)` is called when nobody listens on the socket any more.
+    `on_unbound(path)` is called when nobody listens on the socket any more. While the queue is long, `back_pressure`
+    may have those who send wait.
     """
 
     def __init__(
@@ -65,10 +68,13 @@ class ComponentSender:
         path: str,
         counters: Counters,
         on_unbound: Callable[[str], None],
+        *,
         max_age: float = MAX_AGE,
         memory: QueueMemory | None = None,
+        back_pressure: BackPressure | None = None,
     ) -> None:
         self._path = path
+        self._back_pressure = back_pressure
         self._counters = counters
         self._on_unbound = on_unbound
         self._loop = asyncio.get_running_loop()
@@ -109,6 +115,8 @@ class ComponentSender:
         self._disconnect()
         for _ in range(self._queue.clear()):
             self._counters.drop("component_gone", self._path)
+        if self._back_pressure is not None:
+            self._back_pressure.forget(self._path)
 
     def slow_path(self, datagram: bytes) -> None:
         """Send by the queue, or by a new connection."""
@@ -116,11 +124,13 @@ class ComponentSender:
             if self._try(datagram):
                 return
             self._wait_until_writable()
-        for _ in range(self._queue.push(datagram)):
+        for _ in self._queue.push(datagram):
             self._counters.drop("queue_full", self._path)
         self._since_attempt += 1
         if self._since_attempt == RETRY_EVERY:
             self._drain()
+        if self._back_pressure is not None and len(self._queue) > back_pressure.HIGH_WATER:
+            self._back_pressure.congested(self._path)
 
     def _drain(self) -> None:
         self._since_attempt = 0
@@ -130,6 +140,7 @@ class ComponentSender:
             if self._socket is not None:
                 self._queue.drain(self._socket.send, SEND_BURST)
         except BlockingIOError:
+            self._report_relief()
             return
         except OSError:
             self._disconnect()
@@ -140,6 +151,11 @@ class ComponentSender:
         elif self._socket is not None:
             self._stop_watching(self._socket)
             self.fast_path = self._socket.send
+        self._report_relief()
+
+    def _report_relief(self) -> None:
+        if self._back_pressure is not None and len(self._queue) <= back_pressure.LOW_WATER:
+            self._back_pressure.relieved(self._path)
 
     def _wait_until_writable(self) -> None:
         self.fast_path, self._since_attempt = None, 0
@@ -217,6 +233,8 @@ class ComponentSenders:
         self._router = router
         self._max_age = max_age
         self._memory = memory
+        self.back_pressure: BackPressure | None = None
+        """Has components wait for others; None for none. To be set before senders are made."""
         self._senders: dict[str, ComponentSender] = {}
 
     @property
@@ -242,7 +260,12 @@ class ComponentSenders:
         if sender is None:
             self._remove_cancelled()
             sender = self._senders[path] = ComponentSender(
-                path, self._router.counters, self._on_unbound, self._max_age, self._memory
+                path,
+                self._router.counters,
+                self._on_unbound,
+                max_age=self._max_age,
+                memory=self._memory,
+                back_pressure=self.back_pressure,
             )
         return sender
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import ipaddress
 import json
-import re
 import secrets
 import stat
 import textwrap
@@ -24,18 +23,18 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.node.address_books import AddressEntries, load_address_book, parse_entries
+from jauspy.node.link_limits import make_link_limit, parse_codes
 from jauspy.protocol import authentication, judp
 from jauspy.protocol.address_book import ADDRESS_LIFETIME, MAX_IDS, MAX_IDS_PER_HOST, IdBounds
 from jauspy.protocol.addressing import DEFAULT_NETWORK
 from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
+from jauspy.protocol.link_limits import LinkLimit
 from jauspy.protocol.sources import SourceLimits
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial import SerialLine
 from jauspy.user_files import read_file, read_toml
-
-_RANGE: Final = re.compile(r"(0[xX][0-9a-fA-F]{1,4})(?:-(0[xX][0-9a-fA-F]{1,4}))?")
 
 
 class NodeSettings(BaseModel):
@@ -84,6 +83,14 @@ def _addresses(table: Mapping[str, Any]) -> Mapping[str, Any]:
     return table
 
 
+def _limits(table: Mapping[str, str]) -> Mapping[str, str]:
+    try:
+        make_link_limit(table)
+    except ConfigError as error:
+        raise ValueError(str(error)) from None
+    return table
+
+
 def _host_port(text: str) -> str:
     host, colon, port = text.rpartition(":")
     if not colon or not port.isdecimal() or not 0 <= int(port) <= 65535:
@@ -122,19 +129,11 @@ def parse_pattern(text: str) -> JausID:
         raise ValueError("write SUBSYSTEM.NODE.COMPONENT with * for any, as in 42.*.*") from None
 
 
-def parse_codes(text: str) -> range | None:
-    """The message ids of `0x0405` or `0x2000-0x2FFF`; None for any other text, such as a name."""
-    found = _RANGE.fullmatch(text)
-    if found is None:
-        return None
-    first = int(found[1], 16)
-    return range(first, int(found[2] or found[1], 16) + 1)
-
-
 IPv4 = Annotated[str, AfterValidator(_ipv4)]
 IPv6 = Annotated[str, AfterValidator(_ipv6)]
 Interface = Annotated[str, AfterValidator(_interface)]
 Addresses = Annotated[Mapping[str, str | list[str]], AfterValidator(_addresses)]
+Limits = Annotated[Mapping[str, str], AfterValidator(_limits)]
 Group = Annotated[str, AfterValidator(_group)]
 Group6 = Annotated[str, AfterValidator(_group6)]
 HostPort = Annotated[str, AfterValidator(_host_port)]
@@ -168,6 +167,11 @@ class NetworkConfig(NodeSettings):
     key_file: Path | None = Field(default=None, examples=["/etc/jauspy/lan.key"])
     """File with a key of at least 16 bytes that all node managers of this network share. Every packet is then
     authenticated, and other packets are dropped. Only jauspy supports this. See docs/security.md."""
+
+    limit: Limits = Field(default_factory=dict)
+    """What this network carries: "all" in bits per second, and messages in bits per second, or in messages per second
+    from one component to another, as in "all" = "250 kbit/s", "ReportLocalPose" = "5/s", "0x4A00-0x4AFF" =
+    "100 kbit/s". Safety-critical packets always pass, first. See docs/node-manager.md."""
 
     @property
     def interfaces(self) -> tuple[str, ...]:
@@ -227,11 +231,14 @@ class SerialConfig(NodeSettings):
     """Flow control by RTS and CTS."""
     software_flow_control: bool = False
     """Flow control by XON and XOFF."""
+    limit: Limits = Field(default_factory=dict)
+    """What this line carries, as `limit` of a network says it: what a radio modem sends on, if it is less than the
+    line."""
 
     @property
     def line(self) -> SerialLine:
         """The settings for the transport."""
-        return SerialLine(**self.model_dump())
+        return SerialLine(**self.model_dump(exclude={"limit"}))
 
 
 class NodeConfig(NetworkConfig):
@@ -330,6 +337,13 @@ class NodeConfig(NetworkConfig):
         return {
             id: tuple(dict.fromkeys(port._replace(network=self.name) for port in ports)) for id, ports in found.items()
         }
+
+    @property
+    def link_limits(self) -> dict[str, LinkLimit]:
+        """The limits of links that have some, by the name of the network or the device of the serial line."""
+        links = [(network.name, network.limit) for network in self.all_networks]
+        links += [(line.device, line.limit) for line in self.serial]
+        return {name: make_link_limit(limit) for name, limit in links if limit}
 
     @property
     def id_bounds(self) -> IdBounds:

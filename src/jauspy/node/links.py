@@ -7,15 +7,17 @@ import errno
 import ipaddress
 import os
 import socket
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Final
 
 from jauspy.errors import ConfigError, TransportError
 from jauspy.logs import get_logger
 from jauspy.node.config import NodeConfig
+from jauspy.node.link_shaper import LinkShaper
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
-from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
+from jauspy.protocol.addressing import NetworkPort, Port, SerialPort, TcpPort
 from jauspy.protocol.counters import Counters
+from jauspy.protocol.link_limits import LinkLimit, LinkLimits
 from jauspy.transport.listener import Listener
 from jauspy.transport.send_queue import QueueMemory
 from jauspy.transport.serial import SerialLine, SerialLink
@@ -212,14 +214,18 @@ class Links:
         received: Callable[[bytes, NetworkPort], None],
         disconnected: Callable[[NetworkPort], None],
         *,
+        limits: LinkLimits,
         max_age: float,
         memory: QueueMemory,
     ) -> None:
         self._max_age = max_age
         self._memory = memory
+        self._limits = limits
         self._received = received
         self._counters = counters
         self._network = network
+        self._shapers: dict[SerialPort, LinkShaper] = {}
+        """Of the lines with a limit of all their traffic."""
         self._tcp = TcpPeers(counters, network, received, disconnected, max_age=max_age, memory=memory)
         self._serial: dict[SerialPort, SerialLink] = {}
 
@@ -240,6 +246,7 @@ class Links:
         try:
             for serial in config.serial:
                 self._open_line(serial.line)
+            self.set_rates(config.link_limits)
             self._tcp.open(hosts, udp_port if config.tcp_port is None else config.tcp_port, peers)
         except BaseException:
             await self.close()
@@ -247,25 +254,54 @@ class Links:
 
     async def close(self) -> None:
         """Close everything; a second call does nothing."""
+        self.set_rates({})
         for line in self._serial.values():
             line.close()
         self._serial.clear()
         await self._tcp.close()
 
+    def set_rates(self, limits: Mapping[str, LinkLimit]) -> None:
+        """Replace the limits of all traffic of the lines, by device; what waits for the old ones is dropped."""
+        for shaper in self._shapers.values():
+            shaper.close()
+        self._shapers = {
+            port: LinkShaper(
+                port.host,
+                limit.total,
+                self._transmit,
+                counters=self._counters,
+                left_out=self._limits.left_out,
+                max_age=self._max_age,
+                memory=self._memory,
+            )
+            for port in self._serial
+            if (limit := limits.get(port.host)) is not None and limit.total is not None
+        }
+
     def send(self, port: TcpPort | SerialPort, datagram: bytes) -> None:
         """Send to one peer; counted when dropped."""
         if isinstance(port, TcpPort):
             self._tcp.send(port, datagram)
+        elif port in self._shapers:
+            self._shapers[port].send(port, datagram)
         elif port in self._serial:
             self._serial[port].send(datagram)
         else:
             self._counters.drop("no_such_line", port.host)
 
     def broadcast(self, datagram: bytes) -> None:
-        """Send on all connections and lines."""
+        """Send on all connections and lines whose limits do not leave it out."""
         self._tcp.broadcast(datagram)
-        for line in self._serial.values():
-            line.send(datagram)
+        now = asyncio.get_running_loop().time()
+        for port in self._serial:
+            if self._limits.admits(port.host, datagram, now):
+                self.send(port, datagram)
+            else:
+                self._counters.drop("link_limit", port.host)
+
+    def _transmit(self, port: Port, datagram: bytes) -> None:
+        if isinstance(port, SerialPort) and port in self._serial:
+            self._serial[port].send(datagram)
 
     def _open_line(self, line: SerialLine) -> None:
         port = SerialPort(line.device, network=self._network)

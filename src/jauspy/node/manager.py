@@ -9,6 +9,7 @@ import socket
 import struct
 from collections.abc import Callable, Mapping
 from contextlib import AsyncExitStack
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self, TypeAlias
@@ -16,9 +17,11 @@ from typing import TYPE_CHECKING, Final, Self, TypeAlias
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.node import liveness
+from jauspy.node.back_pressure import BackPressure
 from jauspy.node.component_senders import ComponentSenders
 from jauspy.node.config import NodeConfig, load_key, make_gateway, parse_pattern, source_limits
 from jauspy.node.ingress import Ingress
+from jauspy.node.link_shaper import LinkShaper
 from jauspy.node.links import Links
 from jauspy.node.liveness import ComponentSockets, LivenessCheck
 from jauspy.node.local_users import LocalUsers, users_of
@@ -28,8 +31,9 @@ from jauspy.node.network import Network
 from jauspy.node.status import NodeState, StatusServer
 from jauspy.protocol import addressing, header, junior
 from jauspy.protocol.address_book import MAX_COMPONENTS, ComponentPort
-from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
+from jauspy.protocol.addressing import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.egress import ROUTED_COUNTERS
+from jauspy.protocol.link_limits import LinkLimits
 from jauspy.protocol.routing import RECEIVED_COUNTERS, BroadcastRoute, Router
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, local, multicast, node_status
@@ -44,8 +48,8 @@ _LOG = get_logger(__name__)
 
 MAX_SENDERS: Final = 4096
 """Names of local sockets that are cached."""
-RELOADABLE: Final = ("gateway", "source_check", "rate_limit", "rate_burst", "addresses", "address_books")
-"""Settings that `NodeManager.reload` applies."""
+RELOADABLE: Final = ("gateway", "source_check", "rate_limit", "rate_burst", "limit", "addresses", "address_books")
+"""Settings that `NodeManager.reload` applies, with `limit` of further networks and serial lines."""
 CACHE_LIFETIME: Final = 0.5
 """Seconds after which routes from and to networks expire, so that the router learns from packets at most this late.
 Those between components of this machine hold until the directory of components changes."""
@@ -87,6 +91,7 @@ class NodeManager:
             may_connect=lambda port: self._local_users is not None and self._local_users.may_connect(port),
             is_abandoned=lambda port: self._local_users is not None and self._local_users.is_abandoned(port),
             own_ids=[parse_pattern(text) for text in self.config.own_ids],
+            limits=LinkLimits(self.config.link_limits),
             compression=self.config.header_compression,
             max_message_age=self._max_age,
             is_dead=self._component_sockets.is_dead,
@@ -117,9 +122,13 @@ class NodeManager:
             self.config.name,
             self._receive,
             self._router.disconnected,
+            limits=self._router.limits,
             max_age=self._max_age,
             memory=memory,
         )
+        self._memory = memory
+        self._shapers: dict[str, LinkShaper] = {}
+        """Of the networks with a limit of all their traffic."""
         self._timer: asyncio.TimerHandle | None = None
         self._membership_timer: asyncio.TimerHandle | None = None
         self._liveness = LivenessCheck(self._router.components, self._is_dead, self._component_senders.remove_dead)
@@ -178,6 +187,7 @@ class NodeManager:
             queued=self._component_senders.queued,
             queued_bytes=self._component_senders.queued_bytes,
             ingress=ingress,
+            shapers=self._shapers,
             now=self._loop.time(),
         )
 
@@ -197,6 +207,7 @@ class NodeManager:
                 self._networks[setup.name] = Network(
                     setup, self._router.counters, config.receive_buffer, authenticator, self._router.remove_dead
                 )
+            self._set_rates()
             await self._links.open(config, self.port, (port for ports in self._known.values() for port in ports))
             await self._open_services()
             self._take_up_components(may_use)
@@ -206,7 +217,9 @@ class NodeManager:
         self._closed.clear()
         counters = self._router.counters
         reader = DatagramReader(self._local, counters, self._max_age)
-        base.start_reading(self._loop, reader, self._from_component, self._socket_error, take_is_fast=True)
+        resume = base.start_reading(self._loop, reader, self._from_component, self._socket_error, take_is_fast=True)
+        pause = partial(self._loop.remove_reader, self._local)
+        self._component_senders.back_pressure = BackPressure(pause, resume, counters)
         authenticated = any(network.authenticator for network in self._networks.values())
         receive = self._from_network if authenticated else self._receive
         self._ingress = Ingress(receive, counters, self._max_age, sources=self._router.sources)
@@ -270,9 +283,14 @@ class NodeManager:
             if timer is not None:
                 timer.cancel()
         self._timer = self._membership_timer = self._liveness_timer = None
+        if self._component_senders.back_pressure is not None:
+            self._component_senders.back_pressure.close()
         base.stop_reading(self._loop, local_socket)
         if self._ingress is not None:
             self._ingress.close()
+        for shaper in self._shapers.values():
+            shaper.close()
+        self._shapers.clear()
         await self._links.close()
         self._component_senders.close()
         self._component_sockets.close()
@@ -297,10 +315,40 @@ class NodeManager:
         self._router.sources.set_limits(source_limits(config))
         self._cache.clear()
         names = type(config).model_fields
-        changed = [name for name in names if getattr(config, name) != getattr(self.config, name)]
-        applied = {name: getattr(config, name) for name in changed if name in RELOADABLE}
-        self.config = self.config.model_copy(update=applied)
-        return [name for name in changed if name not in RELOADABLE]
+        applied = {name: getattr(config, name) for name in names if name in RELOADABLE}
+        networks = {network.name: network.limit for network in config.networks}
+        lines = {line.device: line.limit for line in config.serial}
+        applied["networks"] = tuple(
+            network.model_copy(update={"limit": networks.get(network.name, network.limit)})
+            for network in self.config.networks
+        )
+        applied["serial"] = tuple(
+            line.model_copy(update={"limit": lines.get(line.device, line.limit)}) for line in self.config.serial
+        )
+        before, self.config = self.config.link_limits, self.config.model_copy(update=applied)
+        if self.config.link_limits != before:
+            self._router.limits.set_limits(self.config.link_limits)
+            self._links.set_rates(self.config.link_limits)
+            self._set_rates()
+        return [name for name in names if getattr(config, name) != getattr(self.config, name)]
+
+    def _set_rates(self) -> None:
+        """Send no more to the networks than they carry; what waits for other limits is dropped."""
+        for shaper in self._shapers.values():
+            shaper.close()
+        self._shapers = {
+            name: LinkShaper(
+                name,
+                limit.total,
+                self._transmit,
+                counters=self._router.counters,
+                left_out=self._router.limits.left_out,
+                max_age=self._max_age,
+                memory=self._memory,
+            )
+            for name, limit in self.config.link_limits.items()
+            if name in self._networks and limit.total is not None
+        }
 
     async def run(self) -> None:
         """Wait until `close` is called."""
@@ -355,21 +403,35 @@ class NodeManager:
         for port, datagram in self._router.poll_output():
             if isinstance(port, LocalPort):
                 self._component_senders.send(port.path, datagram)
-            elif (network := self._networks.get(port.network)) is None:
-                self._router.counters.drop("closed")
-            elif isinstance(port, GroupPort):
-                network.multicast(datagram)
-                if port.network == self.config.name:
-                    self._links.broadcast(datagram)
-            elif isinstance(port, TcpPort | SerialPort):
-                self._links.send(port, datagram)
+            elif self._shapers and (shaper := self._shaper_of(port)) is not None:
+                shaper.send(port, datagram)
             else:
-                network.send(datagram, port.host, port.port)
+                self._transmit(port, datagram)
             if self._mirrors:
                 block = self._mirrored.block(self._mirror_source, port, datagram)
                 for mirror in self._mirrors:
                     mirror.add(block)
         self._arm()
+
+    def _transmit(self, port: Port, datagram: bytes) -> None:
+        """Send to a network, a connection or a line now."""
+        network = None if isinstance(port, LocalPort) else self._networks.get(port.network)
+        if network is None:
+            self._router.counters.drop("closed")
+        elif isinstance(port, GroupPort):
+            network.multicast(datagram)
+            if port.network == self.config.name:
+                self._links.broadcast(datagram)
+        elif isinstance(port, TcpPort | SerialPort):
+            self._links.send(port, datagram)
+        elif isinstance(port, UdpPort):
+            network.send(datagram, port.host, port.port)
+
+    def _shaper_of(self, port: NetworkPort | GroupPort) -> LinkShaper | None:
+        """The shaper for what is sent to this port; None for a serial line, and for a component of this machine."""
+        if isinstance(port, SerialPort) or (isinstance(port, UdpPort) and self._router.components.has_port(port)):
+            return None
+        return self._shapers.get(port.network)
 
     def _sender_for(self, port: LocalPort | UdpPort) -> Send | None:
         """The sender of a cached route; None with a mirror, which must record each datagram."""
@@ -378,12 +440,16 @@ class NodeManager:
         if isinstance(port, LocalPort):
             return self._component_senders.sender_for(port.path).send
         network = self._networks.get(port.network)
-        return None if network is None else network.sender_for(port.host, port.port)
+        if network is None:
+            return None
+        if (shaper := self._shapers.get(port.network)) is not None:
+            return partial(shaper.send, port)
+        return network.sender_for(port.host, port.port)
 
     def _broadcast_sender(self, route: BroadcastRoute) -> Send | None:
         """The sender of a cached broadcast; None with a mirror."""
         networks = [self._networks[name] for name in route.networks if name in self._networks]
-        if self._mirrors or len(networks) < len(route.networks):
+        if self._mirrors or len(networks) < len(route.networks) or (self._shapers and networks):
             return None
         deliver = self._component_senders.group(port.path for port in route.components)
         if not networks:

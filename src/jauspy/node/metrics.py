@@ -52,6 +52,13 @@ class NodeCollector(Collector):
         for name, network in state.networks.items():
             kernel.add_metric([name], network.receive_buffer.dropped)
         yield kernel
+        left_out = CounterMetricFamily(
+            "jauspy_node_left_out", "Messages that a link did not carry.", labels=["link", "limit", "message"]
+        )
+        for kind, count in state.router.limits.left_out.items():
+            code = "" if kind.code is None else f"0x{kind.code:04X}"
+            left_out.add_metric([kind.link, kind.limit, code], count)
+        yield left_out
 
 
 class MetricsServer:

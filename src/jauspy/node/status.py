@@ -13,9 +13,11 @@ from typing import Any, Final
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.node.config import NodeConfig
+from jauspy.node.link_shaper import LinkShaper
 from jauspy.node.network import Network
 from jauspy.protocol.addressing import NetworkPort, format_port
 from jauspy.protocol.gateway import Refused
+from jauspy.protocol.link_limits import LeftOut, link_of
 from jauspy.protocol.routing import Router
 from jauspy.transport import local
 from jauspy.transport.listener import StreamServer
@@ -38,6 +40,7 @@ class NodeState:
     queued: Mapping[str, int]
     queued_bytes: Mapping[str, int]
     ingress: int
+    shapers: Mapping[str, LinkShaper]
     now: float
 
     def as_dict(self, started: float) -> dict[str, Any]:
@@ -51,12 +54,14 @@ class NodeState:
             "peers": [self._peer(*entry) for entry in self.router.address_book],
             "clashes": [self._clash(*entry) for entry in self.router.clashes.recent(self.now)],
             "refused": [self._refused(*entry) for entry in self._gateway_refusals()],
+            "left_out": [self._left_out(*entry) for entry in self._most_left_out()],
             "queues": {"ingress": self.ingress, "unknown_destinations": self.router.pending_messages},
             "counters": dict(sorted(self.router.counters.items())),
         }
 
     def _network(self, name: str, network: Network) -> dict[str, Any]:
-        config, buffer = network.config, network.receive_buffer
+        buffer = network.receive_buffer
+        config = next(setup for setup in self.config.all_networks if setup.name == name)
         inside = self.config.gateway is not None and name in self.config.gateway.inside
         return {
             "name": name,
@@ -66,7 +71,8 @@ class NodeState:
             "multicast_group6": config.multicast_group6,
             "inside": inside,
             "authenticated": network.authenticator is not None,
-            "send_queue": network.send_queue,
+            "limit": dict(config.limit),
+            "send_queue": network.send_queue + (self.shapers[name].queued_bytes if name in self.shapers else 0),
             "receive_buffer": {"bytes": buffer.bytes, "limit": buffer.limit, "dropped": buffer.dropped},
         }
 
@@ -86,11 +92,19 @@ class NodeState:
     def _refused(self, kind: Refused, count: int) -> dict[str, Any]:
         return {"message": _message_name(kind.code), "network": kind.network, "why": kind.why, "count": count}
 
+    def _most_left_out(self) -> list[tuple[LeftOut, int]]:
+        """Count the messages that links did not carry, the most frequent kind first."""
+        return sorted(self.router.limits.left_out.items(), key=lambda entry: -entry[1])
+
+    def _left_out(self, kind: LeftOut, count: int) -> dict[str, Any]:
+        return {"message": _message_name(kind.code), "link": kind.link, "limit": kind.limit, "count": count}
+
     def _peer(self, id: int, port: NetworkPort, heard: float | None) -> dict[str, Any]:
         return {
             "id": str(JausID.from_int(id)),
             "address": format_port(port),
             "network": port.network,
+            "link": link_of(port),
             "sent_bytes": self.networks[port.network].sent_bytes(port.host) if port.network in self.networks else 0,
             "heard": None if heard is None else round(self.now - heard, 3),
         }

@@ -104,6 +104,8 @@ class Location(NamedTuple):
     """Bytes that the node manager here has sent to that machine; None if it does not count them."""
     waiting: int | None = None
     """Bytes that wait in its queue to the component, or in the kernel's to the network; None if that is unknown."""
+    left_out: tuple[tuple[str, int], ...] = ()
+    """Messages that the limits of the link to that machine have left out so far, and how many."""
 
     def has(self, host: str) -> bool:
         """True when this is an address of the machine; loopback addresses are those of this one only."""

@@ -29,6 +29,7 @@ from jauspy.protocol.counters import Counters
 from jauspy.protocol.egress import PORT_KINDS, EgressQueue
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Ack, Broadcast, RawPacket
+from jauspy.protocol.link_limits import LinkLimits
 from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.registrar import DuplicateIdLog, IdClashes, Registrar
 from jauspy.protocol.sources import SourceChecks, TokenBuckets
@@ -70,6 +71,7 @@ class Router:
         may_connect: True for a UDP port whose user may connect.
         is_abandoned: True for an address of this machine that nobody uses any more who could have connected.
         own_ids: Ids of this machine, which may have wildcards; they are not accepted from networks.
+        limits: What networks and serial lines carry of each message.
         compression: The use of header compression on UDP.
         max_message_age: Seconds for which a message that is not acknowledged may wait for its destination.
         is_dead: True for the path of a socket where nobody listens any more.
@@ -91,6 +93,7 @@ class Router:
         may_connect: Callable[[UdpPort], bool] = lambda _: True,
         is_abandoned: Callable[[NetworkPort], bool] = lambda _: False,
         own_ids: Sequence[JausID] = (),
+        limits: LinkLimits | None = None,
         compression: CompressionUse = "accept",
         max_message_age: float = math.inf,
         is_dead: Callable[[str], bool] = lambda _: False,
@@ -106,7 +109,8 @@ class Router:
         self.sources = sources or SourceChecks()
         self._networks = tuple(networks)
         self._pending = PendingDestinations(self.counters, max_message_age)
-        self._egress = EgressQueue(self.counters, self.components, self.address_book)
+        self.limits = limits or LinkLimits({})
+        self._egress = EgressQueue(self.counters, self.components, self.address_book, self.limits)
         if compression != "off":
             self._egress.compression = Compression(self.counters, self._egress.send, probes=compression == "propose")
         self._duplicate_ids = DuplicateIdLog(_LOG)
@@ -198,7 +202,7 @@ class Router:
             return None
         if isinstance(route, LocalPort):
             return route
-        if not isinstance(route, UdpPort) or route is component:
+        if not isinstance(route, UdpPort) or route is component or self.limits.apply_to(route.network):
             return None
         compression = self._egress.compression
         return None if compression is not None and compression.applies_to(route) else route
@@ -218,7 +222,7 @@ class Router:
             return None
         if broadcast == Broadcast.LOCAL:
             networks: tuple[str, ...] = ()
-        elif self.address_book.static_matching(destination):
+        elif self.address_book.static_matching(destination) or any(map(self.limits.apply_to, self._networks)):
             return None
         else:
             networks = self._networks
@@ -258,8 +262,8 @@ class Router:
         if addressing.is_wildcard(destination):
             self._egress.deliver_broadcast(destination, datagram, exclude=raw.source)
             if raw.broadcast != Broadcast.LOCAL:
-                self._egress.multicast(datagram, self._networks, now)
-                self._egress.broadcast_to_static(destination, datagram, self._networks)
+                carried = self._egress.multicast(datagram, self._networks, now)
+                self._egress.broadcast_to_static(destination, datagram, carried)
         elif (component := self.components.port(destination)) is not None:
             self._egress.deliver(component, datagram)
         elif (address := self.address_book.find(destination, now)) is not None:
@@ -336,8 +340,7 @@ class Router:
         elif (address := self.address_book.find(destination, now)) is None:
             self._search(raw, datagram, onward, now, relayed=True)
         elif address.network in onward:
-            self._egress.forward(address, destination, datagram, now)
-            self.counters["relayed"] += 1
+            self.counters["relayed"] += self._egress.forward(address, destination, datagram, now)
         else:
             self.counters.drop("not_here", JausID.from_int(destination))
 
@@ -345,9 +348,9 @@ class Router:
         if self.gateway is not None and (onward := self.gateway.onward(raw, network)):
             for interface in self._networks:  # networks in a ring bring it back from any of them
                 self._egress.echoes.add(datagram, interface, now)
-            self._egress.multicast(datagram, onward, now)
-            self._egress.broadcast_to_static(raw.destination, datagram, onward)
-            self.counters["relayed"] += 1
+            carried = self._egress.multicast(datagram, onward, now)
+            self._egress.broadcast_to_static(raw.destination, datagram, carried)
+            self.counters["relayed"] += bool(carried)
 
     def _is_own(self, id: int) -> bool:
         return not addressing.is_incomplete(id) and any(addressing.reaches(pattern, id) for pattern in self._own_ids)

@@ -91,8 +91,10 @@ def start_reading(
     failed: Callable[[OSError], None],
     *,
     take_is_fast: bool = False,
-) -> None:
+) -> Callable[[], None]:
     """Call `take(datagram, sender)` for each datagram of a non-blocking socket until `stop_reading`.
+
+    Returns the function that goes on reading after `loop.remove_reader`, as this one begins it.
 
     `failed` is called with the error of an earlier sent datagram; reading continues. What the reader finds too old is
     dropped; unless `take_is_fast`, this holds for what waits during `take`, too.
@@ -114,7 +116,11 @@ def start_reading(
                 return
             take(datagram, sender)
 
-    loop.add_reader(reader.socket, drain)
+    def resume() -> None:
+        loop.add_reader(reader.socket, drain)
+
+    resume()
+    return resume
 
 
 def stop_reading(loop: asyncio.AbstractEventLoop, sock: socket.socket) -> None:

@@ -249,7 +249,7 @@ class LocalSender:
             if self._try(path, datagram):
                 return
             queue = self._queues[path] = SendQueue(max_age=self._max_age)
-        for _ in range(queue.push(datagram)):
+        for _ in queue.push(datagram):
             self._counters.drop("queue_full", path)
         self._retry_later()
 

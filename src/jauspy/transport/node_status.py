@@ -26,6 +26,8 @@ READ_INTERVAL: Final = 0.5
 """Seconds between two reads for one component, so that many requests do not keep the node manager busy."""
 MAX_STATUS: Final = 8 << 20
 """Bytes."""
+MAX_LEFT_OUT: Final = 32
+"""Messages of a link whose numbers are told."""
 MAX_LOOKUPS: Final = 64
 """Concurrent lookups; the location of further components is unknown."""
 
@@ -130,6 +132,7 @@ class Locator:
             components = {str(component["id"]): component for component in status.get("components", ())}
             peers = {str(peer["id"]): peer for peer in status.get("peers", ())}
             queues = _send_queues(status.get("networks", ()))
+            left_out = _left_out(status.get("left_out", ()))
             for id, found, is_here in requests:
                 if is_here or str(id) in components:
                     found(local._replace(waiting=_number(components.get(str(id), {}).get("waiting_bytes"))))
@@ -139,6 +142,7 @@ class Locator:
                 if peer is not None:
                     waiting = queues.get(str(peer.get("network")))
                     location = location._replace(sent=_number(peer.get("sent_bytes")), waiting=waiting)
+                    location = location._replace(left_out=tuple(left_out.get(str(peer.get("link")), {}).items()))
                 found(location)
             await asyncio.sleep(READ_INTERVAL)
         self._task = None
@@ -154,6 +158,18 @@ def _send_queues(networks: object) -> dict[str, int]:
     rows = networks if isinstance(networks, list) else []
     found = {str(row.get("name")): _number(row.get("send_queue")) for row in rows if isinstance(row, dict)}
     return {name: size for name, size in found.items() if size is not None}
+
+
+def _left_out(rows: object) -> dict[str, dict[str, int]]:
+    """Numbers of messages that were left out, by link and message; of a link the first `MAX_LEFT_OUT`."""
+    found: dict[str, dict[str, int]] = {}
+    for row in rows if isinstance(rows, list) else []:
+        if isinstance(row, dict) and (count := _number(row.get("count"))) is not None:
+            of_link = found.setdefault(str(row.get("link")), {})
+            message = str(row.get("message"))
+            if message in of_link or len(of_link) < MAX_LEFT_OUT:
+                of_link[message] = of_link.get(message, 0) + count
+    return found
 
 
 def this_machine() -> Location:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import OrderedDict, deque
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from itertools import islice
 from typing import Final, TypeAlias
 
@@ -205,20 +205,21 @@ class SendQueue:
     def __len__(self) -> int:
         return self._length
 
-    def push(self, datagram: bytes) -> int:
-        """Append a datagram; returns how many were dropped for it, see `drop_one`."""
+    def push(self, datagram: bytes) -> Sequence[bytes]:
+        """Append a datagram; returns those that were dropped for it, see `drop_one`."""
         self._priorities[_priority(datagram)].append(datagram, time.monotonic())
         self._resize(1, len(datagram))
         if self._memory is not None:
             self._memory.trim(self)
-        dropped = 0
+        if self._length <= self._limit and self.bytes <= MAX_QUEUED_BYTES:
+            return ()
+        dropped = []
         while self._length > self._limit or self.bytes > MAX_QUEUED_BYTES:
-            self.drop_one()
-            dropped += 1
+            dropped.append(self.drop_one())
         return dropped
 
-    def drop_one(self) -> None:
-        """Remove a datagram of the lowest priority that has more than its share, or of the lowest.
+    def drop_one(self) -> bytes:
+        """Remove and return a datagram of the lowest priority that has more than its share, or of the lowest.
 
         It is one of the sender with most datagrams, the oldest one for that sender's busiest destination. A sender that
         floods the queue therefore loses its own datagrams, and a client that requests too many answers loses its own
@@ -226,7 +227,9 @@ class SendQueue:
         """
         filled = (priority for priority in self._priorities if priority.length > PRIORITY_SHARE * self._limit)
         flows = next(filled, None) or next(priority for priority in self._priorities if priority.length)
-        self._resize(-1, -len(flows.pop_excess()))
+        dropped = flows.pop_excess()
+        self._resize(-1, -len(dropped))
+        return dropped
 
     def clear(self) -> int:
         """Remove all datagrams; returns how many."""

@@ -114,7 +114,7 @@ class SerialLink:
             self._counters.drop("serial_closed", self.line.device)
             return False
         idle = not self._rest and not self._waiting
-        for _ in range(self._waiting.push(datagram)):
+        for _ in self._waiting.push(datagram):
             self._counters.drop("queue_full", self.line.device)
         if idle:
             self._write()

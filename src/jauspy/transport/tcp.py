@@ -83,7 +83,7 @@ class StreamLink(asyncio.BufferedProtocol):
             self._transport.write(self._decoder.frame(datagram))
             return True
         else:
-            for _ in range(self._waiting.push(datagram)):
+            for _ in self._waiting.push(datagram):
                 self._counters.drop("queue_full", self.peer)
             return True
         return False

@@ -147,3 +147,24 @@ def test_queues_are_in_the_health_of_the_robot_and_long_ones_are_a_warning():
     load(asked, 4.0, None, 0)
     asked.host.handle_timeout(5.5)
     assert [entry.severity.name for entry in reporter.entries] == ["NONE"]
+
+
+def test_what_limits_of_the_link_left_out_in_ten_seconds_is_in_the_health_of_the_robot():
+    services = with_core_services([Communicator(), HealthReporter([])], "")
+    asked = Asked()
+    asked.host = Host(JausID.parse(ME), services, utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC), now=0.0)
+
+    def look(seconds: float, **left_out: int) -> None:
+        asked.host.locate = lambda _, found: found(Location(left_out=tuple(left_out.items())))
+        asked.host.handle_timeout(seconds)
+
+    asked.host.locate = lambda _, found: found(Location(left_out=(("ReportStatus 4002h", 7),)))
+    asked.ask(QueryCommunicatorHealth(ALL))
+    look(2.0, **{"ReportStatus 4002h": 7, "ReportLocalPose 4403h": 5})
+    look(4.0, **{"ReportStatus 4002h": 9, "ReportLocalPose 4403h": 20})
+    asked.host.handle_timeout(5.5)
+    texts = [entry.text for entry in asked.host.service(HealthReporter).entries]
+    assert "the link to 42.1.1 leaves out 20 ReportLocalPose 4403h, 2 ReportStatus 4002h in 10 s" in texts
+    look(6.0)  # the node manager was restarted
+    asked.host.handle_timeout(7.5)
+    assert not any("leaves out" in entry.text for entry in asked.host.service(HealthReporter).entries)

@@ -1,8 +1,9 @@
 """Communicator: the health of the link between the robot and those who ask for it (IOP v3).
 
 Each client that asks is probed by small reliable messages, whose acknowledgements tell delay and loss; the node manager
-tells what it has sent to the client's machine, and what waits. Queues have no field: HealthReporter tells them. The
-robot has no radio of its own whose settings could be changed, so each change is refused.
+tells what it has sent to the client's machine, what waits, and what the limits of the link left out. Queues and limits
+have no field: HealthReporter tells them. The robot has no radio of its own whose settings could be changed, so each
+change is refused.
 """
 
 from __future__ import annotations
@@ -64,6 +65,8 @@ class _Link:
     """Times, and bytes sent by then."""
     waiting: int | None = None
     """Bytes in the queue."""
+    left_out: deque[dict[str, int]] = field(default_factory=lambda: deque(maxlen=LOADS))
+    """Messages that limits have left out by each look, by name."""
 
     @property
     def rate(self) -> float | None:
@@ -128,12 +131,23 @@ class Communicator(Service, urn="urn:jaus:jss:iop:Communicator"):
         if link is None:
             return
         link.waiting = location.waiting
+        link.left_out.append(dict(location.left_out))
         if location.sent is not None:
             link.loads.append((self.host.now, location.sent))
 
     def queues(self) -> dict[JausID, int]:
         """Bytes that wait to be sent to each client whose link is measured, as far as they are known."""
         return {client: link.waiting for client, link in self._links.items() if link.waiting is not None}
+
+    def left_out(self) -> dict[JausID, dict[str, int]]:
+        """Messages that the limits of links to clients have left out in about ten seconds, by name."""
+        found = {}
+        for client, link in self._links.items():
+            if len(link.left_out) >= MIN_LOADS:
+                before, now = link.left_out[0], link.left_out[-1]
+                counts = {name: count - before.get(name, 0) for name, count in now.items()}
+                found[client] = {name: count for name, count in counts.items() if count > 0}
+        return found
 
     def _ended(self, client: JausID, begun: float, delivered: bool) -> None:
         link = self._links.get(client)

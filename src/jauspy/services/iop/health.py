@@ -29,6 +29,8 @@ LONG_QUEUE: Final = 64 << 10
 """Bytes that wait for a client above which the operator is warned: half a second at 1 Mbit/s."""
 MINUTE: Final = 60.0
 MAX_MINUTES: Final = 0xFFFFFFFF
+MAX_NAMES: Final = 5
+"""Messages that one entry names."""
 MAX_ENTRIES: Final = 255
 """Entries of a list on the wire."""
 
@@ -226,6 +228,17 @@ class HealthReporter(Service, urn="urn:jaus:jss:exp:aeodrs:HealthReporter"):
             for client, size in (communicator.queues() if communicator is not None else {}).items()
         ]
 
+    def _left_out(self) -> list[HealthEntry]:
+        """What the limits of links to these clients have left out."""
+        communicator = self.host.service(Communicator)
+        entries = []
+        for client, counts in (communicator.left_out() if communicator is not None else {}).items():
+            most = sorted(counts.items(), key=lambda entry: -entry[1])[:MAX_NAMES]
+            if most:
+                text = f"the link to {client} leaves out {', '.join(f'{count} {name}' for name, count in most)} in 10 s"
+                entries.append(HealthEntry(self.host.id.component, Communicator.urn, Severity.INFO, Code.NONE, text))
+        return entries
+
     def _is_due(self, reminder: Reminder) -> bool:
         return self._meter.since_reset(reminder.id) >= reminder.interval
 
@@ -241,6 +254,7 @@ class HealthReporter(Service, urn="urn:jaus:jss:exp:aeodrs:HealthReporter"):
             if self._is_due(reminder)
         ]
         entries += self._queues()
+        entries += self._left_out()
         time = self.host.utc_time
         self._logged = [_Logged(entry, before.get(entry, time)) for entry in entries]
 
