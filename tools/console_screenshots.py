@@ -87,6 +87,7 @@ def show(page: Page, panel: str) -> None:
     if panel in PRESETS:
         page.locator(".desk.arranged").wait_for()
         if panel == "arm":
+            page.locator(".arm").get_by_text("joints", exact=True).click()
             page.get_by_label("base_link_to_arm_link_1").first.fill("0.6")
             page.keyboard.press("Tab")
         page.wait_for_timeout(3000)

@@ -130,3 +130,18 @@ def test_small_pictures_cover_nothing_and_notes_take_one_line(url: str, width: i
                     or other["y"] + other["height"] <= one["y"] + 0.5
                 )
                 assert apart, (one, other)
+
+
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1024, 768)])
+def test_waypoints_and_their_buttons_have_room(url: str, width: int, height: int) -> None:
+    with page_at(url, viewport={"width": width, "height": height}) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        page.get_by_role("tab", name="World").click()
+        page.wait_for_function("jauspy.world.pose && jauspy.map.toScreen(jauspy.world.pose)")
+        for number, x in enumerate((60, 90, 120)):
+            page.locator("#world-map canvas").click(position={"x": x, "y": 60})
+            page.locator(".waypoint").nth(number).wait_for()
+        route, held, execution = (page.locator(f".{name}").bounding_box() for name in ("route", "held", "execution"))
+        assert held["height"] > 120.0
+        assert held["y"] + held["height"] <= execution["y"]
+        assert execution["y"] + execution["height"] <= route["y"] + route["height"] + 0.5

@@ -78,15 +78,14 @@ class MapPanel:
                         "m/s", value=DEFAULT_SPEED, min=0.1, max=MAX_SPEED, step=0.1, on_change=self._on_speed
                     )
                     self._speed.props("dense outlined debounce=600").classes("short")
-                with ui.element("div").classes("row tight") as self._drawing:
-                    ui.label(_("click the corners")).classes("hint grow")
-                    ui.button(_("done"), on_click=self._end_area).props("unelevated no-caps")
-                    ui.button(_("cancel"), on_click=self._cancel_area).props("outline no-caps")
-                with ui.element("div").classes("row tight"):
                     ui.button(_("mission …"), on_click=self._open_mission).props("outline no-caps")
                     self._around = ui.button(_("around obstacles"), on_click=self._on_around).props("outline no-caps")
                     self._clear = ui.button(_("clear"), on_click=self._on_clear).props("outline no-caps")
                     self._discard = ui.button(_("undo edits"), on_click=self._on_discard).props("flat no-caps")
+                with ui.element("div").classes("row tight") as self._drawing:
+                    ui.label(_("click the corners")).classes("hint grow")
+                    ui.button(_("done"), on_click=self._end_area).props("unelevated no-caps")
+                    ui.button(_("cancel"), on_click=self._cancel_area).props("outline no-caps")
         self._step_dialog = StepDialog(self._set_step)
         self._mission_dialog = MissionDialog(self._files, self._mission, self._load, self._begin_area, self._frame)
         self._drawing.set_visibility(False)
