@@ -41,7 +41,7 @@ class MissionRun:
         note: Callable[[str], None],
     ) -> None:
         self.mission = mission
-        self.at = 0
+        self.index = 0
         """The index of the waypoint to which the robot drives, or at which it acts."""
         self.doing = ""
         """What it does there, as text; empty while it drives."""
@@ -57,14 +57,14 @@ class MissionRun:
                     self.doing = action.text
                     await self._act(last, action)
                     self.doing = ""
-            self.at, self.is_done = len(self.mission.waypoints), True
+            self.index, self.is_done = len(self.mission.waypoints), True
         finally:
             if not self.is_done:
                 with suppress(JausError):
                     await asyncio.shield(self._route.set_speed(0.0))
 
     async def _drive(self, first: int, last: int) -> None:
-        route, self.at = self._route, first
+        route, self.index = self._route, first
         await route.start(self.mission.waypoints[first : last + 1], self._speed_at(first))
         clock = asyncio.get_running_loop().time
         known = moving = clock()  # when the list was read, and when it was being executed
@@ -75,18 +75,18 @@ class MissionRun:
                 raise ConfigError(
                     sentence(
                         "the way to waypoint {number} is not known any more: {problem}",
-                        number=self.at + 1,
+                        number=self.index + 1,
                         problem=route.problem,
                     )
                 )
             if route.active is not None:
-                moving, before, self.at = clock(), self.at, first + route.active
-                if self.at != before and not route.is_paused and self._speed_at(self.at) != self._speed_at(before):
-                    await route.set_speed(self._speed_at(self.at))
+                moving, before, self.index = clock(), self.index, first + route.active
+                if self.index != before and not route.is_paused and self._speed_at(self.index) != self._speed_at(before):
+                    await route.set_speed(self._speed_at(self.index))
             elif self._is_at(last):
                 return
             elif clock() - moving > PATIENCE:
-                raise ConfigError(sentence("the robot stopped on the way to waypoint {number}", number=self.at + 1))
+                raise ConfigError(sentence("the robot stopped on the way to waypoint {number}", number=self.index + 1))
             await asyncio.sleep(LOOK_INTERVAL)
 
     def _is_at(self, index: int) -> bool:

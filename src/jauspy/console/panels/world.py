@@ -297,9 +297,9 @@ class MapPanel:
         """The state of one waypoint, of a mission that runs or ran, or of the robot's list."""
         if (run := self._run) is None:
             return state_of(index, route, is_draft=self._draft is not None)
-        if index == run.at and self._motion.is_running:
+        if index == run.index and self._motion.is_running:
             return "waits" if route.is_paused and not run.doing else "active"
-        return "reached" if index < run.at else "not sent"
+        return "reached" if index < run.index else "not sent"
 
     def _show_list(self, points: Sequence[Waypoint]) -> None:
         self._list.clear()
@@ -453,13 +453,13 @@ def run_progress(run: MissionRun, *, is_running: bool, is_paused: bool) -> tuple
     many = len(run.mission.waypoints)
     if run.is_done:
         return sentence("the mission ended at waypoint {number} of {count}", number=many, count=many), 1.0
-    where = {"number": run.at + 1, "count": many}
+    where = {"number": run.index + 1, "count": many}
     if not is_running:
-        return sentence("the mission was stopped before waypoint {number} of {count}", **where), run.at / many
+        return sentence("the mission was stopped before waypoint {number} of {count}", **where), run.index / many
     if run.doing:
         text = sentence("at waypoint {number} of {count}: {action}", action=run.doing, **where)
-        return text, (run.at + 0.9) / many
-    return _on_the_way(run.at + 1, many, is_paused=is_paused), run.at / many
+        return text, (run.index + 0.9) / many
+    return _on_the_way(run.index + 1, many, is_paused=is_paused), run.index / many
 
 
 def _on_the_way(number: int, count: int, *, is_paused: bool) -> Sentence:
