@@ -84,7 +84,9 @@ class RobotClock(NamedTuple):
 
     def since(self, before: RobotClock) -> RobotClock:
         """What was counted between two times."""
-        return RobotClock(*(now - then for now, then in zip(self, before, strict=True)))
+        return RobotClock(
+            self.wall - before.wall, self.steps - before.steps, self.late - before.late, self.skipped - before.skipped
+        )
 
     def __str__(self) -> str:
         pace = self.steps * STEP / self.wall
