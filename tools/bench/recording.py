@@ -3,8 +3,8 @@
 python tools/bench/recording.py [--seconds 10] [--rate 20] [--backend kinematic] [--rounds 1]
 
 A node manager, the robot, and a client that receives two videos and events of all reports of poses, speeds, joints and
-forces with this rate, and each scan of the lidar (10 Hz). Each run has another recorder, the first none. Shown are
-what the recorder wrote, its processor time in percent of a core, and packets that it lost.
+forces with this rate, and each scan of the lidar (10 Hz). Recorders take turns, and nobody records in between. Shown
+are what the recorder wrote, its processor time in percent of a core, and packets that it lost.
 
 Then the robot's clock, which pauses when the robot cannot keep up: seconds that the robot advanced in a second of the
 wall clock, steps that began late, and steps that were skipped, with each recorder and without; 1 is real time. All
@@ -133,44 +133,53 @@ async def _drain(pictures: AsyncIterator[Any]) -> None:
 
 
 @contextmanager
-def recorder(how: str, root: str) -> Iterator[subprocess.Popen[str] | None]:
+def recorder(how: str, root: str, run: int) -> Iterator[subprocess.Popen[str] | None]:
     """The process that records, once it has begun."""
     if how == "nobody":
         yield None
     elif how == "flight recorder":
-        with child("flight-recorder", "--local-root", root, "-o", f"{root}/runs", said="on emergency") as process:
+        with child("flight-recorder", "--local-root", root, "-o", f"{root}/runs{run}", said="on emergency") as process:
             yield process
     else:
-        with child("record", f"{root}/run.{how}", "--local-root", root, said="recording") as process:
+        with child("record", f"{root}/run{run}.{how}", "--local-root", root, said="recording") as process:
             yield process
 
 
-async def measure(how: str, seconds: float, rate: float, backend: str) -> RobotClock:
+async def measure(how: str, robot: subprocess.Popen[str], root: str, seconds: float, run: int) -> RobotClock:
     """One run; prints a line, and returns what the robot's clock counted."""
+    said = ""
+    with recorder(how, root, run) as process:
+        await asyncio.sleep(1.0)  # its start is over
+        watched = None if process is None else psutil.Process(process.pid)
+        used = 0.0 if watched is None else sum(watched.cpu_times()[:2])
+        before = read_clock(robot)
+        await asyncio.sleep(seconds)
+        clock = read_clock(robot).since(before)
+        used = 0.0 if watched is None else sum(watched.cpu_times()[:2]) - used
+        if process is not None:
+            process.send_signal(signal.SIGINT)
+            assert process.stdout is not None
+            said = await asyncio.to_thread(process.stdout.read)
+    found = re.search(r"(\d+) messages, (\d+) bytes", said)
+    messages, size = (int(number) / (clock.wall + 1.0) for number in found.groups()) if found else (0.0, 0.0)
+    wrote = f"{messages:5.0f} messages/s {size / 1e6:6.3f} MB/s written" if found else ""
+    lost = max(map(int, re.findall(r"(\d+) packets were lost", said)), default=0)
+    print(f"  {how:16}{wrote:40}{used / clock.wall:7.1%} of a core  lost {lost}", flush=True)
+    return clock
+
+
+async def measure_all(options: argparse.Namespace) -> dict[str, list[RobotClock]]:
+    """The rounds, with one robot and one client."""
+    clocks: dict[str, list[RobotClock]] = {how: [] for how in ("nobody", "mcap", "pcapng", "flight recorder")}
     with ExitStack() as stack:
         root = stack.enter_context(tempfile.TemporaryDirectory(prefix="jb"))
         where = ("--local-root", root, "--port", str(free_port()), "--address", "127.0.0.1", "--plain")
-        robot = stack.enter_context(child("up", "inc1", "--backend", backend, *where, said="stop it"))
-        async with client(root, rate):
-            said = ""
-            with recorder(how, root) as process:
-                await asyncio.sleep(1.0)  # its start is over
-                watched = None if process is None else psutil.Process(process.pid)
-                used = 0.0 if watched is None else sum(watched.cpu_times()[:2])
-                before = read_clock(robot)
-                await asyncio.sleep(seconds)
-                clock = read_clock(robot).since(before)
-                used = 0.0 if watched is None else sum(watched.cpu_times()[:2]) - used
-                if process is not None:
-                    process.send_signal(signal.SIGINT)
-                    assert process.stdout is not None
-                    said = await asyncio.to_thread(process.stdout.read)
-        found = re.search(r"(\d+) messages, (\d+) bytes", said)
-        messages, size = (int(number) / (seconds + 1.0) for number in found.groups()) if found else (0.0, 0.0)
-        wrote = f"{messages:5.0f} messages/s {size / 1e6:6.3f} MB/s written" if found else ""
-        lost = max(map(int, re.findall(r"(\d+) packets were lost", said)), default=0)
-        print(f"  {how:16}{wrote:40}{used / seconds:7.1%} of a core  lost {lost}", flush=True)
-        return clock
+        robot = stack.enter_context(child("up", "inc1", "--backend", options.backend, *where, said="stop it"))
+        async with client(root, options.rate):
+            for number in range(options.rounds):
+                for how, found in clocks.items():
+                    found.append(await measure(how, robot, root, options.seconds, number))
+    return clocks
 
 
 def main() -> None:
@@ -181,10 +190,7 @@ def main() -> None:
     parser.add_argument("--backend", default="kinematic")
     parser.add_argument("--rounds", type=int, default=1)
     options = parser.parse_args()
-    clocks: dict[str, list[RobotClock]] = {how: [] for how in ("nobody", "mcap", "pcapng", "flight recorder")}
-    for _ in range(options.rounds):
-        for how, found in clocks.items():
-            found.append(asyncio.run(measure(how, options.seconds, options.rate, options.backend)))
+    clocks = asyncio.run(measure_all(options))
     print("the robot's clock, recorded by")
     for how, found in clocks.items():
         print(f"  {how:16}{RobotClock(*map(sum, zip(*found, strict=True)))}")

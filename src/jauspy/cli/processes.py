@@ -73,7 +73,8 @@ def _hangup() -> list[signal.Signals]:
 def stoppable() -> Iterator[Callable[[], int]]:
     """Let Ctrl-C, SIGTERM and SIGHUP raise `KeyboardInterrupt`; yields a function that returns the exit status then.
 
-    Signals that follow within `REPEATED_SIGNAL_TIME` are ignored.
+    Signals that follow within `REPEATED_SIGNAL_TIME` are ignored. Without effect in other threads than the main one,
+    which get no signals.
     """
     received: list[tuple[float, int]] = []
 
@@ -83,7 +84,10 @@ def stoppable() -> Iterator[Callable[[], int]]:
             received.append((now, number))
             raise KeyboardInterrupt
 
-    before = {number: signal.signal(number, stop) for number in (signal.SIGINT, signal.SIGTERM, *_hangup())}
+    numbers: tuple[int, ...] = (signal.SIGINT, signal.SIGTERM, *_hangup())
+    if threading.current_thread() is not threading.main_thread():
+        numbers = ()
+    before = {number: signal.signal(number, stop) for number in numbers}
     try:
         yield lambda: 128 + (received[-1][1] if received else signal.SIGINT)
     finally:
