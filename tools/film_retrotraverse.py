@@ -34,6 +34,8 @@ from jauspy.platform.localization import Localization
 SIZE: Final = (640, 360)
 RATE: Final = 10
 """Pictures per second of the film."""
+LONGEST_PERIOD: Final = 2.0
+"""Seconds between two pictures, at most: control ends when the client is silent longer."""
 WAY: Final = ((3.2, 0.0), (7.55, 0.0), (7.55, 2.6))
 """Metres: through the door, along the corridor, and around the corner into the room behind it."""
 
@@ -64,6 +66,8 @@ def main() -> None:
     parser.add_argument("film", type=Path)
     parser.add_argument("--period", type=float, default=0.5, help="seconds between two pictures")
     arguments = parser.parse_args()
+    if not 0.0 < arguments.period <= LONGEST_PERIOD:
+        parser.error(f"--period is above 0 and up to {LONGEST_PERIOD:g} s: the robot hears its client once in each")
     above = OutsideSetup(Viewpoint.FIXED, position=(5.0, 0.4, 8.5))
     camera = CameraSetup("above", "", math.radians(40.0), outside=above)
     model = replace(described("inc1")[1], lidars=(), cameras=(camera,))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+
 import pytest
 
 from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout
@@ -84,6 +86,22 @@ async def test_handoff_that_is_not_decided_in_time_is_told(virtual_network):
     async with made(virtual_network), first, second, first.service(ME, "EnhancedAccessControl").control():
         with pytest.raises(ResponseTimeout, match=r"nothing is decided on the handoff of 101\.1\.1 within 8 s"):
             await second.request_handoff(ME, "", within=8)
+
+
+async def test_client_that_has_lost_control_asks_for_it(virtual_network):
+    """Also inside the block with which it took control, where its commands are refused."""
+    first = virtual_network.ocu("42.1.1")
+    second = virtual_network.ocu("43.1.1", decide_handoff=lambda where, request: Decision.GRANTED)
+    async with (
+        made(virtual_network),
+        first,
+        second,
+        first.service(ME, "EnhancedAccessControl").control() as control,
+        second.service(ME, "EnhancedAccessControl").control(authority=200),
+    ):
+        await asyncio.wait_for(control.until_lost(), 5)
+        await first.request_handoff(ME, "I am not done", within=8)
+        assert (await first.query(ME, QueryControl())).subsystem_id == 42
 
 
 async def test_explanation_has_the_characters_that_can_be_sent(virtual_network):

@@ -23,6 +23,8 @@ from jauspy.services.iop.handoff import Decision, HandoffRequest
 SERVICE: Final = "iop:EnhancedAccessControl"
 CHECK_PERIOD: Final = 0.2
 """Seconds between two looks whether control is still held."""
+HANDOVER_TIME: Final = 2.0
+"""Seconds within which a component hands control over after the answer."""
 
 
 class Answer(StrEnum):
@@ -127,7 +129,8 @@ async def _answer(ocu: OCU, id: JausID, answer: Answer, authority: int, *, as_js
             control.check()
             with suppress(TimeoutError):
                 await asyncio.wait_for(handed_over.wait(), CHECK_PERIOD)
-        await asyncio.sleep(CHECK_PERIOD)  # the answer is sent before control is released
+        with suppress(TimeoutError):  # the answer is resent until it has arrived, before control is released
+            await asyncio.wait_for(control.until_lost(), HANDOVER_TIME)
 
 
 def _print(row: dict[str, Any], *, as_json: bool) -> None:

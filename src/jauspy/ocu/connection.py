@@ -37,6 +37,7 @@ from jauspy.messages.core import (
     Standby,
     UpdateEvent,
 )
+from jauspy.messages.iop import RemoveHandoffRequest, RequestHandoff
 from jauspy.messages.operators import QuerySealChallenge, RejectCommand, ReportSealChallenge
 from jauspy.ocu.replies import QuerySerializer, Reply, ReplyDispatcher, ReplyWaiter, check_message, reply_class
 from jauspy.ocu.sealing import CommandSealer, Refusals
@@ -64,7 +65,17 @@ _LIST_DRIVER: Final = "urn:jaus:jss:manipulator:ManipulatorListDriver"
 """Since manipulator 2.0 this service has the messages that execute a list; drivers of elements inherit them."""
 COMMANDS_WITHOUT_CONTROL: Final = frozenset(
     message.CODE
-    for message in (RequestControl, ReleaseControl, SetEmergency, ClearEmergency, CreateEvent, UpdateEvent, CancelEvent)
+    for message in (
+        RequestControl,
+        ReleaseControl,
+        SetEmergency,
+        ClearEmergency,
+        CreateEvent,
+        UpdateEvent,
+        CancelEvent,
+        RequestHandoff,
+        RemoveHandoffRequest,
+    )
 )
 """Message ids of commands that need no control."""
 
