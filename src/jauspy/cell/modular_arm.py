@@ -113,7 +113,7 @@ class ArmOperator:
             output = after.connector.partition("/")[2] if after is not None else next(iter(type.connectors), "")
             members.append(Member(item.part, type, item.offset, output))
         frame = await base_frame(cell, layout, base)
-        return cls(cell, layout, frame, members, base_name=base, name=await _arm_on(cell, layout, base))
+        return cls(cell, layout, frame, members, base_name=base, name=await _arm_of(cell, layout, members))
 
     def _make_scene(self) -> PlanningScene:
         """The obstacles around the arm: the cell without the arm's own parts, and the UR10 at rest."""
@@ -265,10 +265,11 @@ class ArmOperator:
             await self.cell.sleep(POLL)
 
 
-async def _arm_on(cell: CellClient, layout: Layout, base: str) -> str:
-    """The name of the modular arm that has the chain on a connector; empty, for the first one, if none says so yet."""
+async def _arm_of(cell: CellClient, layout: Layout, members: Sequence[Member]) -> str:
+    """The name of the modular arm to which a chain belongs; empty, for the first one, if no other has joints of it."""
+    own = {member.name for member in members}
     for name in layout.arms[1:]:
-        if (await cell.arm(name)).base == base:
+        if own.intersection((await cell.arm(name)).joints):
             return name
     return ""
 

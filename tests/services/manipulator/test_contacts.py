@@ -78,6 +78,20 @@ def test_a_contact_before_the_next_command_is_not_lost_and_does_not_end_that(arm
     assert not driver.stops_if_touched()
 
 
+def test_a_contact_after_the_last_look_is_noticed_when_it_is_asked_for(arm: Arm) -> None:
+    """A joint may meet something at the very end of its motion, when the service has done its command."""
+    driver = Driver(arm)
+    arm.notice_contact()
+    arm.to_positions(driver, arm.state().positions)
+    arm.notice_contact()
+    assert arm.blocked == ()
+    meet(arm, 1)
+    arm.notice_contact()
+    assert [str(found) for found in arm.blocked] == [f"{arm.joints.joints[1].name}, 41 N m"]
+    arm.notice_contact()
+    assert driver.counted == {"blocked": 1}
+
+
 def test_a_contact_that_nobody_commanded_is_none_of_the_next_command(arm: Arm) -> None:
     driver = Driver(arm)
     meet(arm, 1)

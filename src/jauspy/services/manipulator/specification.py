@@ -192,6 +192,7 @@ class JointDescription(Service, urn="urn:jauspy:description:JointDescription"):
 
     def report_blocked_joints(self) -> ReportBlockedJoints:
         """The joints that kept the last command to positions from being carried out; as of the description."""
+        self._arm.notice_contact()  # also one at the end of the motion, when the command is done
         return ReportBlockedJoints(
             [
                 ReportBlockedJoints.BlockedJointRec(blocked.joint.name[:255], blocked.effort, blocked.short)
