@@ -39,6 +39,7 @@ from jauspy.ocu.subsystems import (
     ServiceInfo,
     SubsystemInfo,
     SubsystemTree,
+    name_owner,
 )
 from jauspy.protocol.header import Broadcast
 
@@ -56,6 +57,10 @@ MIN_ROUNDS: Final = 2
 """Rounds before a subsystem counts as complete: queries to a component, or its answers, may get lost."""
 MAX_FOLLOW_UPS: Final = 64
 """Queries to single components in one round, so that a flood of answers does not cause a flood of queries."""
+FOLLOW_UP_INTERVAL: Final = 1.0
+"""Seconds after which `watch` asks a component again for what it has not reported; twice as many each time."""
+MAX_FOLLOW_UP_INTERVAL: Final = 32.0
+"""Seconds; some components never answer."""
 PROBES_PER_INTERVAL: Final = 4
 """How often in each interval `watch` queries components that have not answered the broadcast: packets get lost."""
 MIN_PAUSE: Final = 0.02
@@ -66,6 +71,8 @@ ROBOT_QUIET_TIME: Final = 0.3
 """Seconds without a new fact after which a robot that is complete is reported."""
 MAX_INTRODUCTION: Final = 2.0 * INTRODUCTION_TIME
 """Seconds after which a robot that is not complete is reported."""
+_SERVICES: Final = 0
+"""Stands for services beside the levels of names, which begin at 1."""
 
 SubsystemPart: TypeAlias = SubsystemInfo | NodeInfo | ComponentInfo | ServiceInfo
 
@@ -226,6 +233,7 @@ async def watch(
     before: _Parts = {}
     robots = RobotNews(interval + COALESCE_TIME)
     query_at, expire_at, probe_at = clock(), -math.inf, clock()
+    follow_ups, follow_up_at = FollowUps(connection, tree), math.inf
     kinds = (ReportIdentification, ReportServices, ReportHeartbeatPulse)
     with connection.replies.listening(EVERYONE, on_report, *kinds):
         while True:
@@ -234,7 +242,7 @@ async def watch(
                     expire_at = clock() + silence
                 destination = _broadcast_queries(connection, subsystem)
                 connection.send(destination, QueryHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
-                _query_unknown(connection, tree, -math.inf)
+                follow_up_at = follow_ups.send(clock())
                 query_at = clock() + interval
             if clock() >= probe_at:
                 for id in tree.silent_since(clock() - interval)[:MAX_FOLLOW_UPS]:
@@ -251,8 +259,10 @@ async def watch(
                 for difference in robots.update(tree.subsystems(clock()), tree.is_complete, clock()):
                     yield _news(difference)
             wake_at = min(query_at, probe_at, tree.next_introduction(clock()) or query_at, robots.next_at() or query_at)
-            if await _next_reports(received, max(wake_at, clock() + MIN_PAUSE)):
-                _query_unknown(connection, tree, clock() - INTRODUCTION_TIME)
+            if await _next_reports(received, max(min(wake_at, follow_up_at), clock() + MIN_PAUSE)) or (
+                clock() >= follow_up_at
+            ):
+                follow_up_at = follow_ups.send(clock())
 
 
 async def _next_reports(received: asyncio.Event, until: float) -> bool:
@@ -266,13 +276,42 @@ async def _next_reports(received: asyncio.Event, until: float) -> bool:
     return found
 
 
-def _query_unknown(connection: Connection, tree: SubsystemTree, since: float) -> None:
-    """Query the components first seen `since` for names and services that are not known."""
-    queries: list[tuple[JausID, Message]] = [(id, query_all_services()) for id in tree.without_services(since=since)]
-    for level in (Level.COMPONENT, Level.NODE, Level.SUBSYSTEM):
-        queries += [(id, QueryIdentification(query_type=level)) for id in tree.unnamed(level, since=since)]
-    for id, query in queries[:MAX_FOLLOW_UPS]:
-        connection.send(id, query)
+class FollowUps:
+    """Queries of `watch` to single components for names and services that are not known."""
+
+    def __init__(self, connection: Connection, tree: SubsystemTree) -> None:
+        self._connection, self._tree = connection, tree
+        self._asked: dict[tuple[int, JausID], tuple[int, float]] = {}
+        """How often a missing thing was asked for, and when again: names by level and owner, services by component."""
+
+    def send(self, now: float) -> float:
+        """Send those that are due, at most `MAX_FOLLOW_UPS`; returns the time of the next ones."""
+        asked: dict[tuple[int, JausID], tuple[int, float]] = {}
+        next_at, sent = math.inf, 0
+        for key, id in self._missing():
+            count, due = self._asked.get(key, (0, now))
+            if due <= now and sent < MAX_FOLLOW_UPS:
+                level, _ = key
+                query = query_all_services() if level == _SERVICES else QueryIdentification(query_type=level)
+                self._connection.send(id, query)
+                due = now + min(FOLLOW_UP_INTERVAL * 2.0**count, MAX_FOLLOW_UP_INTERVAL)
+                count, sent = count + 1, sent + 1
+            asked[key] = count, due
+            next_at = min(next_at, max(due, now + COALESCE_TIME))
+        self._asked = asked
+        return next_at
+
+    def _missing(self) -> Iterator[tuple[tuple[int, JausID], JausID]]:
+        """What is not known, with the component to ask: of those with a common name, another one each time."""
+        for id in self._tree.without_services():
+            yield (_SERVICES, id), id
+        for level in (Level.COMPONENT, Level.NODE, Level.SUBSYSTEM):
+            owners: dict[JausID, list[JausID]] = {}
+            for id in self._tree.unnamed(level):
+                owners.setdefault(name_owner(level, id), []).append(id)
+            for owner, ids in owners.items():
+                count, _ = self._asked.get((int(level), owner), (0, 0.0))
+                yield (int(level), owner), ids[count % len(ids)]
 
 
 def _news(difference: Difference) -> News:

@@ -135,6 +135,11 @@ class _Entry:
         """The services that it reports itself, or, until it does, those that others report for it."""
         return self.services.get(self.id) or frozenset().union(*self.services.values())
 
+    @property
+    def facts(self) -> int:
+        """How many facts are known: that it is there, that it responds, and its services."""
+        return 1 + self.responds + len(self.offered)
+
 
 class SubsystemTree:
     """Grows with `add` and shrinks with `expire`; `subsystems` returns what is known as frozen values.
@@ -145,6 +150,11 @@ class SubsystemTree:
     def __init__(self, max_components: int = MAX_COMPONENTS) -> None:
         self._max_components = max_components
         self._entries: dict[JausID, _Entry] = {}
+        self._members: dict[int, dict[JausID, _Entry]] = {}
+        """The same entries by subsystem."""
+        self._facts = 0
+        self._built: dict[int, tuple[SubsystemInfo | None, float]] = {}
+        """Values of subsystems, and until when they hold unless something about them changes."""
         self._names: dict[tuple[int, JausID], tuple[str, int]] = {}
         self._services = 0
         """Number of services of all entries."""
@@ -157,14 +167,13 @@ class SubsystemTree:
 
     def components(self, subsystem: int | None = None, since: float = -math.inf) -> list[JausID]:
         """The known components in the order of their ids: all, those of one subsystem, or those first seen `since`."""
-        return sorted(
-            id for id, entry in self._entries.items() if subsystem in (None, id.subsystem) and entry.first_seen >= since
-        )
+        found = self._entries if subsystem is None else self._members.get(subsystem, {})
+        return sorted((id for id, entry in found.items() if entry.first_seen >= since), key=int)
 
     @property
     def size(self) -> int:
         """The number of known facts: components, responses, services and names. It grows with every new fact."""
-        return len(self._names) + sum(1 + entry.responds + len(entry.offered) for entry in self._entries.values())
+        return self._facts
 
     def add(self, message: Message, source: JausID, now: float) -> None:
         """Merge a message from `source`; a message that is no report only shows that the component is alive."""
@@ -172,10 +181,11 @@ class SubsystemTree:
         entry = self._entry(source, now)
         if entry is None:
             return
+        self._facts += not entry.responds
         entry.last_seen, entry.responds = now, True
         if isinstance(message, ReportIdentification):
             if (level := int(message.query_type)) in _LEVELS:
-                self._names[level, name_owner(level, source)] = (message.identification, int(message.type))
+                self._set_name(level, name_owner(level, source), (message.identification, int(message.type)))
         elif isinstance(message, ReportServices):
             for id, services in offered_services(message, source).items():
                 self._add_services(id, services, source, now)
@@ -184,6 +194,10 @@ class SubsystemTree:
         """Remove the components that were last seen before this time, and what they reported of others."""
         silent = {id for id, entry in self._entries.items() if entry.last_seen < before}
         for id in silent:
+            members = self._members[id.subsystem]
+            del members[id]
+            if not members:
+                del self._members[id.subsystem]
             if self._entries.pop(id).responds:
                 self._silent[id] = None
         for entry in self._entries.values() if silent else ():
@@ -194,6 +208,8 @@ class SubsystemTree:
         if silent:
             named = {name_owner(level, id) for id in self._entries for level in Level}
             self._names = {key: name for key, name in self._names.items() if key[1] in named}
+            self._facts = len(self._names) + sum(entry.facts for entry in self._entries.values())
+            self._built.clear()
 
     # --- what is missing ------------------------------------------------------------------------------------------
 
@@ -212,7 +228,7 @@ class SubsystemTree:
 
     def silent_since(self, since: float) -> list[JausID]:
         """The components that were last seen before this time."""
-        return [id for id in self if self._entries[id].last_seen < since]
+        return sorted((id for id, entry in self._entries.items() if entry.last_seen < since), key=int)
 
     def is_complete(self, subsystem: int) -> bool:
         """True when names and services of the subsystem, and of each component that responds, are known."""
@@ -232,17 +248,27 @@ class SubsystemTree:
 
     def subsystems(self, now: float = math.inf) -> tuple[SubsystemInfo, ...]:
         """Everything known as values, but components that at `now` may still be reporting their names and services."""
+        found = (self._built_at(number, now) for number in sorted(self._members))
+        return tuple(subsystem for subsystem in found if subsystem is not None)
+
+    def _built_at(self, number: int, now: float) -> SubsystemInfo | None:
+        """The value of a subsystem; None while no component of it is shown."""
+        built, until = self._built.get(number, (None, -math.inf))
+        if now < until:
+            return built
         levels = (Level.SUBSYSTEM, Level.NODE, Level.COMPONENT)
-        incomplete = {id for level in levels for id in self.unnamed(level)} | set(self.without_services())
-        shown = [
-            self._component(id)
-            for id in self
-            if id not in incomplete or now - self._entries[id].first_seen >= INTRODUCTION_TIME
-        ]
-        return tuple(
-            self._subsystem(number, list(components))
-            for number, components in groupby(shown, key=attrgetter("id.subsystem"))
-        )
+        incomplete = {id for level in levels for id in self.unnamed(level, number)}
+        incomplete.update(self.without_services(number))
+        shown, until = [], math.inf
+        for id in self.components(number):
+            introduced = self._entries[id].first_seen + INTRODUCTION_TIME
+            if id not in incomplete or now >= introduced:
+                shown.append(self._component(id))
+            else:
+                until = min(until, introduced)
+        built = self._subsystem(number, shown) if shown else None
+        self._built[number] = built, until
+        return built
 
     def _subsystem(self, number: int, components: list[ComponentInfo]) -> SubsystemInfo:
         nodes = tuple(
@@ -263,16 +289,33 @@ class SubsystemTree:
         """The entry of a component, new if need be; None when the tree is full."""
         if id not in self._entries and len(self._entries) >= self._max_components:
             return None
-        return self._entries.setdefault(id, _Entry(id, now, now))
+        entry = self._entries.get(id)
+        if entry is None:
+            entry = self._entries[id] = _Entry(id, now, now)
+            self._members.setdefault(id.subsystem, {})[id] = entry
+            self._facts += 1
+            self._built.pop(id.subsystem, None)
+        return entry
+
+    def _set_name(self, level: int, owner: JausID, name: tuple[str, int]) -> None:
+        known = self._names.get((level, owner))
+        if known != name:
+            self._facts += known is None
+            self._names[level, owner] = name
+            self._built.pop(owner.subsystem, None)
 
     def _add_services(self, id: JausID, services: frozenset[ServiceInfo], source: JausID, now: float) -> None:
         entry = None if id in self._silent else self._entry(id, now)
         if entry is not None:
             services = frozenset(islice(services, MAX_SERVICES_OF_COMPONENT))
             more = len(services) - len(entry.services.get(source, ()))
-            if self._services + more <= SERVICES_PER_COMPONENT * self._max_components:
+            is_new = entry.services.get(source) != services
+            if is_new and self._services + more <= SERVICES_PER_COMPONENT * self._max_components:
+                before = entry.facts
                 entry.services[source] = services
                 self._services += more
+                self._facts += entry.facts - before
+                self._built.pop(id.subsystem, None)
             if not entry.responds:
                 entry.last_seen = now
 
