@@ -81,8 +81,9 @@ class MissionRun:
                 )
             if route.active is not None:
                 moving, before, self.index = clock(), self.index, first + route.active
-                if self.index != before and not route.is_paused and self._speed_at(self.index) != self._speed_at(before):
-                    await route.set_speed(self._speed_at(self.index))
+                speed = self._speed_at(self.index)
+                if self.index != before and not route.is_paused and speed != self._speed_at(before):
+                    await route.set_speed(speed)
             elif self._is_at(last):
                 return
             elif clock() - moving > PATIENCE:
