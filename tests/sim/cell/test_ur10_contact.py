@@ -221,8 +221,8 @@ async def test_a_touch_ends_at_what_the_gripper_cannot_hold() -> None:
         path = ur10.planner.line(over, shifted(0.45, 0.0, 0.297) * down)
         state = await ur10.touch(path, "gripper", shifted() * turned("x", 0.0))
         assert not state.attached_to
-        assert robot.groups["ur10"].contact.number <= 2, "it presses on once if it was at the end of its way already"
+        assert robot.groups["ur10"].contact.number == 1, "it does not press on"
         assert await session.cell.blocked()
-        assert 20.0 < max(forces) < 90.0, "33 N m at the shoulder, 0.45 m away"
+        assert 20.0 < max(forces) < 150.0, "33 N m at the shoulder are 75 N at 0.45 m, and 108 N until the joints yield"
         await ur10.go(ur10.handling.retreat(ur10.at), contact=True)
         assert forces[-1] == 0.0
