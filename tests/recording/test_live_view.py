@@ -172,6 +172,25 @@ async def test_a_client_that_was_cut_off_finds_the_present_states_and_no_old_dat
         assert not pictures
 
 
+@pytest.mark.slow
+async def test_a_client_that_was_cut_off_for_ten_seconds_gets_what_holds_now(view: tuple[LiveView, int]) -> None:
+    """With the limits of the product, and pictures and states at the rates of a robot."""
+    server, port = view
+    server.publish(line("first", "first"))
+    server.publish(frame(0, 10))
+    async with connected(port) as client:
+        await client.lines("first")
+        for number in range(1, 301):  # the client does not read
+            server.publish(frame(number))
+            server.publish(line(f"{number}", "number"))
+            await asyncio.sleep(1.0 / 30.0)
+    assert server.counters["stalled"] == 1
+    async with connected(port) as client:
+        texts, pictures = await client.lines("300")
+        assert sorted(texts) == ["300", "first"]
+        assert not pictures
+
+
 async def test_garbage_of_a_client_ends_at_most_that_client(view: tuple[LiveView, int]) -> None:
     server, port = view
     server.publish(line("first", "first"))
