@@ -75,6 +75,7 @@ def test_the_arm_reaches_for_what_is_clicked_after_the_ghost_is_agreed_with(url:
         assert tool(page) == pytest.approx(before, abs=0.005)
 
         row.get_by_role("button", name="reach …").click()
+        row.get_by_text("click a thing in the 3-D view").wait_for()
         click_at(page, PLACE)
         row.get_by_role("button", name="execute").click()
         row.get_by_text(re.compile("^reached")).wait_for()

@@ -96,8 +96,10 @@ def test_a_slider_follows_fast_presses_and_the_events_follow_again(url: str) -> 
 
         lines = page.locator(".lines .q-scrollarea__container")
         lines.evaluate("list => { list.firstElementChild.style.paddingTop = '500px'; }")
-        lines.evaluate("list => { list.scrollTop = 0; }")
-        page.wait_for_function("document.querySelector('.lines [data-follows]').dataset.follows === 'no'")
+        page.wait_for_function(  # a line that comes at the same time scrolls down again
+            "(() => { const list = document.querySelector('.lines [data-follows]'); list.scrollTop = 0;"
+            " return list.dataset.follows === 'no'; })()"
+        )
         before = lines.inner_text()
         page.get_by_role("button", name="take", exact=True).click()
         page.wait_for_function("(before) => document.querySelector('.lines').innerText !== before", arg=before)
