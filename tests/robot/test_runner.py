@@ -72,7 +72,9 @@ class Client:
     def _received(self, datagram: bytes) -> None:
         self._endpoint.receive(datagram, 0.0)
         while (packet := self._endpoint.next_event()) is not None:
-            self._answers.put_nowait(registry.decode(packet.payload))
+            message = registry.decode(packet.payload)
+            if not isinstance(message, ReportHeartbeatPulse):  # they come unasked, in a slow run during a test
+                self._answers.put_nowait(message)
 
 
 @pytest.fixture
@@ -147,9 +149,7 @@ async def test_can_be_opened_again(runner, client):
     for _ in range(2):
         async with runner:
             client.tell(QueryIdentification(query_type=2))
-            while isinstance(answer := await client.answer(), ReportHeartbeatPulse):
-                pass
-            assert answer.identification == "inc1"
+            assert (await client.answer()).identification == "inc1"
 
 
 async def test_stops_everything_when_a_transport_cannot_be_opened(runner, hub, monkeypatch):
