@@ -47,7 +47,9 @@ def test_an_emergency_is_an_alarm_that_is_acknowledged(url: str) -> None:
             "document.querySelector('.lines').innerText.match(/acknowledged: .*the robot is in emergency/)"
         )
         page.get_by_role("button", name="clear emergency").click()
-        page.wait_for_function("!document.querySelector('.alarm-text').innerText.includes('in emergency')")
+        page.wait_for_function(  # one that came again, as while packets are late, stays until it is acknowledged
+            "!/in emergency(?! \\(is over)/.test(document.querySelector('.alarm-text').innerText)"
+        )
 
 
 def test_old_video_is_an_alarm_and_the_sound_is_switched(url: str) -> None:
