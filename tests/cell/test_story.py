@@ -7,7 +7,6 @@ from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
-import numpy as np
 import pytest
 
 pytest.importorskip("mujoco", reason="needs the extra `sim`")
@@ -16,7 +15,6 @@ from jauspy import backends
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.client import CellClient
 from jauspy.cell.disassembly import Disassembler
-from jauspy.cell.frames import offset_between, se3_of_pose
 from jauspy.cell.judge import Judge, WatchedBackend
 from jauspy.cell.measurements import Measured
 from jauspy.cell.scene import Layout
@@ -25,7 +23,7 @@ from jauspy.cell.session import OCU_ID, UNDISTURBED, Session, configured, simula
 from jauspy.cell.slots import FIVE_JOINTS
 from jauspy.cell.standing import standing_on
 from jauspy.cell.story import Stage, tell
-from jauspy.cell.tasks import BASE, STAGES, TASKS, prepared, run_one, take_apart
+from jauspy.cell.tasks import BASE, STAGES, TASKS, run_one
 from jauspy.robot import robot_files
 from jauspy.robot.runner import RobotRunner
 from jauspy.virtual.environment import VirtualTime
@@ -123,30 +121,6 @@ def test_a_position_that_is_written_in_a_story_is_caught(how: str) -> None:
     found = asyncio.run(told(Stage("honest", "", honest), Stage("cheat", "", cheat)))
     assert not found.success
     assert found.failure == "put in place by writing positions: box_2"
-
-
-@pytest.mark.slow
-@pytest.mark.timeout(900)
-def test_tasks_take_the_arm_that_the_last_one_left() -> None:
-    """The arm is written once; it steps, and is taken apart. All parts are in their bins, as the simulation says."""
-
-    async def both() -> None:
-        async with simulated(1) as session:
-            arm = await prepared(session, heading=np.pi)
-            written = session.true.written
-            assert written == arm.parts
-            stepped = await TASKS["step"](session, 1)
-            assert stepped.success, stepped.failure
-            apart = await take_apart(session, 1)
-            assert apart.success, apart.failure
-            assert session.true.attached() == {}
-            assert session.true.written == written
-            for part in session.layout.setup.parts:
-                if part.name in arm.parts:
-                    far, _ = offset_between(session.true.pose(part.name), se3_of_pose(part.pose))
-                    assert far < 0.03, part.name
-
-    asyncio.run(both())
 
 
 @pytest.mark.slow

@@ -97,7 +97,8 @@ def test_a_slider_follows_fast_presses_and_the_events_follow_again(url: str) -> 
         lines = page.locator(".lines .q-scrollarea__container")
         lines.evaluate("list => { list.firstElementChild.style.paddingTop = '500px'; }")
         page.wait_for_function(  # a line that comes at the same time scrolls down again
-            "(() => { const list = document.querySelector('.lines [data-follows]'); list.scrollTop = 0;"
+            "(() => { const list = document.querySelector('.lines [data-follows]');"
+            " list.firstElementChild.style.paddingTop = '500px'; list.scrollTop = 0;"
             " return list.dataset.follows === 'no'; })()"
         )
         before = lines.inner_text()
