@@ -20,7 +20,7 @@ ATTACK_ARGS ?=
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo cell test test-slow test-together test-browser test-alone coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
+.PHONY: help setup dev demo cell test test-slow test-together test-browser test-alone test-quiet coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
@@ -57,12 +57,16 @@ coverage: dev
 test-slow: dev
 	$(MAKE) --no-print-directory test-together
 	$(MAKE) --no-print-directory -j2 --output-sync=target test-browser test-alone
+	$(MAKE) --no-print-directory test-quiet
 
 test-together: dev
-	$(PYTEST) -m 'slow and not alone and not browser' $(PYTEST_ARGS)
+	$(PYTEST) -m 'slow and not (alone or browser or quiet)' $(PYTEST_ARGS)
 
 test-browser: dev
 	$(BIN)/pytest -m 'slow and browser' $(PYTEST_ARGS)
+
+test-quiet: dev
+	$(BIN)/pytest -m 'slow and quiet' $(PYTEST_ARGS)
 
 test-alone: dev
 	$(BIN)/pytest -m 'slow and alone' $(PYTEST_ARGS)

@@ -20,9 +20,11 @@ dev check wheel-test audit:
 unit:
 \t@.venv/bin/pytest -n 2 $(PYTEST_ARGS)
 test-together:
-\t@.venv/bin/pytest -n 2 -m 'slow and not alone and not browser' $(PYTEST_ARGS)
+\t@.venv/bin/pytest -n 2 -m 'slow and not (alone or browser or quiet)' $(PYTEST_ARGS)
 test-browser:
 \t@.venv/bin/pytest -m 'slow and browser' $(PYTEST_ARGS)
+test-quiet:
+\t@.venv/bin/pytest -m 'slow and quiet' $(PYTEST_ARGS)
 test-alone:
 \t@.venv/bin/pytest -m 'slow and alone' $(PYTEST_ARGS)
 """
@@ -34,6 +36,7 @@ markers =
     slow
     alone
     browser
+    quiet
 pythonpath = .
 """
 PLANTED = '''
@@ -63,6 +66,12 @@ def test_slow():
 @pytest.mark.slow
 @pytest.mark.alone
 def test_alone():
+    pass
+
+
+@pytest.mark.slow
+@pytest.mark.quiet
+def test_quiet():
     pass
 
 
