@@ -43,7 +43,7 @@ def own_id(given: str | None, connect: str | None) -> str:
     """
     if given is not None:
         return given
-    root = _local_root(connect) or DEFAULT_ROOT
+    root = local_root(connect) or DEFAULT_ROOT
     elsewhere = ids_elsewhere(connect)
     ids = [JausID(SUBSYSTEM, NODE, component) for component in range(FIRST_COMPONENT, LAST_COMPONENT + 1)]
     free = (id for id in ids if str(id) not in elsewhere and not local_socket.is_alive(root / str(int(id))))
@@ -52,7 +52,7 @@ def own_id(given: str | None, connect: str | None) -> str:
 
 def ids_elsewhere(connect: str | None) -> set[str]:
     """Ids that another host uses, so that the node manager does not assign them on this machine."""
-    root = _local_root(connect)
+    root = local_root(connect)
     if root is None:
         return set()
     this_machine = node_status.this_machine()
@@ -65,7 +65,7 @@ def ids_elsewhere(connect: str | None) -> set[str]:
     }
 
 
-def _local_root(connect: str | None) -> Path | None:
+def local_root(connect: str | None) -> Path | None:
     """The directory of the local sockets that `connect` means, None for other connections."""
     if connect is None:
         return DEFAULT_ROOT

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import textwrap
-from pathlib import Path
 from typing import Annotated, Final
 
 import typer
@@ -31,7 +30,6 @@ from jauspy.ocu.sealing import load_key
 from jauspy.printable import printable
 from jauspy.transport.connect import udp_address
 
-LOCAL: Final = "local:"
 _STYLES: Final = {Severity.OK: "green", Severity.WARN: "yellow", Severity.FAIL: "bold red"}
 _INDENT: Final = " " * 6
 
@@ -73,8 +71,8 @@ def doctor(
       jauspy doctor 101.1.102
       jauspy doctor 101.1.102 --connect udp://192.168.1.20 --authority 200
     """
-    if connect is not None and connect.startswith(LOCAL):
-        root, connect = Path(connect.removeprefix(LOCAL)), None
+    if connect is not None and (named := client.local_root(connect)) is not None:
+        root, connect = named, None
     id = None if peer is None else client.destination(peer)
     if id is not None and id.is_wildcard:
         raise ConfigError(f"{id} is not one component; `jauspy doctor` without an id examines the network")

@@ -12,19 +12,17 @@ import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import pairwise, zip_longest
+from itertools import zip_longest
 from pathlib import Path
 from typing import Final
-
-import numpy as np
 
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.design.build import CAMERA, DesignRun, Use, Way
 from jauspy.cell.design.chains import Element, posture
-from jauspy.cell.design.search import LINE_STEPS, Design
+from jauspy.cell.design.search import Design, middle_lines, postures_between
 from jauspy.cell.design.surroundings import furnished, set_up
 from jauspy.cell.design.tasks import DesignTask, Goal
-from jauspy.cell.frames import Array, transform
+from jauspy.cell.frames import transform
 from jauspy.cell.measurements import Measured
 from jauspy.cell.scene import cell_of, pieces_of_part
 from jauspy.cell.session import ROBOT, Session, simulated
@@ -187,15 +185,10 @@ class PairRun:
         """Smallest distance between any postures on two ways, metres."""
         cell = self._session.layout.setup
         (first, way), (second, other) = zip(uses, ways, strict=True)
-        passed = np.array(
-            [
-                point
-                for q in _postures(other)
-                for point, _ in posture(transform(second.arm.base), _elements(second), cell.types, q.tolist()).points
-            ]
-        )
+        passed = middle_lines(transform(second.arm.base), _elements(second), cell, postures_between(other.path.points))
         mount, elements = transform(first.arm.base), _elements(first)
-        return min(posture(mount, elements, cell.types, q.tolist()).clearance_from(passed) for q in _postures(way))
+        rows = postures_between(way.path.points)
+        return min(posture(mount, elements, cell.types, q.tolist()).clearance_from(passed) for q in rows)
 
 
 def _elements(use: Use) -> list[Element]:
@@ -203,13 +196,4 @@ def _elements(use: Use) -> list[Element]:
     return [
         Element(member.type.name, math.atan2(member.offset.rotation[1, 0], member.offset.rotation[0, 0]))
         for member in use.arm.members
-    ]
-
-
-def _postures(way: Way) -> list[Array]:
-    """Postures on a way, from its start to its end."""
-    return [
-        start + share * (goal - start)
-        for start, goal in pairwise(way.path.points)
-        for share in np.linspace(0.0, 1.0, LINE_STEPS).tolist()
     ]

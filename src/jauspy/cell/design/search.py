@@ -10,7 +10,7 @@ import itertools
 import math
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final
 
@@ -83,14 +83,20 @@ class Neighbour:
         """The arm of a design on its way from upright to all goals, and back."""
         upright = np.zeros(len(servos(design.elements, cell.types)))
         rows = [upright, *(np.array(row) for row in design.positions), upright]
-        mount = mount_of(cell, base)
-        points = [
-            point
-            for start, goal in itertools.pairwise(rows)
-            for share in np.linspace(0.0, 1.0, LINE_STEPS).tolist()
-            for point, _ in posture(mount, design.elements, cell.types, start + share * (goal - start)).points
-        ]
-        return cls(Counter(element.type for element in design.elements), np.array(points))
+        passed = middle_lines(mount_of(cell, base), design.elements, cell, postures_between(rows))
+        return cls(Counter(element.type for element in design.elements), passed)
+
+
+def postures_between(rows: Iterable[Array]) -> Iterator[Array]:
+    """Postures on the straight joint motions between these ones, radians."""
+    for start, goal in itertools.pairwise(rows):
+        for share in np.linspace(0.0, 1.0, LINE_STEPS).tolist():
+            yield start + share * (goal - start)
+
+
+def middle_lines(mount: Transform, elements: Sequence[Element], cell: CellSetup, rows: Iterable[Array]) -> Array:
+    """Points of a chain's middle lines in all these postures; shape (points, 3), metres."""
+    return np.array([point for q in rows for point, _ in posture(mount, elements, cell.types, q.tolist()).points])
 
 
 ALONE: Final = Neighbour()
