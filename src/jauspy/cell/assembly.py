@@ -22,9 +22,9 @@ from jauspy.cell.motion import NoPath, Path
 from jauspy.cell.scene import connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed
 from jauspy.cell.slots import FIVE_JOINTS, AssemblyResult, PartResult, Slot, Tip, slot_goals
+from jauspy.cell.standing import arm_with
 from jauspy.errors import JausError
 from jauspy.geometry.vectors import GRAVITY
-from jauspy.platform.modular.arm import ModularArmState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.platform.modular.parts import PartKind, mass_of
 
@@ -331,7 +331,7 @@ class Assembler(Carrier):
         if self.layout.type_of(part).kind is not PartKind.SERVO:
             return
         until = self.cell.now() + 3.0
-        while (found := await self._arm_with(part)) is None:
+        while (found := await arm_with(self.cell, self.layout.arms, {part})) is None:
             if self.cell.now() > until:
                 raise TaskFailed(f"{part} was joined, but is not a joint of the arm 3 s later; has it power?")
             await self.cell.sleep(0.1)
@@ -341,14 +341,6 @@ class Assembler(Carrier):
             goal = [math.nan] * len(state.joints)
             goal[index] = angle
             await self.cell.move_arm(goal, CHECK_TIME, name=name)
-
-    async def _arm_with(self, joint: str) -> tuple[str, ModularArmState] | None:
-        """The modular arm that has a joint, by name, and its state."""
-        for name in self.layout.arms:
-            state = await self.cell.arm(name)
-            if joint in state.joints:
-                return name, state
-        return None
 
     # --- geometry ---
 

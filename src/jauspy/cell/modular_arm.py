@@ -29,7 +29,7 @@ from jauspy.cell.scene import (
 )
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.smoothing import smoothed
-from jauspy.cell.standing import base_frame, chain_of, standing_on
+from jauspy.cell.standing import arm_with, base_frame, chain_of, standing_on
 from jauspy.errors import ConfigError
 from jauspy.ocu.cell import MotionRefused
 from jauspy.platform.modular.arm import ModularArmState, TrajectoryPoint
@@ -268,10 +268,8 @@ class ArmOperator:
 async def _arm_of(cell: CellClient, layout: Layout, members: Sequence[Member]) -> str:
     """The name of the modular arm to which a chain belongs; empty, for the first one, if no other has joints of it."""
     own = {member.name for member in members}
-    for name in layout.arms[1:]:
-        if own.intersection((await cell.arm(name)).joints):
-            return name
-    return ""
+    found = await arm_with(cell, layout.arms[1:], own)
+    return found[0] if found is not None else ""
 
 
 def smooth_duration(start: Array, goal: Array, speeds: Array) -> float:

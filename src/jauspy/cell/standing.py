@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -113,6 +113,15 @@ def frames_of(
             frame = found[owner] * connector_frame(layout.type_of(owner), name, positions.get(owner, 0.0))
         found[item.part] = frame * item.offset
     return found
+
+
+async def arm_with(cell: Reports, names: Iterable[str], joints: Collection[str]) -> tuple[str, ModularArmState] | None:
+    """The first of these modular arms that has one of the joints, by name, and its state."""
+    for name in names:
+        state = await cell.arm(name)
+        if any(joint in joints for joint in state.joints):
+            return name, state
+    return None
 
 
 async def joint_positions(cell: Reports, layout: Layout) -> dict[str, float]:
