@@ -17,6 +17,7 @@ pytest.importorskip("av", reason="the extra 'video' is not installed")
 
 import httpx
 from fastapi import FastAPI
+from mcap.reader import make_reader
 from tests.helpers.recorded_run import RADIUS, write_run
 
 from jauspy.console.recordings import Timelines, add_recordings, checked_file, listed
@@ -140,20 +141,34 @@ def test_a_timeline_has_track_values_events_and_pictures(run: Path) -> None:
 def test_damaged_files_are_one_sentence(run: Path, tmp_path: Path) -> None:
     """Cut off anywhere, or with bytes changed anywhere: a sentence that names the file, or a timeline."""
     whole = run.read_bytes()
+    with run.open("rb") as stream:
+        summary = make_reader(stream).get_summary()
+    assert summary is not None
+    chunk = summary.chunk_indexes[0]
     path = tmp_path / "x.mcap"
-    problems: list[str] = []
-    cut = [whole[: len(whole) * part // 23] for part in range(23)]
-    changed = [
-        whole[:at] + bytes([whole[at] ^ 0xFF]) + whole[at + 1 :] for at in range(0, len(whole), len(whole) // 40)
-    ]
-    for content in [*cut, *changed, b"", b"\x89MCAP", bytes(1000), b"<script>alert(1)</script>"]:
+
+    def problem(content: bytes) -> str | None:
         path.write_bytes(content)
         try:
             read_timeline(path)
             pictures(path, "/101.1.106/video", 0.0, 8.0)
         except ConfigError as error:
-            problems.append(str(error))
-    assert len(problems) > 40
+            return str(error)
+        return None
+
+    def changed(at: int) -> bytes:
+        return whole[:at] + bytes([whole[at] ^ 0xFF]) + whole[at + 1 :]
+
+    step = chunk.compressed_size // 10
+    end = chunk.chunk_start_offset + chunk.chunk_length
+    messages = [changed(at) for at in range(end - chunk.compressed_size, end, step)]
+    anywhere = [changed(at) for at in range(0, len(whole), len(whole) // 20)]
+    cut = [whole[: len(whole) * part // 23] for part in range(23)]
+    foreign = [b"", b"\x89MCAP", bytes(1000), b"<script>alert(1)</script>"]
+    damaged = [problem(content) for content in [*messages, *cut, *foreign]]
+    problems = [said for said in damaged if said is not None]
+    assert len(problems) == len(damaged)
+    problems += [said for content in anywhere if (said := problem(content)) is not None]
     assert all("x.mcap" in said and "\n" not in said and len(said) < 400 for said in problems)
 
 
