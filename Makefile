@@ -12,6 +12,8 @@ WORLD = yard
 # each worker begins with a third of the tests, so that those of a file share its fixtures
 PYTEST = $(BIN)/pytest -n 3 --dist worksteal
 PYTEST_ARGS ?=
+# the files that have tests with a marker: to read all others takes longer than many a test
+files_with = $(shell grep -rlE --include='test_*.py' 'mark\.$(1)|helpers\.$(1)' tests)
 CASES ?= 10000000
 JOBS ?= 2
 SECONDS ?= 600
@@ -63,13 +65,13 @@ test-together: dev
 	$(PYTEST) -m 'slow and not (alone or browser or quiet)' $(PYTEST_ARGS)
 
 test-browser: dev
-	$(BIN)/pytest -m 'slow and browser' $(PYTEST_ARGS)
+	$(BIN)/pytest -m 'slow and browser' $(or $(PYTEST_ARGS),$(call files_with,browser))
 
 test-quiet: dev
-	$(BIN)/pytest -m 'slow and quiet' $(PYTEST_ARGS)
+	$(BIN)/pytest -m 'slow and quiet' $(or $(PYTEST_ARGS),$(call files_with,quiet))
 
 test-alone: dev
-	$(BIN)/pytest -m 'slow and alone' $(PYTEST_ARGS)
+	$(BIN)/pytest -m 'slow and alone' $(or $(PYTEST_ARGS),$(call files_with,alone))
 
 check: types docs lint imports security
 
