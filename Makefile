@@ -12,8 +12,6 @@ WORLD = yard
 # each worker begins with a third of the tests, so that those of a file share its fixtures
 PYTEST = $(BIN)/pytest -n 3 --dist worksteal
 PYTEST_ARGS ?=
-# the files that have tests with a marker: to read all others takes longer than many a test
-files_with = $(shell grep -rlE --include='test_*.py' 'mark\.$(1)|helpers\.$(1)' tests)
 CASES ?= 10000000
 JOBS ?= 2
 SECONDS ?= 600
@@ -22,7 +20,7 @@ ATTACK_ARGS ?=
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo cell test test-slow test-together test-browser test-alone test-quiet coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
+.PHONY: help setup dev demo cell test test-slow test-together test-alone coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
@@ -55,23 +53,17 @@ test: dev
 coverage: dev
 	$(PYTEST) -m '' --cov --cov-report=term $(PYTEST_ARGS)
 
-# first those that share the machine, and then those that need a processor for themselves: browsers beside processes
+# first those that share the machine, and then one by one those that need it for themselves
 test-slow: dev
 	$(MAKE) --no-print-directory test-together
-	$(MAKE) --no-print-directory -j2 --output-sync=target test-browser test-alone
-	$(MAKE) --no-print-directory test-quiet
+	$(MAKE) --no-print-directory test-alone
 
 test-together: dev
-	$(PYTEST) -m 'slow and not (alone or browser or quiet)' $(PYTEST_ARGS)
+	$(PYTEST) -m 'slow and not alone' $(PYTEST_ARGS)
 
-test-browser: dev
-	$(BIN)/pytest -m 'slow and browser' $(or $(PYTEST_ARGS),$(call files_with,browser))
-
-test-quiet: dev
-	$(BIN)/pytest -m 'slow and quiet' $(or $(PYTEST_ARGS),$(call files_with,quiet))
-
+# only the files that have such tests: to read all others takes longer than many a test
 test-alone: dev
-	$(BIN)/pytest -m 'slow and alone' $(or $(PYTEST_ARGS),$(call files_with,alone))
+	$(BIN)/pytest -m 'slow and alone' $(or $(PYTEST_ARGS),$(shell grep -rlE --include='test_*.py' 'mark\.alone|helpers\.browser' tests))
 
 check: types docs lint imports security
 

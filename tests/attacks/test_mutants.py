@@ -12,7 +12,7 @@ from tools.attack.mutants import MUTANTS
 pytestmark = pytest.mark.alone
 
 ROOT = Path(__file__).parents[2]
-SECONDS = 8
+SECONDS = 6
 NAMES = sorted({name for mutant in MUTANTS.values() for name in mutant.noticed_by})
 
 
