@@ -68,6 +68,7 @@ def problems(report: Report) -> list[str]:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", sampled([name for name in KINDS if name not in ("UR10", "car")], 4))
 def test_own_services(kind):
     report = examined("cell-1.0", cell(KINDS[kind]), KINDS[kind])

@@ -238,6 +238,7 @@ async def fuzz(visitor: Visit, process: subprocess.Popen[str], cases: int, seed:
         assert memory().rss - grown < 150 << 20
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("cases", "seed"), [pytest.param(300, 1, id="short"), pytest.param(2_000, 2, id="long", marks=pytest.mark.slow)]
 )

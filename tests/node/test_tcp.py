@@ -237,6 +237,7 @@ async def test_silent_connection_is_replaced_by_a_new_one(
     assert (node.counters["tcp.refused"], node.counters["tcp.accepted"]) == (1, 3)
 
 
+@pytest.mark.slow
 async def test_flood_on_a_connection_delays_no_other(node: NodeManager, here: Inbox) -> None:
     """Between any two turns of the event loop only so much is read of each."""
     seen = []

@@ -163,6 +163,7 @@ async def test_a_speed_is_above_zero(inc1, speed):
         Navigator(inc1, MODEL, surroundings(inc1), speed=speed)
 
 
+@pytest.mark.slow
 async def test_way_and_cost_are_reported_and_zones_kept(virtual_network, inc1, walls, ocu):
     walls.append((2.0, -4.0, 2.0, 1.0))
     kind = QueryPath.PathType.PLANNED_LOCAL_PATH
@@ -204,6 +205,7 @@ async def test_way_and_cost_are_reported_and_zones_kept(virtual_network, inc1, w
                 await navigator.plan(4.0, -2.0)
 
 
+@pytest.mark.slow
 def test_a_zone_covers_what_is_inside(inc1):
     around = DrivingMap(inc1, size=10.0, resolution=0.1, threaded=False)
     around.zones = [((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))]

@@ -79,6 +79,7 @@ async def beside(network: VirtualNetwork) -> AsyncIterator[Beside]:
             yield found
 
 
+@pytest.mark.slow
 async def test_a_motion_is_planned_shown_and_carried_out(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         assert str(await inc1.planner.arm()) == "101.1.104"
@@ -109,6 +110,7 @@ async def some_joint(inc1: Beside) -> tuple[str, float]:
     return first, (await inc1.robot.arm.joints()).positions[first]
 
 
+@pytest.mark.slow
 async def test_a_new_obstacle_stops_the_arm_and_it_plans_again(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
@@ -132,6 +134,7 @@ async def test_a_new_obstacle_stops_the_arm_and_it_plans_again(virtual_network: 
         assert at + 0.2 < again < at + 0.7  # it stood there
 
 
+@pytest.mark.slow
 async def test_an_obstacle_that_stays_ends_the_motion_with_the_reason(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
@@ -149,6 +152,7 @@ async def test_an_obstacle_that_stays_ends_the_motion_with_the_reason(virtual_ne
         assert abs(stopped - at) < 0.5
 
 
+@pytest.mark.slow
 async def test_an_arm_that_leaves_the_way_stops_and_plans_again(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -174,6 +178,7 @@ async def test_an_arm_that_leaves_the_way_stops_and_plans_again(
         assert at + 0.3 < inc1.straight.requests[1].start[0] < at + 0.75
 
 
+@pytest.mark.slow
 async def test_a_plan_from_where_the_arm_is_no_longer_is_made_again(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
@@ -187,6 +192,7 @@ async def test_a_plan_from_where_the_arm_is_no_longer_is_made_again(virtual_netw
             assert (await inc1.robot.arm.joints()).positions[joint] == pytest.approx(at - 0.4, abs=0.02)
 
 
+@pytest.mark.slow
 async def test_another_command_to_the_arm_ends_the_motion(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         names = await inc1.planner.joints()
@@ -201,6 +207,7 @@ async def test_another_command_to_the_arm_ends_the_motion(virtual_network: Virtu
             assert why.value.reason == "arm_stopped"
 
 
+@pytest.mark.slow
 async def test_cancelling_and_losing_control_stop_the_arm(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
@@ -227,6 +234,7 @@ async def test_cancelling_and_losing_control_stop_the_arm(virtual_network: Virtu
             assert (await inc1.planner.state()).phase == "failed"
 
 
+@pytest.mark.slow
 async def test_reasons_are_told(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
@@ -263,6 +271,7 @@ async def test_reasons_are_told(virtual_network: VirtualNetwork) -> None:
             assert why.value.reason == "arm_refused"
 
 
+@pytest.mark.slow
 async def test_frames_are_where_the_robot_is_now(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         async with inc1.robot.control("planner"):
@@ -303,6 +312,7 @@ def hostile_goals(joint: str) -> list[bytes]:
     return [*(payload for payload in payloads if written not in payload), *numbers]
 
 
+@pytest.mark.slow
 async def test_hostile_messages_change_nothing(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1, virtual_network.component("42.1.9", []) as attacker:
         joint, at = await some_joint(inc1)
@@ -352,6 +362,7 @@ class Slow:
         raise NoPlan(Reason.NO_WAY, "there is none")
 
 
+@pytest.mark.slow
 async def test_many_requests_plan_one_at_a_time(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         slow = Slow()
@@ -391,6 +402,7 @@ async def test_a_bug_of_a_planner_is_told_and_does_not_end_the_component(virtual
             await inc1.planner.plan_joints({joint: at + 0.1})
 
 
+@pytest.mark.slow
 async def test_reports_are_sent_as_events(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
