@@ -63,7 +63,7 @@ test-together: dev
 
 # only the files that have such tests: to read all others takes longer than many a test
 test-alone: dev
-	$(BIN)/pytest -m 'slow and alone' $(or $(PYTEST_ARGS),$(shell grep -rlE --include='test_*.py' 'mark\.alone|helpers\.browser' tests))
+	$(BIN)/pytest -m 'slow and alone' $(PYTEST_ARGS) $(shell grep -rlE --include='test_*.py' 'mark\.alone|helpers\.browser' tests)
 
 check: types docs lint imports security
 
