@@ -137,9 +137,8 @@ def test_curves_end_before_walls(effort: float, turn: float) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("first", range(0, 20, 10))
-def test_random_driving_touches_no_wall(first: int) -> None:
-    for seed in range(first, first + 10):
+def test_random_driving_touches_no_wall() -> None:
+    for seed in range(10):
         rng = np.random.default_rng(seed)
         drive = Drive(rng.uniform(-math.pi, math.pi))
         for _ in range(12):

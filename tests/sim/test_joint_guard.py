@@ -29,7 +29,7 @@ STEP, TOOL_PERIOD = 0.002, 0.02
 GROUPS = ("arm", "flippers", "gripper", "pan_tilt")
 RUN = 6.0
 """Seconds of one run."""
-TELEOPERATIONS = int(os.environ.get("JAUSPY_TELEOPERATIONS", "50"))
+TELEOPERATIONS = int(os.environ.get("JAUSPY_TELEOPERATIONS", "25"))
 """Random runs, of which 25 take most of a minute; 500 are run before a release."""
 SEEDS = (1, 2, 3)
 """Runs of which at least two touch the robot without the guard."""
