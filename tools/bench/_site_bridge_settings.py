@@ -61,9 +61,7 @@ def _certificate(folder: Path, address: str) -> dict[str, Any]:
     )
     private, public = folder / "key.pem", folder / "certificate.pem"
     private.write_bytes(
-        key.private_bytes(
-            serialization.Encoding.PEM, serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
-        )
+        key.private_bytes(serialization.Encoding.PEM, serialization.PrivateFormat.PKCS8, serialization.NoEncryption())
     )
     public.write_bytes(certificate.public_bytes(serialization.Encoding.PEM))
     return {

@@ -1,6 +1,7 @@
 """Two sites over a bad link: the age of commands and reports between gateways by JTCP, by JUDP, and by Zenoh.
 
-python tools/bench/sites.py [--delay 100] [--loss 0.02] [--ways jtcp judp ...] [--seconds 40] [--json FILE]
+python tools/bench/sites.py [--delay 100] [--loss 0.02] [--ways jtcp judp ...] [--parts steady burst cut] [--seconds 40]
+                            [--slow-motion 1] [--json FILE]
 
 Each site is a network namespace with a gateway; a program between their Ethernet ports delays all IPv4 packets
 (milliseconds, each way) and loses some at random, so that the kernels' TCP sees a bad link. A robot of the one site
@@ -8,7 +9,7 @@ reports 200 times a second (40 bytes), an operator of the other sends 20 command
 
     steady    nothing else
     burst     both ends also send 400 events of 1000 bytes, of the lowest priority, at once
-    cut       nothing passes for 10 s
+    cut       nothing passes for 10 s; this part is always in real time
 
     age       from sending to arrival, ms; one clock, since one program is robot and operator
     old       commands sent before the end of the cut that arrived after it, and the age of the oldest one, s
@@ -17,8 +18,13 @@ reports 200 times a second (40 bytes), an operator of the other sends 20 command
     CPU       seconds of both gateways in the steady part, for each 1000 messages
     relay     how late the program between was with one packet in a hundred, ms: what of the ages is not the link's
 
+On a machine that others use too, ages of tens of milliseconds are those of its scheduler. `--slow-motion 5` multiplies
+the delay and divides the rates by five, and tells ages divided by five, so that these count a fifth: times of TCP follow
+from the delay, except of its smallest retransmission time of 0.2 s, which then counts less. Ways may be measured at the
+same time, by one process each.
+
 `zenoh-*` are a prototype outside of the product (`_site_bridge.py`) and need the package `eclipse-zenoh`. Needs root.
-A row whose programs stood still for long is measured once more, and its `stalls` says how long the worst was.
+`stall_ms` is the longest time for which the program with robot and operator stood still.
 """
 
 from __future__ import annotations
@@ -61,11 +67,15 @@ _BODY: Final = struct.Struct("<HId")
 SIZES: Final = {COMMAND: 40, REPORT: 40, EVENT: 1000}
 BURST: Final = 400
 """Events of each end."""
-BURST_SECONDS, SETTLE_SECONDS, CUT_SECONDS, AFTER_SECONDS = 15.0, 5.0, 10.0, 20.0
+BURST_SECONDS, CUT_SECONDS, AFTER_SECONDS = 15.0, 10.0, 20.0
+WARM_UP_SECONDS: Final = 10.0
+MAX_COMMAND_AGE: Final = 0.5
 MAX_STALL: Final = 0.5
-"""Seconds without a turn of this program after which a row is measured again."""
+"""Seconds without a turn of this program after which it does not make up for what it has not sent."""
+PARTS: Final = ["steady", "burst", "cut"]
 GATEWAYS: Final = """
 address = "{address}"
+max_message_age = {max_age}
 local_root = "{root}"
 name = "wan"
 {more}
@@ -135,7 +145,8 @@ class End:
 class Load:
     """Robot and operator."""
 
-    def __init__(self, roots: tuple[Path, Path], stack: contextlib.ExitStack) -> None:
+    def __init__(self, roots: tuple[Path, Path], slow: float, stack: contextlib.ExitStack) -> None:
+        self._slow = slow
         self._selector = stack.enter_context(selectors.DefaultSelector())
         self.robot = self._end(ROBOT, OPERATOR, roots[0], stack)
         self.operator = self._end(OPERATOR, ROBOT, roots[1], stack)
@@ -149,7 +160,8 @@ class Load:
         self._burst = {REPORT: BURST, COMMAND: BURST}
 
     def run(self, seconds: float) -> tuple[float, float]:
-        """Send and receive; returns when that began and ended."""
+        """Send and receive; returns when that began and ended. The time is that of the slow motion."""
+        seconds *= self._slow
         began = last = time.monotonic()
         while (now := time.monotonic()) < began + seconds:
             self.stall = max(self.stall, now - last)
@@ -159,7 +171,7 @@ class Load:
                     if now - self._next[code] > MAX_STALL:
                         self._next[code] = now
                     end.send(code, Priority.STANDARD, time.monotonic())
-                    self._next[code] += interval
+                    self._next[code] += interval * self._slow
                 for _ in range(5):
                     if self._burst[code] and end.send(EVENT, Priority.LOW, time.monotonic()):
                         self._burst[code] -= 1
@@ -183,7 +195,7 @@ class Load:
 # --- gateways --------------------------------------------------------------------------------------------------------
 
 
-def node_managers(way: str, roots: tuple[Path, Path]) -> list[list[str]]:
+def node_managers(way: str, roots: tuple[Path, Path], max_age: float) -> list[list[str]]:
     """The commands of two gateways of jauspy; the operator's connects if it is by TCP."""
     commands = []
     for number, (root, subsystem, other) in enumerate(zip(roots, (101, 42), (42, 101), strict=True)):
@@ -193,6 +205,7 @@ def node_managers(way: str, roots: tuple[Path, Path]) -> list[list[str]]:
         text = GATEWAYS.format(
             address=ADDRESSES[number],
             root=root,
+            max_age=max_age,
             more="tcp = true" if way == "jtcp" else "",
             peer=peer,
             subsystem=subsystem,
@@ -231,41 +244,51 @@ def cpu_seconds(pid: int) -> float:
 # --- one row ---------------------------------------------------------------------------------------------------------
 
 
-def measure(way: str, arguments: argparse.Namespace) -> dict[str, Any]:
-    """The row of one way."""
+def measure(way: str, parts: list[str], slow: float, arguments: argparse.Namespace) -> dict[str, Any]:
+    """The row of one way, in slow motion or in real time (1)."""
+    row: dict[str, Any] = {"way": way, "slow_motion": slow}
     with contextlib.ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
         roots = folder / "a", folder / "b"
         for root in roots:
             root.mkdir()
         switch = Switch(stack, 2)
+        latency = slow * arguments.delay / 1000
         relay = switch.relay(
-            loss=arguments.loss, twice=0, delay=0, latency=arguments.delay / 1000, wide_area=True, seed=arguments.seed
+            loss=arguments.loss, twice=0, delay=0, latency=latency, wide_area=True, seed=arguments.seed
         )
-        commands = bridges.commands(way, roots, ADDRESSES) if way.startswith("zenoh") else node_managers(way, roots)
+        if way.startswith("zenoh"):
+            commands = bridges.commands(way, roots, ADDRESSES)
+        else:
+            commands = node_managers(way, roots, MAX_COMMAND_AGE * slow)
         processes = [
             stack.enter_context(started(host, command, root / "log"))
             for host, command, root in zip(switch.hosts, commands, roots, strict=True)
         ]
-        load = Load(roots, stack)
-        load.run(10.0)  # connected and settled
-        before, wire = sum(cpu_seconds(process.pid) for process in processes), told(relay)
-        steady = load.run(arguments.seconds)
-        cpu, carried = sum(cpu_seconds(process.pid) for process in processes) - before, told(relay)
-        load.burst()
-        burst = load.run(BURST_SECONDS)
-        load.run(SETTLE_SECONDS)
-        word(relay, "cut")
-        cut = load.run(CUT_SECONDS)
-        word(relay, "mend")
-        after = load.run(AFTER_SECONDS)
-        late = told(relay)["late_p99"]
-    row: dict[str, Any] = {"way": way, "stall": round(load.stall, 2), "relay_ms": round(1000 * late, 1)}
-    row["wire_kB_s"] = round((carried["bytes"] - wire["bytes"]) / arguments.seconds / 1000, 1)
-    row["cpu_per_1000"] = round(cpu / (220 * arguments.seconds) * 1000, 3)
-    row["steady"] = ages(load, steady)
-    row["burst"] = ages(load, burst) | {"events": events(load, burst)}
-    row["cut"] = after_cut(load, cut, after)
+        load = Load(roots, slow, stack)
+        load.run(WARM_UP_SECONDS)
+        load.stall = 0.0
+        if "steady" in parts:
+            cpu, before = sum(cpu_seconds(process.pid) for process in processes), told(relay)
+            steady = load.run(arguments.seconds)
+            cpu, carried = sum(cpu_seconds(process.pid) for process in processes) - cpu, told(relay)
+            row["wire_kB_s"] = round((carried["bytes"] - before["bytes"]) / arguments.seconds / 1000, 1)
+            row["cpu_per_1000"] = round(cpu / (220 * arguments.seconds) * 1000, 3)
+        if "burst" in parts:
+            load.burst()
+            burst = load.run(BURST_SECONDS)
+            load.run(BURST_SECONDS)  # what is late
+        if "cut" in parts:
+            word(relay, "cut")
+            load.run(CUT_SECONDS)
+            word(relay, "mend")
+            row["cut"] = after_cut(load, load.run(AFTER_SECONDS)[0])
+        row["stall_ms"] = round(1000 * load.stall / slow)
+        row["relay_ms"] = round(1000 * told(relay)["late_p99"] / slow)
+    if "steady" in parts:
+        row["steady"] = ages(load, steady, slow)
+    if "burst" in parts:
+        row["burst"] = ages(load, burst, slow) | {"events": events(load, burst, slow)}
     return row
 
 
@@ -290,18 +313,18 @@ def quantile(values: list[float], part: float) -> float | None:
     return round(1000 * values[min(len(values) - 1, int(part * len(values)))]) if values else None
 
 
-def ages(load: Load, span: tuple[float, float]) -> dict[str, Any]:
+def ages(load: Load, span: tuple[float, float], slow: float) -> dict[str, Any]:
     """Ages and losses of what was sent meanwhile."""
     row: dict[str, Any] = {}
     for name, code, end in (("commands", COMMAND, load.operator), ("reports", REPORT, load.robot)):
         sent = [message for message in end.sent if message.code == code and span[0] <= message.sent < span[1]]
-        found = [message.age for message in sent if message.arrived is not None]
+        found = [message.age / slow for message in sent if message.arrived is not None]
         row[name] = {f"p{round(100 * part)}_ms": quantile(found, part) for part in (0.5, 0.95, 0.99)}
         row[name] |= {"max_ms": quantile(found, 1.0), "lost": round(1 - len(found) / max(1, len(sent)), 4)}
     return row
 
 
-def events(load: Load, span: tuple[float, float]) -> dict[str, Any]:
+def events(load: Load, span: tuple[float, float], slow: float) -> dict[str, Any]:
     """How many events of a burst arrived, and when the last one did."""
     found = [
         message
@@ -310,13 +333,12 @@ def events(load: Load, span: tuple[float, float]) -> dict[str, Any]:
         if message.code == EVENT and message.arrived is not None
     ]
     last = max((message.arrived or 0.0 for message in found), default=span[0])
-    return {"sent": 2 * BURST, "arrived": len(found), "seconds": round(last - span[0], 1)}
+    return {"sent": 2 * BURST, "arrived": len(found), "seconds": round((last - span[0]) / slow, 1)}
 
 
-def after_cut(load: Load, cut: tuple[float, float], after: tuple[float, float]) -> dict[str, Any]:
-    """What arrived after the cut, and when."""
+def after_cut(load: Load, mended: float) -> dict[str, Any]:
+    """What arrived after the cut, which ended then, and when."""
     row: dict[str, Any] = {}
-    mended = after[0]
     old = [
         message.age
         for message in load.operator.sent
@@ -350,6 +372,8 @@ def main() -> None:
     parser.add_argument("--loss", type=float, default=0.02)
     parser.add_argument("--ways", nargs="+", choices=ways, default=ways)
     parser.add_argument("--seconds", type=float, default=40.0, help="of the steady part")
+    parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS)
+    parser.add_argument("--slow-motion", type=float, default=1.0, help="factor, not of the cut")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
@@ -361,12 +385,14 @@ def main() -> None:
         if (reason := why_not(way)) is not None:
             print(f"{way}: skipped: {reason}", flush=True)
             continue
-        for _ in range(2):
-            row = measure(way, arguments)
-            print(json.dumps(row), flush=True)
-            if row["stall"] < MAX_STALL:
-                break
-        rows.append(row)
+        slow = arguments.slow_motion
+        timed = [part for part in arguments.parts if part != "cut" or slow == 1.0]
+        if timed:
+            rows.append(measure(way, timed, slow, arguments))
+            print(json.dumps(rows[-1]), flush=True)
+        if timed != arguments.parts:
+            rows.append(measure(way, ["cut"], 1.0, arguments))
+            print(json.dumps(rows[-1]), flush=True)
     if arguments.json:
         arguments.json.write_text(json.dumps(rows, indent=2))
 
