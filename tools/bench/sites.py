@@ -19,9 +19,9 @@ reports 200 times a second (40 bytes), an operator of the other sends 20 command
     relay     how late the program between was with one packet in a hundred, ms: what of the ages is not the link's
 
 On a machine that others use too, ages of tens of milliseconds are those of its scheduler. `--slow-motion 5` multiplies
-the delay and divides the rates by five, and tells ages divided by five, so that these count a fifth: times of TCP follow
-from the delay, except of its smallest retransmission time of 0.2 s, which then counts less. Ways may be measured at the
-same time, by one process each.
+the delay and divides the rates by five, and tells ages divided by five, so that these count a fifth: times of TCP
+follow from the delay, except of its smallest retransmission time of 0.2 s, which then counts less. Ways may be measured
+at the same time, by one process each.
 
 `zenoh-*` are a prototype outside of the product (`_site_bridge.py`) and need the package `eclipse-zenoh`. Needs root.
 `stall_ms` is the longest time for which the program with robot and operator stood still.

@@ -37,7 +37,6 @@ from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial import SerialLine
 from jauspy.user_files import read_file, read_toml
 
-
 MAX_SUBSYSTEM: Final = 65534
 MAX_SUBSYSTEM_RANGES: Final = 64
 """Entries of `further_subsystems`: each packet is compared with them."""
@@ -447,7 +446,10 @@ def make_gateway(config: NodeConfig) -> Gateway | None:
     rules = GatewayRules(
         [_make_rule(number, rule) for number, rule in enumerate(settings.rules)], inside=settings.inside
     )
-    subsystems = [range(settings.subsystem, settings.subsystem + 1), *map(parse_subsystems, settings.further_subsystems)]
+    subsystems = [
+        range(settings.subsystem, settings.subsystem + 1),
+        *map(parse_subsystems, settings.further_subsystems),
+    ]
     return Gateway(subsystems, [network.name for network in config.all_networks], settings.inside, rules)
 
 
