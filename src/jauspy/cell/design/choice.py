@@ -40,7 +40,7 @@ class Chooser:
     weights: Mapping[str, float]
     seed: int
     load: float
-    """Kilograms at the tip."""
+    """Kilograms at the tip of each arm."""
     candidates: int
     """Chains that are tried for each arm."""
     seconds: float
@@ -66,7 +66,7 @@ class Chooser:
             chosen.append(Choice(part, connector, found, design, tuple(wrong)))
             if design is None or wrong:
                 break
-            beside = Neighbour.of(cell, connector, design)
+            beside = Neighbour.of(cell, connector, design, self.load)
         return chosen
 
     def _buildable(self, found: Found, task: DesignTask, connector: str, before: list[Choice]) -> Design | None:

@@ -31,7 +31,9 @@ def design(
     base: Annotated[
         str, typer.Option("--base", metavar="CONNECTOR", help="The connector that carries the arm.")
     ] = "platform_1/top",
-    load: Annotated[float, typer.Option("--load", min=0.0, max=100.0, metavar="KG", help="Mass at the tip.")] = 0.0,
+    load: Annotated[
+        float, typer.Option("--load", min=0.0, max=100.0, metavar="KG", help="Mass at the tip of each arm.")
+    ] = 0.0,
     cost: Annotated[
         str,
         typer.Option(
@@ -77,8 +79,6 @@ def design(
     if any(bool(task.arms) != paired for task in wanted):
         raise ConfigError("tasks for one arm and for two need different bases; run a command for each")
     if paired:
-        if load:
-            raise ConfigError("--load is for a single arm; leave it out for two arms on one base")
         base = base.partition("/")[0]
         config = with_two_arms(config, base)
     chooser = Chooser(
@@ -145,7 +145,7 @@ def _build(
 
     if able[0][0].arms:
         pairs = [Pair(task, dict(zip(task.arms, designs, strict=True))) for task, designs in able]
-        return build_pairs(pairs, base, robot, seed=seed, film=film, view=view)
+        return build_pairs(pairs, base, robot, load=load, seed=seed, film=film, view=view)
     single = [(task, design) for task, (design,) in able]
     return build_all(single, base, robot, load=load, seed=seed, film=film, view=view)
 
