@@ -67,7 +67,7 @@ async def build_all(
 
     async with simulated(seed, film=film, camera=CAMERA, view=view, robot=robot, change=change) as session:
         for number, (task, design) in enumerate(designs):
-            begun, start = time.perf_counter(), session.cell.now()
+            begun, start = time.process_time(), session.cell.now()
             if number:
                 set_up(session, tasks, number)
             found = Measured(seed, task.name)
@@ -77,7 +77,7 @@ async def build_all(
             except JausError as error:
                 found.failure = found.failure or str(error)
             found.success = not found.failure
-            found.duration, found.wall = session.cell.now() - start, time.perf_counter() - begun
+            found.duration, found.cpu = session.cell.now() - start, time.process_time() - begun
             if not found.success:
                 break
     if session.film is not None:

@@ -44,7 +44,7 @@ class Chooser:
     candidates: int
     """Chains that are tried for each arm."""
     seconds: float
-    """Of each search."""
+    """CPU time of each search at most."""
     buildable: bool
     """Only designs of which a plan shows how the UR10 builds them."""
     note: Callable[[str], None]

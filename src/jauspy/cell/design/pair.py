@@ -97,7 +97,7 @@ async def build_pairs(
         seed, film=film, camera=CAMERA, view=view, robot=robot, change=change, configure=configure
     ) as session:
         for number, pair in enumerate(pairs):
-            begun, start = time.perf_counter(), session.cell.now()
+            begun, start = time.process_time(), session.cell.now()
             if number:
                 set_up(session, tasks, number)
             found = [Measured(seed, pair.task.of(arm).name) for arm in pair.designs]
@@ -110,7 +110,7 @@ async def build_pairs(
             for one in found:
                 one.failure = one.failure or failure
                 one.success = not one.failure
-                one.duration, one.wall = session.cell.now() - start, time.perf_counter() - begun
+                one.duration, one.cpu = session.cell.now() - start, time.process_time() - begun
             if failure:
                 break
     if session.film is not None:

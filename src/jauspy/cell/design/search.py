@@ -176,9 +176,9 @@ class Search:
         self.found = Found()
 
     def run(self, candidates: int, seconds: float, note: Callable[[str], None] = lambda _: None) -> Found:
-        """Try chains; `note` is told of each improvement."""
-        end = time.monotonic() + seconds
-        while self.found.tried < candidates and time.monotonic() < end:
+        """Try chains, for `seconds` of CPU time at most; `note` is told of each improvement."""
+        end = time.process_time() + seconds
+        while self.found.tried < candidates and time.process_time() < end:
             self.found.tried += 1
             elements = self._draw()
             result = self._evaluate(elements)

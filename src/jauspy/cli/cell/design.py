@@ -41,7 +41,9 @@ def design(
         ),
     ] = "mass,numJ_0.2,cyc_0.1",
     candidates: Annotated[int, typer.Option("--candidates", min=1, metavar="N", help="Chains to try.")] = 2000,
-    limit: Annotated[float, typer.Option("--limit", min=0.1, metavar="S", help="Seconds to search.")] = 60.0,
+    limit: Annotated[
+        float, typer.Option("--limit", min=0.1, metavar="S", help="Seconds of CPU time to search.")
+    ] = 60.0,
     build: Annotated[bool, typer.Option("--build", help="Build and use each arm in the simulation.")] = False,
     seed: Seed = 0,
     record: Record = None,
