@@ -59,6 +59,8 @@ PROGRESS_TURN: Final = 0.3
 DRIFT: Final = 0.03
 """Metres or radians by which the map moves in the local frame before waypoints are sent again: tracks that slip in a
 turn move it by decimetres within seconds, and doors leave less than that."""
+LEAD: Final = 0.2
+"""Metres that a robot drives at most while it gets a new list of waypoints."""
 SPACING: Final = 0.05
 """Metres between the points of a way that are compared with steps."""
 CLIMBING: Final = math.radians(45.0)
@@ -341,15 +343,32 @@ class Navigator:
             return False
         part = self._rest.pop(0)
         self._driven = list(part.points)
+        if course is not None and not course.done():
+            self._skip_near_corners()
         speed = self._speed
         if part.flippers is not None:
             speed = min(speed, STEP_SPEED)
         if part.flippers != self._flippers:
             await self._set_flippers(part.flippers)
-        points = [self._course_point(point) for point in part.points[1:]]
+        points = [self._course_point(point) for point in self._driven[1:]]
         if points:
             await self._begin_course(self._robot.drive_course(points, speed=speed, timeout=3600.0))
         return True
+
+    def _skip_near_corners(self) -> None:
+        """Leave out corners that a driving robot may have passed before it has the list, for which it would turn back.
+
+        They stay where the straight way past them is not free.
+        """
+        assert self.terrain is not None
+        points = self._driven
+        while (
+            len(points) > 2
+            and math.dist(points[0][:2], points[1][:2]) < LEAD
+            and points[1].backward == points[2].backward
+            and is_leg_free(self.terrain, points[0], points[2])
+        ):
+            del points[1]
 
     def _course_point(self, point: PathPoint) -> CoursePoint:
         x, y = self.map.to_local(point.x, point.y)
