@@ -294,8 +294,12 @@ def test_a_site_with_several_subsystems_has_one_gateway() -> None:
         query, report = message(OCU, id), message(id, OCU)
         assert after(core, query, OCU_PORT) == [(port, query)]
         assert after(core, report, port) == [(OCU_PORT, report)]
-    stays = [message(own_operator, other), message(other, JausID(102, 255, 255)), message(own_operator, MOB)]
-    assert [after(core, data, inside[0]) for data in stays] == [[], [], []]
+    stays = [
+        (message(own_operator, other), inside[1]),
+        (message(other, JausID(102, 255, 255)), inside[0]),
+        (message(own_operator, MOB), inside[1]),
+    ]
+    assert [after(core, data, port) for data, port in stays] == [[], [], []]
     assert after(core, message(OCU, JausID(120, 1, 1)), OCU_PORT) == []
     assert core.counters["dropped.gateway.not_addressed_here"] == 1
     assert after(core, message(other, MOB), OCU_PORT) == []

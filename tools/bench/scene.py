@@ -15,6 +15,7 @@ import math
 import statistics
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -113,7 +114,7 @@ def main() -> None:
     for name, scene in kinds:
         adding, asking = list[float](), list[float]()
         for sweep in seen:
-            adding.append(timed(lambda scene=scene, sweep=sweep: scene.add(sweep)))
+            adding.append(timed(partial(scene.add, sweep)))
             asking.append(timed(scene.obstacles))
         count = statistics.median(len(sweep.points) for sweep in seen)
         middle, ask = statistics.median(adding), statistics.median(asking)

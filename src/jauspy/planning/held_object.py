@@ -29,12 +29,14 @@ def read_held(msg: SetHeldObject) -> Primitive | None:
         return None
     x, y, z = place = msg.x, msg.y, msg.z
     angles = msg.roll, msg.pitch, msg.yaw
-    sides = {
-        _Shape.BOX: (msg.size_x, msg.size_y, msg.size_z),
-        _Shape.SPHERE: (msg.size_x,),
-        _Shape.CYLINDER: (msg.size_x, msg.size_z),
-    }.get(msg.shape)
-    if sides is None:
+    sides: tuple[float, ...]
+    if msg.shape == _Shape.BOX:
+        sides = (msg.size_x, msg.size_y, msg.size_z)
+    elif msg.shape == _Shape.SPHERE:
+        sides = (msg.size_x,)
+    elif msg.shape == _Shape.CYLINDER:
+        sides = (msg.size_x, msg.size_z)
+    else:
         raise WrongObjectError(
             f"a held object has shape 0 (nothing), 1 (box), 2 (sphere) or 3 (cylinder), not {msg.shape}"
         )
