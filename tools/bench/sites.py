@@ -223,7 +223,9 @@ def started(namespace: str, command: list[str], log: Path) -> Iterator[subproces
     with (
         log.open("wb") as opened,
         subprocess.Popen(
-            ["ip", "netns", "exec", namespace, sys.executable, *command], stdout=subprocess.PIPE, stderr=opened
+            ["ip", "netns", "exec", namespace, sys.executable, *command],
+            stdout=subprocess.PIPE,
+            stderr=opened,  # nosec B607
         ) as process,
     ):
         try:
