@@ -289,7 +289,7 @@ class SetHeldObject(jd.Message):
     yaw: in radian. Yaw of its axes, in radians
     size_x: in meter. Side along its x axis, in metres; the diameter of a sphere and of a cylinder
     size_y: in meter. Side along y, in metres; only for a box
-    size_z: in meter. Side along z, in metres; the length of a cylinder, around whose axis it is; not for a sphere
+    size_z: in meter. Side along z, in metres; the length of a cylinder; not for a sphere
     """
 
     class Shape(IntEnum):
@@ -325,7 +325,7 @@ class ReportHeldObject(jd.Message):
     yaw: in radian. Yaw of its axes, in radians
     size_x: in meter. Side along its x axis, in metres; the diameter of a sphere and of a cylinder
     size_y: in meter. Side along y, in metres; only for a box
-    size_z: in meter. Side along z, in metres; the length of a cylinder, around whose axis it is; not for a sphere
+    size_z: in meter. Side along z, in metres; the length of a cylinder; not for a sphere
     """
 
     class Shape(IntEnum):
