@@ -92,7 +92,7 @@ def test_a_camera_that_starts_on_a_busy_machine_says_so(url: str, robot: Running
             for each in new:
                 each.resume()
             wait_for_pictures(page)
-            assert page.locator("figure.large .video-says").inner_text() == ""
+            page.wait_for_function("document.querySelector('figure.large .video-says').innerText === ''")
     finally:
         for each in new:
             each.resume()
