@@ -56,5 +56,5 @@ def test_the_attack_notices(name: str) -> None:
 @pytest.mark.slow
 @pytest.mark.timeout(600)
 def test_without_a_mutant_the_bounds_are_kept() -> None:
-    done = attacked("--seconds", str(SECONDS * len(NAMES) // 2), "--only", *NAMES)
+    done = attacked("--seconds", str(8 * len(NAMES)), "--only", *NAMES)
     assert done.returncode == 0, done.stdout + done.stderr
