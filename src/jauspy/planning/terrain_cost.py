@@ -256,11 +256,11 @@ class TerrainCost:
 
     def _passes_steps(self, x: float, y: float, heading: float) -> bool:
         """True if no part of the robot is at a step that needs flippers, or the robot heads straight up it."""
-        at = self._step_below(x, y, heading)
-        if at is None:
+        step = self._step_below(x, y, heading)
+        if step is None:
             return True
         assert self._gradient is not None
-        slope_x, slope_y = (float(slope[at[0], at[1]]) for slope in self._gradient)
+        slope_x, slope_y = (float(slope[step[0], step[1]]) for slope in self._gradient)
         c, s = math.cos(heading), math.sin(heading)
         return _is_straight_up(slope_x * c + slope_y * s, slope_y * c - slope_x * s)
 

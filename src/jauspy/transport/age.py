@@ -24,7 +24,7 @@ _CONTROL_SPACE: Final = 64
 MAX_UNACKNOWLEDGED: Final = 2.0
 """Seconds without any acknowledgement of TCP after which what was sent is too old to be sent again."""
 _TCP_INFO: Final = struct.Struct("@24xI28xI")
-"""Of struct tcp_info of linux/tcp.h: tcpi_unacked, in packets, and tcpi_last_ack_recv, in ms."""
+"""Two fields of struct tcp_info of linux/tcp.h: tcpi_unacked, in packets, and tcpi_last_ack_recv, in ms."""
 
 Receive: TypeAlias = Callable[[int], tuple[bytes, Any]]
 

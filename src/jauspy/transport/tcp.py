@@ -36,7 +36,7 @@ KEEP_ALIVE_INTERVAL: Final = 5
 KEEP_ALIVE_PROBES: Final = 3
 """The kernel asks an idle peer after so many seconds, and closes the connection if it does not answer these."""
 _DISCARD: Final = struct.pack("@ii", 1, 0)
-"""Of SO_LINGER: closing resets the connection."""
+"""Value of SO_LINGER with which closing resets the connection."""
 MIN_RETRY_INTERVAL: Final = 0.1
 MAX_RETRY_INTERVAL: Final = 2.0
 
