@@ -19,6 +19,7 @@ from jauspy.messages.planning import (
     QueryMotionPlan,
     QueryMotionPlannerState,
     ReportMotionPlannerState,
+    SetHeldObject,
 )
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
@@ -69,10 +70,11 @@ def _take_control(arena: Arena, sock: socket.socket) -> None:
 
 
 def _plans_afterwards(arena: Arena, sock: socket.socket) -> None:
-    """A plan to where the arm is, by a client that has asked for nothing else."""
+    """A plan close to where the arm is, by a client that has asked for nothing else, with nothing in the gripper."""
     wanted, end = 4_000_000, time.monotonic() + AFTERWARDS
     goal = PlanMotion.JointGoalList([PlanMotion.JointGoalRec("base_link_to_arm_link_1", 0.2)])
     _take_control(arena, sock)
+    _send(arena, sock, SetHeldObject(SetHeldObject.Shape.NOTHING, "", *[0.0] * 9))
     _send(arena, sock, PlanMotion(PlanMotion.PlanRec(wanted, 0.5), goal))
     phase = "silent"
     while time.monotonic() < end:
@@ -104,6 +106,7 @@ def _requests(chance: random.Random) -> Iterator[Message]:
                 kind.JointGoalList([kind.JointGoalRec(name, number()) for name in names]),
                 kind.JointGoalList([kind.JointGoalRec(JOINTS[0], chance.uniform(-1.5, 1.5))]),
                 kind.PoseGoalRec(*pose()),
+                kind.PoseGoalRec("base_link", chance.uniform(0.2, 1.0), *(chance.uniform(-1.0, 1.0) for _ in range(5))),
                 kind.PointGoalRec(*pose()),
                 kind.PointGoalRec("", chance.uniform(-2.0, 2.0), chance.uniform(-2.0, 2.0), 0.5, 0.0, 0.0, 0.0),
                 kind.RegionGoalSeq(kind.GoalPoseRec(*pose()), region),
@@ -111,7 +114,13 @@ def _requests(chance: random.Random) -> Iterator[Message]:
         )
         plan = kind(kind.PlanRec(chance.choice((0, 1, 2, 2**32 - 1)), chance.choice(LIMITS)), goal)
         execute = ExecuteMotion(chance.choice((0, 1, 2, 2**32 - 1)), chance.choice((0, 3, 255)))
-        yield chance.choice((plan, plan, plan, plan, execute, CancelMotion(), QueryMotionPlan()))
+        held = SetHeldObject(
+            chance.choice((0, 1, 2, 3, 255)),
+            chance.choice(FRAMES),
+            *(number() for _ in range(6)),
+            *(abs(number()) for _ in range(3)),
+        )
+        yield chance.choice((plan, plan, plan, plan, held, execute, CancelMotion(), QueryMotionPlan()))
 
 
 def _packet(message: Message, chance: random.Random) -> bytes:
