@@ -20,7 +20,7 @@ ATTACK_ARGS ?=
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo cell test test-slow test-together test-browser test-alone test-quiet coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
+.PHONY: help setup dev demo cell test test-slow test-together test-alone coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
@@ -53,23 +53,17 @@ test: dev
 coverage: dev
 	$(PYTEST) -m '' --cov --cov-report=term $(PYTEST_ARGS)
 
-# first those that share the machine, and then those that need a processor for themselves: browsers beside processes
+# first those that share the machine, and then one by one those that need it for themselves
 test-slow: dev
 	$(MAKE) --no-print-directory test-together
-	$(MAKE) --no-print-directory -j2 --output-sync=target test-browser test-alone
-	$(MAKE) --no-print-directory test-quiet
+	$(MAKE) --no-print-directory test-alone
 
 test-together: dev
-	$(PYTEST) -m 'slow and not (alone or browser or quiet)' $(PYTEST_ARGS)
+	$(PYTEST) -m 'slow and not alone' $(PYTEST_ARGS)
 
-test-browser: dev
-	$(BIN)/pytest -m 'slow and browser' $(PYTEST_ARGS)
-
-test-quiet: dev
-	$(BIN)/pytest -m 'slow and quiet' $(PYTEST_ARGS)
-
+# only the files that have such tests: to read all others takes longer than many a test
 test-alone: dev
-	$(BIN)/pytest -m 'slow and alone' $(PYTEST_ARGS)
+	$(BIN)/pytest -m 'slow and alone' $(PYTEST_ARGS) $(shell grep -rlE --include='test_*.py' 'mark\.alone|helpers\.browser' tests)
 
 check: types docs lint imports security
 

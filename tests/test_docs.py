@@ -21,6 +21,7 @@ from jauspy.testing import LocalNode, VirtualNetwork
 GATE = Path(__file__).parent / "vendor" / "Gate.xml"
 
 
+@pytest.mark.slow
 def test_documented_synchronous_ocu_runs(node_manager: LocalNode, robot) -> None:
     source = program("ocu.md", "from jauspy.sync import OCU")
     start = "import math, time\nfrom jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort\n"
@@ -55,6 +56,7 @@ async def test_documented_gate_runs(virtual_network: VirtualNetwork) -> None:
     assert "host.action_failed" not in component.counters
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("page", "goal"), [("index.md", (2.0, 0.0)), ("tutorial.md", (1.9, 0.5))])
 async def test_program_for_newcomers_runs(
     page: str, goal: tuple[float, float], virtual_network: VirtualNetwork, robot
@@ -81,6 +83,7 @@ def test_drawing_of_the_architecture_is_that_of_the_contracts() -> None:
                 assert f">{name}</text>" in draw()
 
 
+@pytest.mark.slow
 async def test_compared_program_runs_and_lines_are_counted_right(virtual_network: VirtualNetwork, robot) -> None:
     page = (DOCS / "side-by-side.md").read_text()
     parts = [re.findall(r"^ {4}.*\S", part, re.MULTILINE) for part in page.split("\n## ")[1:4]]

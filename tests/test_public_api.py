@@ -50,11 +50,13 @@ def test_unknown_names_raise_attribute_error():
         jauspy.Ocu  # noqa: B018
 
 
+@pytest.mark.slow
 def test_packages_are_imported_on_first_use():
     code = "import jauspy; print(jauspy.sync.OCU, jauspy.testing.until, jauspy.ocu.Appeared, jauspy.messages.registry)"
     subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("statement", "unwanted"),
     [

@@ -33,6 +33,7 @@ def test_message_examples_are_right() -> None:
     assert results.failed == 0
 
 
+@pytest.mark.slow
 async def test_ocu_example_drives_the_robot(virtual_network: VirtualNetwork, robot: RobotRunner) -> None:
     (program,) = [block for block in blocks() if "jauspy.OCU(" in block]
     program = program.replace('jauspy.OCU("42.1.1")', 'network.ocu("42.1.1")').replace("asyncio.run(main())", "")
@@ -45,6 +46,7 @@ async def test_ocu_example_drives_the_robot(virtual_network: VirtualNetwork, rob
     assert mobility.host.state.endswith("NotControlled.Available.Standby")
 
 
+@pytest.mark.slow
 async def test_component_example_is_queried_and_subscribed(
     root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

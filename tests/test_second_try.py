@@ -20,11 +20,7 @@ dev check wheel-test audit:
 unit:
 \t@.venv/bin/pytest -n 2 $(PYTEST_ARGS)
 test-together:
-\t@.venv/bin/pytest -n 2 -m 'slow and not (alone or browser or quiet)' $(PYTEST_ARGS)
-test-browser:
-\t@.venv/bin/pytest -m 'slow and browser' $(PYTEST_ARGS)
-test-quiet:
-\t@.venv/bin/pytest -m 'slow and quiet' $(PYTEST_ARGS)
+\t@.venv/bin/pytest -n 2 -m 'slow and not alone' $(PYTEST_ARGS)
 test-alone:
 \t@.venv/bin/pytest -m 'slow and alone' $(PYTEST_ARGS)
 """
@@ -35,8 +31,6 @@ addopts = -m 'not slow' -p xdist
 markers =
     slow
     alone
-    browser
-    quiet
 pythonpath = .
 """
 PLANTED = '''
@@ -66,18 +60,6 @@ def test_slow():
 @pytest.mark.slow
 @pytest.mark.alone
 def test_alone():
-    pass
-
-
-@pytest.mark.slow
-@pytest.mark.quiet
-def test_quiet():
-    pass
-
-
-@pytest.mark.slow
-@pytest.mark.browser
-def test_in_a_browser():
     pass
 '''
 FLAKY = """
@@ -166,7 +148,7 @@ def test_without_failures_nothing_is_recorded(tmp_path: Path) -> None:
     [
         pytest.param(flaky(MAX_SECOND_TRIES + 1), MAX_SECOND_TRIES + 1, id="too many"),
         pytest.param(FAILS + flaky(1), 1, id="fails twice"),
-        pytest.param(FAILS.replace("slow", "slow\n@pytest.mark.browser", 1), 0, id="fails twice in a browser"),
+        pytest.param(FAILS.replace("slow", "slow\n@pytest.mark.alone", 1), 0, id="fails twice alone"),
         pytest.param(SKIPS + flaky(1), 1, id="is skipped then"),
         pytest.param(KILLED, 0, id="killed"),
         pytest.param("import nothing_of_this_name", 0, id="cannot be collected"),

@@ -45,6 +45,7 @@ def test_a_file_that_is_too_large_is_not_read(tmp_path: Path) -> None:
         user_files.read_file(path)
 
 
+@pytest.mark.slow
 def test_deep_nesting_is_one_sentence(tmp_path: Path) -> None:
     path = tmp_path / "deep.toml"
     path.write_text(NESTED)
@@ -57,6 +58,7 @@ def test_deep_nesting_is_one_sentence(tmp_path: Path) -> None:
             load_address_book(tmp_path / name)
 
 
+@pytest.mark.slow
 def test_many_addresses_of_one_id_take_no_time_to_speak_of(tmp_path: Path) -> None:
     path = tmp_path / "many.cfg"
     entries = "".join(f'<AddressBook J1="10.0.{port % 200}.5:{port}"/>' for port in range(1, 60_000))

@@ -49,6 +49,7 @@ def hostile_transform(chance: random.Random) -> Transform:
     return Transform(rotation, position)  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.filterwarnings("error")
 def test_hostile_clouds_neither_raise_nor_grow(seed: int) -> None:

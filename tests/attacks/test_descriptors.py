@@ -68,6 +68,7 @@ def victim(root: Path, free_port: int) -> Iterator[Victim]:
     victim.process.communicate()
 
 
+@pytest.mark.slow
 def test_components_that_come_and_go_leave_room_for_others(victim: Victim) -> None:
     here = JausID(101, 1, 1)
     with contextlib.ExitStack() as stack:
@@ -84,6 +85,7 @@ def test_components_that_come_and_go_leave_room_for_others(victim: Victim) -> No
     assert victim.log.stat().st_size < 4096
 
 
+@pytest.mark.slow
 def test_connections_without_a_descriptor_are_tried_again_at_a_limited_rate(victim: Victim) -> None:
     """When other programs use up the files of the whole system, or the limit is lowered."""
     before = asyncio.run(status.read(victim.root))["counters"].get("accept_failed", 0)

@@ -30,6 +30,7 @@ async def test_workers_import_nothing_from_the_current_directory(folder: Path) -
     assert not list(folder.rglob("ran"))
 
 
+@pytest.mark.slow
 async def test_commands_import_nothing_from_the_current_directory(folder: Path) -> None:
     with pytest.raises(ChildFailed):
         async with ChildProcess("command", ["node-manager", "--port", "none"]):

@@ -52,6 +52,7 @@ def counted(two: TwoRobots, robot: int = 1) -> dict[str, int]:
     return dict(two.host(robot).counters)
 
 
+@pytest.mark.slow
 async def test_poses_of_others_are_counted_and_not_used(two: TwoRobots) -> None:
     before = two.driver._track.path.leader.position
     forge(two, pose(two, 1.0), STRANGER)
@@ -73,6 +74,7 @@ async def test_jumps_are_counted_and_do_not_move_it(two: TwoRobots, far: float) 
     assert abs(two.poses[1].y) < 0.01
 
 
+@pytest.mark.slow
 async def test_a_leader_that_jumps_for_good_is_lost_and_the_follower_stops(two: TwoRobots) -> None:
     two.network.lose(Event)
     end = two.host(1).now + 5.0
@@ -84,6 +86,7 @@ async def test_a_leader_that_jumps_for_good_is_lost_and_the_follower_stops(two: 
     assert two.speeds[1] == 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "changes",
     [{"latitude": None}, {"longitude": None}, {"yaw": None}, {"latitude": 90.0}, {"latitude": -90.0, "yaw": 3.14159}],
@@ -97,6 +100,7 @@ async def test_incomplete_and_extreme_poses_are_counted(two: TwoRobots, changes:
     assert path.leader.position == place
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("content", [b"", b"\x02", b"\x02\x44", b"\xff" * 64, ReportGlobalPose().encode() + b"\x00"])
 async def test_events_that_hold_no_pose_are_counted(two: TwoRobots, content: bytes) -> None:
     forge(two, content)
@@ -153,6 +157,7 @@ async def test_a_flood_of_registrations_is_bounded_and_counted(two: TwoRobots) -
     assert host.counters["follower_replaced"] == 1
 
 
+@pytest.mark.slow
 async def test_strangers_do_not_slow_a_leader_down(two: TwoRobots) -> None:
     host = two.host(0)
     driving = asyncio.create_task(two.robots[0].drive(0.6, 0.0, seconds=4.0))

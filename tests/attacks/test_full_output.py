@@ -26,6 +26,7 @@ def full_pipe() -> tuple[IO[bytes], IO[bytes]]:
     return os.fdopen(ends[0], "rb"), os.fdopen(ends[1], "wb")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["disk", "pipe"])
 def test_it_starts_and_ends(root: Path, free_port: int, kind: str) -> None:
     unread, output = full_pipe() if kind == "pipe" else (None, Path("/dev/full").open("wb"))  # noqa: SIM115 - for the process

@@ -66,6 +66,7 @@ def test_each_measured_value_has_a_bound() -> None:
     assert len(outside.broken) == len(limits)
 
 
+@pytest.mark.slow
 def test_the_exit_status_tells_and_the_table_is_written(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -40,6 +40,7 @@ async def with_servo(cell: World) -> None:
     await asyncio.sleep(0.2)
 
 
+@pytest.mark.slow
 async def test_a_new_module_is_controlled_by_nobody() -> None:
     async with world() as cell:
         await with_servo(cell)
@@ -60,6 +61,7 @@ async def test_a_new_module_is_controlled_by_nobody() -> None:
         assert cell.robot.servos["servo_1"].current.velocity == 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("away", [0.1, 1.0])
 async def test_a_command_that_is_repeated_meanwhile_does_not_move_the_new_module(away: float) -> None:
     async with world() as cell:
@@ -77,6 +79,7 @@ async def test_a_command_that_is_repeated_meanwhile_does_not_move_the_new_module
         assert cell.robot.servos["servo_1"].current.velocity == 0.0
 
 
+@pytest.mark.slow
 async def test_a_subscription_ends_with_the_module() -> None:
     async with world() as cell:
         await with_servo(cell)
@@ -93,6 +96,7 @@ async def test_a_subscription_ends_with_the_module() -> None:
         assert heard <= 12, "only what the client has asked for again"
 
 
+@pytest.mark.slow
 async def test_a_sealed_command_for_the_old_module_is_refused_by_the_new_one(tmp_path: Path) -> None:
     pytest.importorskip("cryptography", reason="keys of operators need the extra 'operators'")
     from jauspy.protocol.seal import OperatorKey

@@ -89,6 +89,7 @@ def numbers(images: list) -> list[int]:
     return [read_numbers(image)[0] for image in images]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "nals",
     [[b"\x41" + bytes(100)], [b"\x65" + bytes(100)], [SPS, PPS, b"\x65\x88\x84" + bytes(100)]],
@@ -101,6 +102,7 @@ def test_a_stray_packet_before_the_stream(recording: Recording, nals: list[bytes
     assert numbers(recording.record()) == list(range(PICTURES))
 
 
+@pytest.mark.slow
 def test_another_ssrc_between_the_packets(recording: Recording) -> None:
     """From the first picture on, of one more source each time, with other parameter sets and reports."""
     attacker = H264Encoder(VideoSettings(640, 480, RATE))
@@ -170,6 +172,7 @@ def frames(film: Path) -> int:
         return sum(1 for _ in opened.decode(video=0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", [".mp4", ".mkv"])
 def test_a_recording_can_be_read_when_its_program_was_killed(tmp_path: Path, suffix: str) -> None:
     film = tmp_path / f"front{suffix}"
@@ -177,6 +180,7 @@ def test_a_recording_can_be_read_when_its_program_was_killed(tmp_path: Path, suf
     assert frames(film) >= PICTURES - RATE
 
 
+@pytest.mark.slow
 def test_a_full_disk_is_reported_at_once_and_what_was_recorded_can_be_read(tmp_path: Path) -> None:
     film = tmp_path / "front.mp4"
     done = record(film, "full")

@@ -43,6 +43,7 @@ class Socket:
         raise OSError("this kernel has neither stamps nor filters")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rate", [0.0, 1.0])
 async def test_ordinary_packets_keep_their_share_of_what_is_queued(rate: float) -> None:
     source, counters = Socket(), Counters(logging.getLogger("jauspy.test"))
@@ -88,6 +89,7 @@ def test_the_kernel_drops_most_of_the_flood_and_nothing_else(udp: Callable[..., 
     assert 150 < arrived.count(Priority.SAFETY_CRITICAL) < 350
 
 
+@pytest.mark.slow
 async def test_the_filter_becomes_tighter_until_the_rest_can_be_routed(udp: Callable[..., socket.socket]) -> None:
     receiver, sender = udp(), udp()
     receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 22)

@@ -31,6 +31,7 @@ def command(number: int, ack: Ack = Ack.NONE) -> bytes:
     return judp.pack(Packet(OPERATOR, ROBOT, EFFORT, number, ack=ack))
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("kernel_stamps")
 def test_a_node_manager_that_was_stopped_hands_on_only_what_is_acknowledged_or_new(
     daemon_process: DaemonProcess, root: Path

@@ -134,6 +134,7 @@ def test_errors() -> None:
     assert_harmless(str(jauspy.ConfigError(TURNED)), forged=True)
 
 
+@pytest.mark.slow
 @given(st.text())
 def test_any_text(text: str) -> None:
     assert printable(text).isprintable()

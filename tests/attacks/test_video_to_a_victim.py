@@ -103,6 +103,7 @@ def test_many_ids_of_one_machine_have_one_share(module: Module) -> None:
     assert module.enter("rtp://10.0.0.1:5004", OPERATOR)
 
 
+@pytest.mark.slow
 def test_nobody_learns_where_others_watch(module: Module) -> None:
     module.enter("rtp://10.0.0.1:5004", OPERATOR)
     for client, count in ((ATTACKERS[0], 0), (OPERATOR, 1)):
@@ -110,6 +111,7 @@ def test_nobody_learns_where_others_watch(module: Module) -> None:
         assert len(answer.digital_resource_endpoint_list) == count
 
 
+@pytest.mark.slow
 async def test_a_real_robot_refuses_what_is_not_the_clients() -> None:
     """Over UDP to a node manager, which says where clients are."""
     with LocalNode() as node:

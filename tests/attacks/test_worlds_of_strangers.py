@@ -61,6 +61,7 @@ def world(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder / "it.xml"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("content", COSTLY.values(), ids=COSTLY.keys())
 def test_worlds_that_take_too_much(world: Path, monkeypatch: pytest.MonkeyPatch, content: str) -> None:
     monkeypatch.setattr(mjcf_files, "MAX_MEMORY", 2 << 30)
@@ -114,6 +115,7 @@ def test_worlds_that_are_more_than_data(world: Path, text: str, said: str) -> No
     assert any(part in _refusal(world) for part in said.split("|"))
 
 
+@pytest.mark.slow
 def test_a_world_cannot_make_each_step_last_for_ever(world: Path) -> None:
     world.write_text(
         f'<mujoco><option iterations="{LARGE}" noslip_iterations="{LARGE}"/><visual><global offwidth="1000000"/>'

@@ -40,6 +40,7 @@ async def heard(receiver, frames):
     return joined(sounds)
 
 
+@pytest.mark.slow
 async def test_microphone_goes_on_after_its_worker_died(microphone):
     async with microphone:
         with AudioReceiver() as receiver:
@@ -74,6 +75,7 @@ async def port_of(loudspeaker):
         return await found
 
 
+@pytest.mark.slow
 async def test_loudspeaker_keeps_its_port_and_source_after_its_worker_died():
     played = []
     async with LoudspeakerProcess(LoudspeakerSetup("announcer", "base_link"), played.append) as loudspeaker:

@@ -29,6 +29,7 @@ def test_an_unknown_id() -> None:
     assert read_message(bytes.fromhex("eeee00"), registry).problem == "unknown message EEEEh"
 
 
+@pytest.mark.slow
 def test_reencodes_is_what_encoding_gives() -> None:
     random, counts = Random(2), {True: 0, False: 0}
     for entry in registry.entries:

@@ -78,6 +78,7 @@ def test_a_flipped_part_lies_upside_down_in_the_physics_and_the_sensor_sees_it(t
     inside(trial("tube_long", 'flipped_parts = ["tube_1"]'), look)
 
 
+@pytest.mark.slow
 def test_a_blind_sensor_reports_nothing_new_and_the_client_knows_what_it_saw(trial: Callable[..., Trial]) -> None:
     async def look(session: Session) -> None:
         before = await session.cell.observe()
@@ -98,6 +99,7 @@ def test_a_blind_sensor_reports_nothing_new_and_the_client_knows_what_it_saw(tri
     inside(trial("tube_long"), look)
 
 
+@pytest.mark.slow
 def test_a_gripper_that_vents_lets_its_part_fall_and_reports_why(trial: Callable[..., Trial]) -> None:
     async def look(session: Session) -> None:
         robot = robot_of(session)

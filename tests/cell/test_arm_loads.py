@@ -93,6 +93,7 @@ def without_latch(setup: CellSetup, type: str) -> CellSetup:
     return replace(setup, types={**setup.types, type: replace(setup.types[type], latch=False)}, limits=UNEQUAL)
 
 
+@pytest.mark.slow
 def test_the_simulation_measures_what_all_planners_compute_for_parts_with_and_without_latches(
     model: RobotModel,
 ) -> None:

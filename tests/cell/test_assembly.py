@@ -30,6 +30,7 @@ def parts(result: AssemblyResult) -> list[str]:
     return [each.part for each in result.parts]
 
 
+@pytest.mark.slow
 async def test_the_first_joints_are_built(cell: FakeCell) -> None:
     result = await build(cell)
     assert result.failure == ""
@@ -44,6 +45,7 @@ async def test_the_first_joints_are_built(cell: FakeCell) -> None:
     assert cell.log, "the new joint was moved"
 
 
+@pytest.mark.slow
 async def test_a_grasp_that_fails_is_tried_again(cell: FakeCell) -> None:
     cell.fails = lambda connector, part: "no vacuum" if connector == GRIPPER and cell.starts[GRIPPER] == 1 else ""
     result = await build(cell, TWO[:1])
@@ -91,6 +93,7 @@ async def test_a_hidden_part_is_not_looked_for(cell: FakeCell) -> None:
     assert parts(result)[1] == "bracket_2"
 
 
+@pytest.mark.slow
 async def test_without_any_part_it_ends_with_the_reason_and_at_rest(cell: FakeCell, layout: Layout) -> None:
     cell.hidden |= set(layout.of_types(("bracket_straight",)))
     result = await build(cell)

@@ -93,6 +93,7 @@ async def test_a_grasp_that_fails_is_tried_again_and_the_part_stays(cell: FakeCe
     assert cell.attached == {}
 
 
+@pytest.mark.slow
 async def test_a_gripper_that_never_holds_releases_nothing(cell: FakeCell) -> None:
     cell.fails = lambda connector, part: "no vacuum" if connector == GRIPPER else ""
     with pytest.raises(TaskFailed, match="servo_2 cannot be taken off bracket_1/output: no vacuum"):

@@ -54,6 +54,7 @@ def level(ur10: Assembler, x: float, y: float, z: float, near: np.ndarray) -> np
     return found[0].positions
 
 
+@pytest.mark.slow
 def test_a_heavy_load_is_carried_upright_where_a_light_one_is_turned(ur10: Assembler) -> None:
     """A column stands in the way."""
     k, scene = ur10.layout.kinematics, ur10.scene
@@ -129,6 +130,7 @@ GRASPED = (
 """Parts, and the gripper in their frame where it is not the usual one."""
 
 
+@pytest.mark.slow
 def test_the_gripper_locks_where_the_simulation_says_so(layout: Layout) -> None:
     """On flanges, and on the faces of brackets that are made for it."""
     pytest.importorskip("mujoco")

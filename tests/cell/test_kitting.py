@@ -167,6 +167,7 @@ class TestBoxes:
             kitter._next_box()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("yaw", [-2.5, -0.4, 0.0, 0.7, 3.0])
 def test_the_last_joint_gives_the_tip_its_heading(layout: Layout, yaw: float) -> None:
     members = [Member(name, layout.type_of(name), pin.SE3.Identity(), "output") for name in FIVE_JOINTS]

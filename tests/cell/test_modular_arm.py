@@ -42,6 +42,7 @@ def test_hanging_on_its_tip_the_first_part_is_where_it_was(chain: Chain, members
     assert len(hanging.links) == len(chain.links)
 
 
+@pytest.mark.slow
 def test_it_points_down_where_it_is_commanded(chain: Chain) -> None:
     point, down = np.array([1.05, 0.22, 0.4]), np.array([0.0, 0.0, -1.0])
     found = chain.pointing(point, down, np.zeros(5))
@@ -52,11 +53,13 @@ def test_it_points_down_where_it_is_commanded(chain: Chain) -> None:
         assert tip.rotation[:, 2] @ down > math.cos(0.02)
 
 
+@pytest.mark.slow
 def test_a_base_that_leans_is_made_up_for(members: list[Member]) -> None:
     leaning = BASE * pin.SE3(pin.utils.rpyToMatrix(0.003, 0.002, 0.0), np.zeros(3))
     assert Chain(leaning, members).pointing(np.array([1.05, 0.22, 0.4]), np.array([0.0, 0.0, -1.0]), np.zeros(5))
 
 
+@pytest.mark.slow
 def test_out_of_reach_there_is_no_posture(chain: Chain) -> None:
     assert chain.pointing(np.array([3.0, 0.0, 0.3]), np.array([0.0, 0.0, -1.0]), np.zeros(5)) == []
 

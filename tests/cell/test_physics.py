@@ -52,7 +52,7 @@ def physics(*speeds: float, collisions: int = 0, load: float = 0.6, stops: int =
 
 
 def run(seed: int, *speeds: float, **fields: Any) -> Measured:
-    return Measured(seed, "lift", success=True, duration=8.0, wall=1.0, physics=physics(*speeds, **fields))
+    return Measured(seed, "lift", success=True, duration=8.0, cpu=1.0, physics=physics(*speeds, **fields))
 
 
 def test_the_largest_of_each_figure_counts() -> None:

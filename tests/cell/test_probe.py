@@ -24,6 +24,7 @@ def move() -> dict[str, JointFigures]:
     return probe.joints
 
 
+@pytest.mark.slow
 def test_joints_without_payload_arrive_within_a_milliradian_at_published_speeds() -> None:
     joints = move()
     assert len(joints) == 6
@@ -31,6 +32,7 @@ def test_joints_without_payload_arrive_within_a_milliradian_at_published_speeds(
     assert all(joint.speed <= math.radians(LIMITS.get(name, 180.0)) for name, joint in joints.items())
 
 
+@pytest.mark.slow
 def test_joints_that_are_not_fed_forward_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("jauspy_sim.cell.robot.dynamics_of", lambda *_: None)
     assert max(joint.end_error for joint in move().values()) > 0.001

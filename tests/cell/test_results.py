@@ -92,6 +92,7 @@ class TestReportOfIso9283:
         points = (DriftPoint(0.0, Accuracy(0.001, 0.0001)), DriftPoint(600.0, Accuracy(0.0012, 0.0001)))
         return replace(plain, ur10=(plain.ur10[0], loaded), drifts=((EVIL, Drift(points)),))
 
+    @pytest.mark.slow
     def test_it_has_the_tables_of_the_standard(self, tmp_path: Path) -> None:
         page = write_report(self.whole(), Plan(), 0, tmp_path).read_text()
         assert '<th scope="col" class="number">AT, mm</th>' in page
@@ -103,6 +104,7 @@ class TestReportOfIso9283:
         assert page.count("<caption>") > 8
         assert page.count('<img class="plot"') == 3
 
+    @pytest.mark.slow
     def test_names_are_text(self, tmp_path: Path) -> None:
         path = write_report(self.whole(), Plan(), 0, tmp_path, tmp_path / "report.html")
         assert path == tmp_path / "report.html"
@@ -200,6 +202,7 @@ class TestPlots:
     def _matplotlib(self) -> None:
         pytest.importorskip("matplotlib", reason="the extra 'plot' is not installed")
 
+    @pytest.mark.slow
     @pytest.mark.parametrize("rows", [[], [{"error": 0.001}, {"error": 0.002}, {"other": 1.0}]])
     def test_trials_are_drawn_with_and_without_errors_of_parts(
         self, tmp_path: Path, rows: list[dict[str, float]]

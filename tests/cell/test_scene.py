@@ -70,6 +70,7 @@ def test_connectors_of_servos_turn_with_the_joint(layout: Layout) -> None:
         connector_frame(elbow, "side")
 
 
+@pytest.mark.slow
 def test_a_detour_keeps_its_distance(layout: Layout, scene: PlanningScene) -> None:
     planner = MotionPlanner(scene, layout.kinematics, margin=0.015)
     scene.put("wall", [Piece(coal.Box(0.05, 0.3, 1.3), pin.SE3.Identity())], shifted(0.7, 0.0, 0.65))

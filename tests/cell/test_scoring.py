@@ -43,8 +43,8 @@ def test_the_interval_of_a_rate() -> None:
 
 
 def test_a_summary_names_the_failures() -> None:
-    good = Measured(1, "lift", success=True, duration=10.0, wall=5.0)
-    results = [good, Measured(0, "lift", failure="no box", wall=1.0)]
+    good = Measured(1, "lift", success=True, duration=10.0, cpu=5.0)
+    results = [good, Measured(0, "lift", failure="no box", cpu=1.0)]
     found = summarised(results)
     assert (found.successes, found.runs, found.rate) == (1, 2, 0.5)
     assert found.failures == ((0, "no box"),)
@@ -52,7 +52,7 @@ def test_a_summary_names_the_failures() -> None:
 
 
 def test_what_differs_from_run_to_run_is_not_compared() -> None:
-    assert Measured(1, "lift", wall=1.0).comparable() == Measured(1, "lift", wall=2.0).comparable()
+    assert Measured(1, "lift", cpu=1.0).comparable() == Measured(1, "lift", cpu=2.0).comparable()
 
 
 def test_the_page_has_everything_inside_and_is_escaped(tmp_path: Path) -> None:

@@ -47,6 +47,7 @@ def test_an_estimate_is_what_the_schedule_takes(actions: list[Planned]) -> None:
     assert estimated(actions) == pytest.approx(asyncio.run(run()), abs=1e-6)
 
 
+@pytest.mark.slow
 @given(schedules())
 def test_an_estimate_is_between_the_longest_chain_and_all_in_a_row(actions: list[Planned]) -> None:
     total = estimated(actions)

@@ -27,6 +27,7 @@ from jauspy.virtual.environment import VirtualTime
 from jauspy_sim.cell.robot import SimulatedCell
 
 
+@pytest.mark.slow
 def test_a_client_sees_the_parts_and_moves_the_arm() -> None:
     async def look() -> None:
         async with simulated(3, Disturbances()) as session:
@@ -52,6 +53,7 @@ def test_equal_seeds_build_equally_to_the_last_bit() -> None:
     assert repr(one) == repr(other)
 
 
+@pytest.mark.slow
 def test_a_cell_that_is_watched_is_no_faster_than_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
     shown = []
     monkeypatch.setattr(SimulatedCell, "view", lambda _: shown.append("a window"))
@@ -94,6 +96,7 @@ async def test_a_running_cell_is_kept_under_control_while_motions_are_planned(la
     assert await client.compute(partial(renewed.wait, 5.0))
 
 
+@pytest.mark.slow
 async def test_a_window_needs_a_display(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)

@@ -168,6 +168,7 @@ class TestRelease:
 
 
 class TestStep:
+    @pytest.mark.slow
     async def test_it_presses_on_until_the_end_holds(self, layout: Layout) -> None:
         cell = Cell(platform_1__top="servo_1")
         cell.attaches["servo_5/output"] = "platform_2", 2
@@ -176,6 +177,7 @@ class TestStep:
         assert made.result.attempts == 2
         assert cell.enabled == [("servo_5/output", True), (BASE, False)]
 
+    @pytest.mark.slow
     async def test_then_it_stands_on_the_other_platform(self, layout: Layout) -> None:
         cell = Cell(platform_1__top="servo_1")
         cell.attaches["servo_5/output"] = "platform_2", 0
@@ -188,6 +190,7 @@ class TestStep:
         foot = HangingChain(platform, made.arm.members)
         assert max(offset_between(chain.forward(np.zeros(5)), foot.forward(np.zeros(5)))) < 1e-9
 
+    @pytest.mark.slow
     async def test_an_end_that_never_holds_fails_with_the_connectors_reason_and_nothing_is_released(
         self, layout: Layout
     ) -> None:
@@ -208,6 +211,7 @@ class TestStep:
         assert cell.enabled == []
 
 
+@pytest.mark.slow
 async def test_it_steps_back_so_that_its_foot_faces_as_before(layout: Layout) -> None:
     made = stepper(layout, Cell())
     hanging = HangingChain(made._platform("platform_2"), made.arm.members)

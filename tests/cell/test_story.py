@@ -94,6 +94,7 @@ def test_the_story_is_a_task_of_five_stages() -> None:
     assert "demo" in TASKS
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", ["place", "qpos"])
 def test_a_position_that_is_written_in_a_story_is_caught(how: str) -> None:
     """A fault that is put in: a stage moves a box by hand."""

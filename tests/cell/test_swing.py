@@ -40,6 +40,7 @@ def test_comparison_says_what_is_missing() -> None:
     assert bad.measured(1).failure.startswith("at rest 2.0 times sooner, overshoot 0.61")
 
 
+@pytest.mark.slow
 def test_plot(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib", reason="the extra 'plot' is not installed")
     path = tmp_path / "swing.svg"

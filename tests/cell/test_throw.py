@@ -65,6 +65,7 @@ def test_the_plan_keeps_all_limits_and_lands_at_the_aim(plan: ThrowPlan) -> None
     assert abs(left) < 0.001
 
 
+@pytest.mark.slow
 def test_the_load_of_what_the_arm_stands_on_is_planned_too(planner: ThrowPlanner, plan: ThrowPlan) -> None:
     assert set(plan.loads) == {BASE, *(f"{part}/output" for part in FIVE_JOINTS)}
     # at rest, hanging out to the front, by hand: weights and their levers about the middle of the platform's plate

@@ -40,9 +40,9 @@ def test_more_runs_with_the_same_rate_say_more(counts: tuple[int, int]) -> None:
     assert closer[1] - closer[0] < high - low
 
 
-def run(seed: int, *, success: bool = True, duration: float = 10.0, wall: float = 2.0, **values: float) -> Measured:
+def run(seed: int, *, success: bool = True, duration: float = 10.0, cpu: float = 2.0, **values: float) -> Measured:
     reason = "" if success else f"no box {seed}"
-    return Measured(seed, "lift", success=success, failure=reason, duration=duration, wall=wall, values=values)
+    return Measured(seed, "lift", success=success, failure=reason, duration=duration, cpu=cpu, values=values)
 
 
 def test_the_summary_does_not_depend_on_the_order_in_which_results_come() -> None:
@@ -52,6 +52,7 @@ def test_the_summary_does_not_depend_on_the_order_in_which_results_come() -> Non
     assert (found.task, found.runs, found.successes, found.rate) == ("lift", 4, 3, 0.75)
     assert (found.duration, found.longest) == (9.0, 12.0), "of the successful ones"
     assert found.speed == pytest.approx((8.0 + 30.0 + 12.0 + 9.0) / 8.0)
+    assert found.cpu == 2.0
     assert found.failures == ((1, "no box 1"),)
 
 

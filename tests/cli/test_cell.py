@@ -98,6 +98,7 @@ def test_an_incomplete_film_is_said_once(given: dict[str, bool], monkeypatch: py
         assert found.output.count("the film x.mp4 is incomplete") == 1
 
 
+@pytest.mark.slow
 def test_trials_need_a_rate(given: dict[str, bool], tmp_path: Path) -> None:
     arguments = ["cell", "trials", "lift", "--seeds", "4", "--out", str(tmp_path)]
     found = runner.invoke(app, arguments)
@@ -130,6 +131,7 @@ def test_measurements(given: dict[str, bool], tmp_path: Path, verb: str, file: s
     assert runner.invoke(app, ["cell", verb, "--out", str(tmp_path)]).exit_code == 1
 
 
+@pytest.mark.slow
 def test_everything_once(given: dict[str, bool], tmp_path: Path) -> None:
     arguments = ["cell", "all", "--seeds", "2", "--no-films", "--out", str(tmp_path)]
     found = runner.invoke(app, arguments)
@@ -147,6 +149,7 @@ def test_everything_once(given: dict[str, bool], tmp_path: Path) -> None:
     assert "NOT KEPT" in found.stdout
 
 
+@pytest.mark.slow
 def test_stories_that_were_run_before_are_on_the_page(given: dict[str, bool], tmp_path: Path) -> None:
     evil = "<script>alert(1)</script>"
     stories = [Measured(seed, "demo", success=seed > 0, failure="" if seed else evil) for seed in range(20)]

@@ -53,6 +53,7 @@ def test_steps_run_by_udp_and_through_a_node_manager(robot, tmp_path):
     assert is_capture(files["pcapng"].read_bytes()[:4])
 
 
+@pytest.mark.slow
 def test_a_robot_is_named_by_its_number(robot):
     root, _ = robot
     command = (
@@ -74,6 +75,7 @@ def test_a_robot_is_named_by_its_number(robot):
     assert result.exit_code == 1
 
 
+@pytest.mark.slow
 def test_failures_are_explained(robot):
     _, port = robot
     listed = invoke("ugv-1.0", "--list", "--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}", "--timeout", 5)

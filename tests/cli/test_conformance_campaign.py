@@ -44,6 +44,7 @@ def invoke(*arguments: object):
     return CliRunner().invoke(app, ["conformance", URN, "--schemas", str(SOURCE), *map(str, (*SOME, *arguments))])
 
 
+@pytest.mark.slow
 def test_report_has_all_targets_and_one_that_is_gone_does_not_end_the_others(asked, tmp_path: Path) -> None:
     files = {kind: tmp_path / f"all.{kind}" for kind in ("html", "junit", "pcapng")}
     written = [word for kind, path in files.items() for word in (f"--{kind}", path)]

@@ -143,6 +143,7 @@ def test_fragments_are_not_decoded_as_messages(tmp_path):
     assert item["messages"][0]["message"] is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["pcap", "hex"])
 def test_standard_input_accepts_captures_and_hex(tmp_path, kind):
     path = pcap(tmp_path / "x.pcap", [bytes.fromhex(QUERY_STATUS)])

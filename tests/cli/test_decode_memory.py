@@ -92,8 +92,14 @@ def peak(path: Path, *options: str) -> int:
     return int(found[1])
 
 
-@pytest.mark.parametrize("write", [write_pcap, write_pcapng, write_mcap])
-@pytest.mark.parametrize("options", [["--json"], ["--format", "csv", "--filter", "msg == ReportLocalPose"]])
+@pytest.mark.parametrize(
+    ("write", "options"),
+    [
+        (write_pcap, ["--json"]),
+        (write_pcapng, ["--format", "csv", "--filter", "msg == ReportLocalPose"]),
+        (write_mcap, ["--json"]),
+    ],
+)
 def test_the_peak_does_not_grow_with_the_file(
     tmp_path: Path, write: Callable[[Path, int], None], options: list[str]
 ) -> None:

@@ -139,6 +139,7 @@ def test_unknown_field_error_lists_fields_with_units():
     assert "\n  resistive_linear_effort_x       0..100 %, optional\n" in str(caught.value)
 
 
+@pytest.mark.slow
 def test_all_messages_can_be_described_and_rendered():
     for cls in registry:
         assert cls.NAME in describe(cls)

@@ -47,6 +47,7 @@ def test_file_without_messages_is_skipped(tmp_path):
     assert with_both.stdout == run("codec", tmp_path / "seeds.hex", "--cases", 10, "--message", "ConfirmControl").stdout
 
 
+@pytest.mark.slow
 def test_equal_campaigns_print_the_same():
     one, other = (run("codec", "--cases", 1700, "--message", "ConfirmControl") for _ in range(2))
     assert (one.stdout, one.stderr) == (other.stdout, other.stderr)

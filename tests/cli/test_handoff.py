@@ -20,6 +20,7 @@ def robot():
         yield running
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("grants", [True, False])
 def test_the_client_in_control_decides(robot, grants: bool):
     seen: list[HandoffRequest] = []

@@ -47,6 +47,7 @@ async def test_foreign_node_manager_is_replaced_when_it_ends(
     assert list(root.iterdir()) == []
 
 
+@pytest.mark.slow
 async def test_child_is_stopped_if_the_supervisor_never_ran(root: Path, free_port: int) -> None:
     async with up.node_manager(root, free_port) as node:
         assert node.where == f"UDP port {free_port}, local sockets in {root}"

@@ -60,6 +60,7 @@ def written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "rover.toml"
 
 
+@pytest.mark.slow
 def test_wheels_groups_limits_and_sensors_are_found(written: Path) -> None:
     data = tomllib.loads(written.read_text())
     assert (data["name"], data["urdf"], data["subsystem"]) == ("rover", "rover.urdf", 9)
@@ -95,6 +96,7 @@ def test_joints_without_limits_belong_to_the_arm_and_casters_to_none(
     assert robot_files.robot_model(robot_files.load(Path("rover.toml"))).wheels is not None
 
 
+@pytest.mark.slow
 def test_the_robot_moves(written: Path) -> None:
     pytest.importorskip("mujoco")
     from jauspy_sim.robot import SimulatedRobot
@@ -146,6 +148,7 @@ def test_a_robot_of_wheels_without_limits_turns_in_the_simulation(
         robot.close()
 
 
+@pytest.mark.slow
 async def test_a_robot_of_wheels_without_limits_goes_to_a_point(tmp_path: Path) -> None:
     pytest.importorskip("mujoco")
     (tmp_path / "skidding.urdf").write_text(skidding(0.256))
@@ -180,6 +183,7 @@ def test_a_robot_that_cannot_turn_is_told_with_what_to_change(tmp_path: Path, mo
     assert "drives at" in said
 
 
+@pytest.mark.slow
 def test_mistakes_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, written: Path) -> None:
     for arguments, said in (
         (["rover.urdf"], "rover.toml exists; remove it"),
@@ -191,6 +195,7 @@ def test_mistakes_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, wri
         assert said in " ".join((done.output + str(done.exception or "")).split())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("limits", "said"),
     [
@@ -218,6 +223,7 @@ def lacking(name: str = "rover.urdf.xacro") -> None:
     Path(name).write_text(text.replace('<link name="body">', f'<link name="body">{mesh}'))
 
 
+@pytest.mark.slow
 def test_a_robot_with_missing_parts_runs_without_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     lacking()
@@ -237,6 +243,7 @@ def test_a_robot_with_missing_parts_runs_without_them(tmp_path: Path, monkeypatc
     assert '<box size="0.1 0.1 0.1"' in model.description.urdf
 
 
+@pytest.mark.slow
 def test_what_is_left_out_is_told_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:

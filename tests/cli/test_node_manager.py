@@ -31,6 +31,7 @@ def node_manager(free_port, local_root):
     process.communicate()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 0), (signal.SIGINT, 130)])
 def test_stop_is_orderly_and_prints_counters(node_manager, local_root, number, status):
     node_manager.send_signal(number)
@@ -57,6 +58,7 @@ def test_sigint_stops_what_a_script_started_in_the_background(free_port, local_r
     assert out == "status 130\n"
 
 
+@pytest.mark.slow
 def test_sigusr1_prints_the_counters(node_manager, free_port):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
         sender.sendto(b"\xff" * 40, ("127.0.0.1", free_port))
@@ -83,6 +85,7 @@ def test_port_in_use_error_names_the_process_and_the_option(node_manager, free_p
     assert len(second.stderr.splitlines()) == 1
 
 
+@pytest.mark.slow
 def test_invalid_settings_cause_one_sentence():
     done = subprocess.run(
         [*COMMAND, "--multicast-group", "10.0.0.1"], capture_output=True, text=True, check=False, timeout=30
@@ -130,6 +133,7 @@ def run(*arguments):
     return subprocess.run([*COMMAND, *arguments], capture_output=True, text=True, check=False, timeout=30)
 
 
+@pytest.mark.slow
 def test_the_printed_configuration_is_valid(tmp_path):
     first = run("--print-config", "--port", "4000", "--metrics", "127.0.0.1:9794")
     file = tmp_path / "nm.toml"
@@ -149,6 +153,7 @@ def test_peer_sets_its_multicast_group():
     assert "choose one of jts, fkie, openjaus" in run("--print-config", "--peer", "none").stderr
 
 
+@pytest.mark.slow
 def test_invalid_file_error_names_file_key_and_fix(tmp_path):
     file = tmp_path / "nm.toml"
     file.write_text("prot = 3795\n")
@@ -166,12 +171,14 @@ def test_status_of_a_running_node_manager_is_printed(node_manager, free_port, lo
     assert json.loads(run("--status", "--json", "--local-root", str(local_root)).stdout)["pid"] == node_manager.pid
 
 
+@pytest.mark.slow
 def test_status_without_a_node_manager_is_an_error(local_root):
     done = run("--status", "--local-root", str(local_root))
     assert done.returncode == 1
     assert f"no node manager serves its status at {local_root}" in done.stderr
 
 
+@pytest.mark.slow
 def test_sighup_reloads_the_file_and_rejects_an_invalid_one(free_port, local_root, tmp_path):
     file = tmp_path / "nm.toml"
     interfaces = 'multicast_interfaces = ["127.0.0.1"]'  # others may not be there, which is said

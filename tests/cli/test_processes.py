@@ -12,6 +12,7 @@ from jauspy.cli.processes import ChildFailed, ChildProcess
 from jauspy.transport.local import is_alive
 
 
+@pytest.mark.slow
 async def test_child_is_ready_after_its_first_line_and_ends_on_exit(free_port, local_root):
     async with ChildProcess(
         "node manager", ["node-manager", "--port", str(free_port), "--local-root", str(local_root)]
@@ -22,6 +23,7 @@ async def test_child_is_ready_after_its_first_line_and_ends_on_exit(free_port, l
     await child.stop()  # twice is fine
 
 
+@pytest.mark.slow
 async def test_failed_child_error_has_its_output(free_port, local_root):
     arguments = ["node-manager", "--port", str(free_port), "--local-root", str(local_root), "--address", "203.0.113.9"]
     with pytest.raises(ChildFailed, match=r"^node manager: 203\.0\.113\.9 is not an address of this machine"):
@@ -29,6 +31,7 @@ async def test_failed_child_error_has_its_output(free_port, local_root):
             pass
 
 
+@pytest.mark.slow
 async def test_end_of_a_child_is_detected(free_port, local_root):
     where = ["--port", str(free_port), "--interface", "127.0.0.1", "--local-root", str(local_root)]
     arguments = ["node-manager", *where]

@@ -221,6 +221,7 @@ def test_show_marks_fields_without_presence_bit():
         assert rows[name]["values"] == ["never present: no presence bit is left"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["core:Time{}", "urn:jaus:jss:core:Time{}", "SetTime{}", "0011{}"])
 def test_show_selects_a_version_by_suffix(name):
     for sign in "@:":

@@ -150,6 +150,7 @@ def test_generate_a_package_that_can_be_imported(lamp, tmp_path):
     assert python(USE.format(package="acme_messages"), tmp_path) == "01d00007"
 
 
+@pytest.mark.slow
 def test_collisions_of_a_generated_package_name_files(lamp, tmp_path):
     other = tmp_path / "vendor" / "Other.xml"
     text = lamp.read_text(encoding="utf-8").replace("SetLamp", "SetOther").replace(":Lamp", ":Other")
@@ -201,6 +202,7 @@ print(SetLamp(brightness=7).encode().hex())
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("source", ["vendor/Lamp.xml", "vendor", "vendor/*.xml"])
 def test_stubs_of_a_module_that_loads_the_definitions(lamp, tmp_path, monkeypatch, source):
     """The module finds them from its own folder, wherever it is imported."""
@@ -243,6 +245,7 @@ def test_stubs_have_no_package(lamp, tmp_path):
     assert "--stubs writes a module, which has no package; leave it out" in error
 
 
+@pytest.mark.slow
 def test_paths_of_definitions_are_texts_in_the_module(lamp, tmp_path):
     """Names of folders may have any character."""
     folder = tmp_path / 'a"b\\c[d]{e}\n'

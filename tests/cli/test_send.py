@@ -102,6 +102,7 @@ async def send_freely(network: VirtualNetwork, message, to=COMPONENT):
     await send_without_control(network.ocu(), to, message, max_wait=2.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("authority", [None, 200], ids=["without control", "with control"])
 async def test_reset_ends_failure_with_and_without_control(virtual_network, monkeypatch, capsys, authority):
     driver = JausID(101, 1, 102)

@@ -84,6 +84,7 @@ def test_motors_are_heard_and_louder_when_faster(robot, tmp_path):
     assert levels[1.0] == pytest.approx(levels[0.3] + 15.7, abs=4.0)
 
 
+@pytest.mark.slow
 def test_foreign_network_gets_no_sound(robot, tmp_path):
     with sync.OCU("42.1.1", robot.local) as ocu:
         record = Register.DigitalResourceEndpointRec(RTP_SERVER_TYPE, "rtp://198.51.100.9:5004", None, 1)
@@ -122,6 +123,7 @@ def test_mistakes_get_a_sentence(robot, message, words, said, monkeypatch):
     assert said in " ".join(result.stderr.split())
 
 
+@pytest.mark.slow
 def test_folder_for_announcements_is_checked(tmp_path):
     speakers = [LoudspeakerSetup("horn", "base_link"), LoudspeakerSetup("siren", "base_link", folder="old")]
     assert [item.folder for item in with_folder(speakers, tmp_path / "said")] == [str(tmp_path / "said")] * 2

@@ -36,6 +36,7 @@ def robot(free_port, local_root):
     running.close()
 
 
+@pytest.mark.slow
 def test_ls_query_and_send_work(beside):
     local, udp = beside.local, beside.udp
     [found] = [json.loads(line) for line in jauspy("ls", "--json", "--connect", udp).stdout.splitlines()]
@@ -64,6 +65,7 @@ def test_ls_query_and_send_work(beside):
     assert "101.1.99 was sent QueryStatus" in nobody.stderr
 
 
+@pytest.mark.slow
 def test_frames_of_a_running_robot(beside):
     local = beside.local
     asked = jauspy("tf", "base_link", "lidar_link", "--json", "--connect", local)
@@ -121,6 +123,7 @@ def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(beside):
             assert sources == set(MODULES)
 
 
+@pytest.mark.slow
 def test_send_tells_what_prevents_an_effect(beside):
     where = ("--connect", beside.local)
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=40")
@@ -189,6 +192,7 @@ def test_loss_of_control_during_hold_is_a_failure(beside):
     assert err.startswith("Error: control of 101.1.102 was lost: 101.1.102 took it back")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("number", "status"), [(signal.SIGINT, 130), pytest.param(signal.SIGTERM, 0, marks=pytest.mark.slow)]
 )
@@ -306,6 +310,7 @@ def test_the_demo(free_port):
     assert "\x1b" not in text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("number", "status"),
     [
@@ -334,6 +339,7 @@ def test_the_demo_has_one_default_backend():
     assert "the robot's own" not in text
 
 
+@pytest.mark.slow
 def test_port_in_use_error_names_the_process(beside):
     err = jauspy("demo", "--backend", "kinematic", "--port", str(beside.port), status=1).stderr
     assert f"UDP port {beside.port} is used by process {os.getpid()}" in err

@@ -89,6 +89,7 @@ def service(request: pytest.FixtureRequest, free_port: int, local_root: Path, tm
                 process.kill()
 
 
+@pytest.mark.slow
 def test_readiness_and_stop_are_notified(service: Service) -> None:
     assert service.reported() == "READY=1"
     assert [service.reported() for _ in range(3)] == 3 * ["WATCHDOG=1"]

@@ -71,6 +71,7 @@ def test_the_warning_concerns_all_modules_that_move_something(capsys) -> None:
     assert warned == moving | {"101.1.107"}  # the pan-tilt unit of one of three cameras
 
 
+@pytest.mark.slow
 async def test_modules_in_failure_are_named_with_the_reason(virtual_network, monkeypatch, capsys) -> None:
     def no_bus(self: KinematicRobot, dt: float) -> None:
         raise OSError("no such bus")

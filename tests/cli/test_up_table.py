@@ -55,6 +55,7 @@ def test_deliveries_and_truncated_answers_are_no_losses(counter, lost):
     assert _is_loss(counter) == lost
 
 
+@pytest.mark.slow
 async def test_table_shows_controllers_and_losses() -> None:
     hub = LoopbackHub()
     endpoint, wire = Endpoint(CLIENT, first_sequence=0), LoopbackTransport(CLIENT, hub)

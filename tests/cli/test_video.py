@@ -67,6 +67,7 @@ def test_video_is_recorded_in_the_size_that_is_asked_for(robot, port, tmp_path):
     assert (frames[0].width, frames[0].height) == (320, 240)
 
 
+@pytest.mark.slow
 def test_component_without_cameras_is_an_error(robot, port, tmp_path):
     film, to = tmp_path / "none.mp4", f"127.0.0.1:{port}"
     run = jauspy("video", "101.1.102", "--to", to, "--save", str(film), *robot, status=1)
@@ -101,6 +102,7 @@ def test_players_are_printed_and_the_robot_sends_until_the_end(robot, tmp_path):
         pytest.fail("it still sends")
 
 
+@pytest.mark.slow
 def test_unknown_sensor_is_an_error(robot):
     run = jauspy("video", "101.1.107", "--sensor", "7", "--sdp", os.devnull, *robot, status=1)
     assert "101.1.107 does not send sensor 7 to rtp://127.0.0.1:5004" in run.stderr
@@ -192,6 +194,7 @@ async def test_what_a_camera_says_is_printed_when_it_changes(monkeypatch, capsys
     assert [line.partition("says: ")[2] for line in lines] == ["one", "two\\x1b[2J"]
 
 
+@pytest.mark.slow
 async def test_a_still_that_does_not_come_is_explained_by_the_camera(robot, monkeypatch, tmp_path):
     monkeypatch.setattr(RtpReceiver, "note", "camera arm is still starting")
     with pytest.raises(ResponseTimeout, match=r"no picture of sensor 1 in 0 s: .*; 101.1.106 says: camera arm is"):

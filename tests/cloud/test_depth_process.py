@@ -62,6 +62,7 @@ async def next_cloud(subscriber: CloudSubscriber) -> Cloud:
     return cloud
 
 
+@pytest.mark.slow
 async def test_floor_points_are_at_the_right_height(process: DepthProcess, subscriber: CloudSubscriber) -> None:
     cloud = await next_cloud(subscriber)
     assert (cloud.frame, cloud.values) == ("chassis_camera_link", XYZ_RGB)
@@ -75,6 +76,7 @@ async def test_floor_points_are_at_the_right_height(process: DepthProcess, subsc
     assert points[:, 3].std() > 0.05, "the floor has light and dark squares"
 
 
+@pytest.mark.slow
 async def test_clouds_are_numbered_and_counted(process: DepthProcess, subscriber: CloudSubscriber) -> None:
     first, second = await next_cloud(subscriber), await next_cloud(subscriber)
     assert second.number == first.number + 1
@@ -84,6 +86,7 @@ async def test_clouds_are_numbered_and_counted(process: DepthProcess, subscriber
     assert "floor" in process.description
 
 
+@pytest.mark.slow
 async def test_dead_worker_is_restarted(
     process: DepthProcess, subscriber: CloudSubscriber, caplog: pytest.LogCaptureFixture
 ) -> None:
@@ -98,6 +101,7 @@ async def test_dead_worker_is_restarted(
     assert "depth camera front: its process ended (-9); it starts again in 0.5 s" in caplog.text
 
 
+@pytest.mark.slow
 async def test_worker_ends_on_close(stream: DepthStream, subscriber: CloudSubscriber) -> None:
     async with DepthProcess(stream) as process:
         await next_cloud(subscriber)

@@ -115,6 +115,7 @@ def _component(file: Path) -> dict[str, str | bytes]:
     return package("it", own, schema, file, jauspy.JausID(1, 1, 1))
 
 
+@pytest.mark.slow
 @given(st.dictionaries(st.sampled_from(HOLES), _TEXTS, min_size=1, max_size=3))
 @settings(max_examples=20)
 @example(dict.fromkeys(["message", "service", "event", "action"], '"""\nx\n'))

@@ -67,6 +67,7 @@ assert vars(SetWrenchEffort)["_pack"] is made
     subprocess.run([sys.executable, "-c", program], check=True)
 
 
+@pytest.mark.slow
 def test_concurrent_first_use_gives_right_bytes(odd: Registry) -> None:
     schema = odd.schema
     assert schema is not None

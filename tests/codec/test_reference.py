@@ -99,6 +99,7 @@ def test_errors(models: dict[str, m.MessageDefinition]) -> None:
         reference.build(models["ConfirmControl"], {})
 
 
+@pytest.mark.slow
 def test_construct_is_not_imported_by_the_codec() -> None:
     code = "import sys; from jauspy.messages import registry; list(registry); print('construct' in sys.modules)"
     assert (

@@ -49,6 +49,7 @@ def test_every_builtin_message(entry: Any, values_of: Any) -> None:
     run()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ODD)
 def test_every_feature(name: str, odd: Registry, odd_models: dict[str, m.MessageDefinition], values_of: Any) -> None:
     cls = odd.by_name(name)
@@ -84,6 +85,7 @@ def agree(cls: type[Message], model: m.MessageDefinition, data: bytes) -> None:
         assert tolerant == ours
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ODD)
 def test_mutated_messages(name: str, odd: Registry, odd_models: dict[str, m.MessageDefinition], values_of: Any) -> None:
     cls = odd.by_name(name)
@@ -96,6 +98,7 @@ def test_mutated_messages(name: str, odd: Registry, odd_models: dict[str, m.Mess
     run()
 
 
+@pytest.mark.slow
 def test_mutated_builtin_messages(values_of: Any) -> None:
     models = {(s.id, s.version, msg.name): msg for s in load_builtin().services for msg in s.messages}
     entries = st.sampled_from(registry.entries)

@@ -19,6 +19,7 @@ MESSAGES = Path(__file__).parents[2] / "src" / "jauspy" / "messages"
 WHERE = m.SourceLocation("odd.xml", 1)
 
 
+@pytest.mark.slow
 def test_committed_messages_match_the_schemas() -> None:
     present = {path.relative_to(MESSAGES).as_posix(): path.read_text("utf-8") for path in MESSAGES.rglob("*.py")}
     generated = generate(load_builtin())

@@ -219,6 +219,7 @@ print("ended", flush=True)
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 async def test_program_ends_in_order(root: Path, number: int):
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)):

@@ -62,6 +62,7 @@ class Client:
         return pack(Packet(self.id, ME, message.encode(), self.sent & 0xFFFF))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("flooders", [STRANGERS, [OPERATOR]], ids=["strangers", "the operator itself"])
 async def test_a_command_does_not_wait_for_a_flood(virtual_network: VirtualNetwork, flooders: list[JausID]) -> None:
     me = Component.of_host(host(loop_time()), virtual_network.transport(ME))

@@ -13,7 +13,8 @@ from jauspy.messages.core import RequestControl, Standby
 COMPONENT = JausID(105, 1, 1)
 
 
-@pytest.mark.parametrize("seed", [pytest.param(seed, marks=[pytest.mark.slow] if seed else []) for seed in range(8)])
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [pytest.param(seed, marks=[pytest.mark.slow] if seed else []) for seed in range(4)])
 def test_component_that_answers_late_in_any_order_causes_no_alarm(seed: int) -> None:
     report = examined("core-1.1", robot(asynchronous(seed), timeout=5, component=1, tick=None), COMPONENT)
     assert [(each.id, each.reason) for each in report.failures] == []
@@ -22,6 +23,7 @@ def test_component_that_answers_late_in_any_order_causes_no_alarm(seed: int) -> 
     assert any("notify each other with delay" in note for note in report.notes)
 
 
+@pytest.mark.slow
 def test_what_is_wrong_with_such_a_component_is_found() -> None:
     class Wrong(asynchronous(1)):
         """Standby does not end Ready."""

@@ -68,6 +68,7 @@ def problems(report: Report) -> list[str]:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", sampled([name for name in KINDS if name not in ("UR10", "car")], 4))
 def test_own_services(kind):
     report = examined("cell-1.0", cell(KINDS[kind]), KINDS[kind])
@@ -77,7 +78,7 @@ def test_own_services(kind):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["UR10", "conveyor", "modular arm", "servo module"])
+@pytest.mark.parametrize("kind", ["UR10", "conveyor"])
 def test_core_services(kind):
     report = examined("core-1.1", cell(KINDS[kind]), KINDS[kind])
     assert problems(report) == []

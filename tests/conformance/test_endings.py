@@ -73,6 +73,7 @@ def test_unanswered_query_alone_does_not_count_as_dead():
     assert verdicts(report) == [Verdict.PASS, *[Verdict.SILENT] * 5, Verdict.PASS, Verdict.PASS]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "profile", [pytest.param("mobility-1.1", marks=pytest.mark.slow), "ugv-1.0", "manipulator-2.0"]
 )
@@ -113,6 +114,7 @@ def test_robot_is_restored_after_any_end_of_the_run():
     assert is_free(virtual_target)
 
 
+@pytest.mark.slow
 def test_target_that_is_shut_down_is_named_before_the_first_step():
     virtual_target = robot(timeout=5, component=1, tick=None)
     only = "NotControlled.Available.Standby/Query", "Controlled.Available.Ready/Shutdown/controller"

@@ -71,6 +71,7 @@ def test_every_fault_is_detected_and_every_check_detects_one(profile):
     assert sorted(unseen) == [], "no fault trips these checks"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "fault",
     [

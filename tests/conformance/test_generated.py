@@ -59,6 +59,7 @@ def test_all_lasting_states_are_visited():
     }
 
 
+@pytest.mark.slow
 def test_without_motion_nothing_is_commanded_in_ready():
     ready = "Controlled.Available.Ready"
     report = examined("mobility-1.1", robot(timeout=5, tick=None), JausID(105, 1, 1), motion=False, only=(ready,))
@@ -92,6 +93,7 @@ OPEN = "NotControlled.Available.Standby/CreateCommandEvent/other-client/a-new-on
 """A step with one right outcome, and one whose outcome is up to the target, with what our robot answers."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("step", "kind"),
     [pytest.param(*KNOWN, id="known"), pytest.param(*OPEN, id="open", marks=pytest.mark.slow)],
@@ -154,6 +156,7 @@ def test_components_are_tested_separately():
     assert {id.partition("/")[0] for id in ids} == {"101.1.1", "101.1.2"}
 
 
+@pytest.mark.slow
 def test_wildcard_target_queries_every_component():
     from jauspy.conformance.profile import discover
     from jauspy.conformance.tester import Tester

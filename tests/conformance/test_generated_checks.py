@@ -106,6 +106,7 @@ def kinds(report: Report) -> dict[tuple[str, str], str]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("profile", "module"),
     sampled([(profile, each) for profile in MODULES for each in MODULES[profile]], fast=4, several=True),

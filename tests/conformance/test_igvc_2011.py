@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from itertools import groupby
 
+import pytest
 from tests.conformance.simulated import examined, robot
 
 from jauspy.conformance import Profile, find
 
 
+@pytest.mark.slow
 def test_robot_gets_all_points():
     report = examined("igvc-2011", robot())
     assert [f"{each.id}: {each.reason}" for each in report.failures] == []

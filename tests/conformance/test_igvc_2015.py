@@ -19,6 +19,7 @@ def report():
     return examined("igvc-2015", robot())
 
 
+@pytest.mark.slow
 def test_robot_passes(report):
     assert [f"{each.id}: {each.reason}" for each in report.failures] == []
     assert report.points == (80, 80)
@@ -43,6 +44,7 @@ def test_sent_bytes_equal_those_of_the_judge(report, shared):
         assert body.hex() == wanted.hex(), result.id
 
 
+@pytest.mark.slow
 def test_several_components_that_answer_are_an_error_before_the_first_step():
     report = examined("igvc-2015", robot(name="inc1", tick=None), JausID(101, 1, 255))
     assert report.results == ()

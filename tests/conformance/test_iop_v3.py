@@ -35,6 +35,7 @@ def run(inject: Injector | None = None, *only: str) -> Report:
         return examined("iop-v3", target, PLATFORM, only=only)
 
 
+@pytest.mark.slow
 def test_inc1_passes():
     report = run()
     assert [f"{step.id}: {step.reason}" for step in report.failures] == []
@@ -75,6 +76,7 @@ DEMANDED = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("urn", DEMANDED)
 def test_missing_service_of_the_platform(urn):
     name = urn.rpartition(":")[2]
@@ -85,6 +87,7 @@ def test_missing_service_of_the_platform(urn):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("urn", DEMANDED[2:])
 def test_wrong_version_of_a_service_of_the_platform(urn):
     name = urn.rpartition(":")[2]

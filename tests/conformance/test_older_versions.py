@@ -35,6 +35,7 @@ def run_of(profile: str, id: str, monkeypatch: pytest.MonkeyPatch) -> Report:
     return simulated.examined(profile, body, target)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("profile", "id"),
     [pytest.param(*each, marks=() if each in QUICK else pytest.mark.slow) for each in MODULES],

@@ -71,6 +71,7 @@ def test_unknown_service_is_an_error() -> None:
         service_profile("urn:acme:Hoist", winch_messages())
 
 
+@pytest.mark.slow
 def test_verb_tests_a_service_by_its_urn(monkeypatch: pytest.MonkeyPatch) -> None:
     target = winch()
 

@@ -19,6 +19,7 @@ SENSORS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("profile", "target", "query"),
     [
@@ -43,6 +44,7 @@ def test_settings_are_restored(profile, target, query):
     assert reported[0] == reported[1]
 
 
+@pytest.mark.slow
 def test_clock_is_restored():
     virtual_target = robot(component=1, tick=None)
     only = "NotControlled.Available.Standby/SetTime/other-client", f"{READY}/SetTime/controller"

@@ -132,6 +132,7 @@ class Liveness10(Liveness, version="1.0"):
     pass
 
 
+@pytest.mark.slow
 def test_services_of_version_1_0_are_tested_as_such_without_discovery():
     services = Management10(), Time10(), Liveness10(), AccessControl(default_authority=10, timeout=5), Events()
     host = Host(COMPONENT, services, utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))

@@ -128,6 +128,7 @@ MISTAKES = {
 """A mistake in the merged machine; the row that finds it, and the beginning of generated steps that do not."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "mistake", sampled(list(MISTAKES), fast=4), ids=lambda each: f"{each[0]}-{each[2]}-{each[3].__name__}"
 )

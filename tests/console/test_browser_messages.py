@@ -88,6 +88,7 @@ async def desk(network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch) -> Asyn
             await console.close()
 
 
+@pytest.mark.slow
 async def test_a_stick_that_sends_anything_else_stops_the_robot(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -111,6 +112,7 @@ async def test_a_stick_that_sends_anything_else_stops_the_robot(
         }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", ["/ws/drive/101", "/ws/jog/101.1.104", "/ws/video/101.1.106", "/ws/world/101"])
 async def test_bytes_and_long_messages_are_refused_on_every_socket(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch, path: str
@@ -127,6 +129,7 @@ async def test_bytes_and_long_messages_are_refused_on_every_socket(
         assert sum(at.console.counters.values()) == MAX_INVALID
 
 
+@pytest.mark.slow
 async def test_a_flood_closes_the_socket_and_stops_the_robot(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -141,6 +144,7 @@ async def test_a_flood_closes_the_socket_and_stops_the_robot(
         assert at.console.counters["/ws/drive, too many"] == 1
 
 
+@pytest.mark.slow
 async def test_the_socket_for_stops_is_never_closed(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -172,6 +176,7 @@ def noting_emergencies(console: Console, monkeypatch: pytest.MonkeyPatch) -> lis
     return sent
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("by_another", [False, True])
 async def test_a_stop_waits_for_no_release_and_is_not_undone_by_one(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch, by_another: bool
@@ -192,6 +197,7 @@ async def test_a_stop_waits_for_no_release_and_is_not_undone_by_one(
         assert str((other if by_another else stop).said[-1]).endswith("components stopped")
 
 
+@pytest.mark.slow
 async def test_a_key_that_is_held_sends_one_stop_and_a_release_follows_it(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -209,6 +215,7 @@ async def test_a_key_that_is_held_sends_one_stop_and_a_release_follows_it(
         assert names == sorted(names, reverse=True), "no release before the end of the stop"
 
 
+@pytest.mark.slow
 async def test_stops_of_many_targets_wait_their_turn(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -246,6 +253,7 @@ JSON = st.recursive(
 )
 
 
+@pytest.mark.slow
 @given(st.text(max_size=60) | JSON.map(json.dumps))
 @example("[" * MAX_MESSAGE)
 @example('{"a":' * 150)

@@ -21,6 +21,7 @@ def component_with(robot: Robot, service: str, name: str = "") -> ComponentClien
     return robot.component(str(next(each.id for each in robot.components if each.find(service))))
 
 
+@pytest.mark.slow
 async def test_what_a_camera_offers_is_read_and_set(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         chassis = (await ocu.discover(101)).component(107)
@@ -58,6 +59,7 @@ async def test_what_a_camera_offers_is_read_and_set(virtual_network: VirtualNetw
             await write_setting(chassis, found["pictures"], 200)
 
 
+@pytest.mark.slow
 async def test_lights_that_the_robot_has_are_switched(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         lights = component_with(await ocu.discover(101), LIGHTS)
@@ -70,6 +72,7 @@ async def test_lights_that_the_robot_has_are_switched(virtual_network: VirtualNe
             await write_setting(lights, Setting(LIGHTS, "fog_lights", "fog lights", 0), 1)
 
 
+@pytest.mark.slow
 async def test_the_attitude_is_followed_while_somebody_looks(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         robot = await ocu.discover(101)

@@ -58,6 +58,7 @@ def places(world: World) -> dict[str, object]:
     return dict(zip(world._geometry.moving, world.state(0)["joints"], strict=True))
 
 
+@pytest.mark.slow
 async def test_parts_are_drawn_where_their_sensor_sees_them() -> None:
     async with running() as cell:
         found = await cell.ocu.discover(201)
@@ -93,6 +94,7 @@ async def test_parts_are_drawn_where_their_sensor_sees_them() -> None:
         await worlds.close()
 
 
+@pytest.mark.slow
 async def test_the_assembled_arm_moves_as_it_reports() -> None:
     async with running() as cell:
         cell.robot.assemble("servo_1", "tube_1", "servo_2")
@@ -219,6 +221,7 @@ async def test_a_car_that_appears_is_operated_and_one_that_goes_is_not() -> None
         assert not await holder(cell.ocu, JausID(201, 1, 10))
 
 
+@pytest.mark.slow
 async def test_a_car_of_another_client_is_left_to_it() -> None:
     async with running() as cell:
         events: list[str] = []

@@ -182,6 +182,7 @@ async def test_a_form_that_does_not_end_is_not_waited_for(monkeypatch: pytest.Mo
         assert at.connections.closed["slow request"] == 1
 
 
+@pytest.mark.slow
 async def test_sockets_of_a_session_stay_open_beside_idle_connections() -> None:
     async with served() as at:
         cookie = await at.enter()
@@ -231,6 +232,7 @@ async def test_no_descriptor_left_closes_the_oldest_stranger(monkeypatch: pytest
         assert await is_closed(first)
 
 
+@pytest.mark.slow
 async def test_a_peer_that_does_not_read_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "IDLE_TIME", QUICK)
     monkeypatch.setattr(module, "_SWEEP_INTERVAL", QUICK / 4)

@@ -79,6 +79,7 @@ async def as_user(user: User, action: Any) -> Any:
     return await asyncio.create_task(act())
 
 
+@pytest.mark.slow
 async def test_each_command_has_the_user_who_has_sent_it(virtual_network: VirtualNetwork, tmp_path: Path) -> None:
     async with office(virtual_network, tmp_path) as at:
         taken = at.operation.take(at.tokens["anna"], 100, ANNA)
@@ -107,6 +108,7 @@ async def test_each_command_has_the_user_who_has_sent_it(virtual_network: Virtua
         assert names[:2] == ["anna", "carl"]
 
 
+@pytest.mark.slow
 async def test_the_renewal_of_control_is_that_of_the_present_operator(
     virtual_network: VirtualNetwork, tmp_path: Path
 ) -> None:
@@ -124,6 +126,7 @@ async def test_the_renewal_of_control_is_that_of_the_present_operator(
         assert session.user == at.operation.user == CARL
 
 
+@pytest.mark.slow
 async def test_a_release_that_comes_late_does_not_end_control_of_another_user(
     virtual_network: VirtualNetwork, tmp_path: Path
 ) -> None:
@@ -137,6 +140,7 @@ async def test_a_release_that_comes_late_does_not_end_control_of_another_user(
         assert at.operation.is_controlled
 
 
+@pytest.mark.slow
 async def test_an_observer_stops_in_the_own_name_and_causes_nothing_else(
     virtual_network: VirtualNetwork, tmp_path: Path
 ) -> None:
@@ -187,6 +191,7 @@ async def test_saving_and_deleting_is_in_the_log_with_the_user(
     assert ("carl", "robot 101: saved the pose stow of 101.1.104") in at.audited()
 
 
+@pytest.mark.slow
 async def test_texts_of_robots_do_not_pass_as_lines_of_users(virtual_network: VirtualNetwork, tmp_path: Path) -> None:
     async with office(virtual_network, tmp_path) as at:
         at.console.note("robot 101: no video: \x1b[2J\n[anna] saved the pose stow " + "x" * 10_000)

@@ -24,6 +24,7 @@ SAME = re.compile(r"\{[^{}]*\}")
 """A placeholder with its format, as `{speed:.2f}`."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("domain", DOMAINS)
 @pytest.mark.parametrize("language", OTHERS)
 def test_each_text_of_the_sources_has_a_translation_with_the_same_placeholders(language: str, domain: str) -> None:
@@ -35,6 +36,7 @@ def test_each_text_of_the_sources_has_a_translation_with_the_same_placeholders(l
     assert all(text[0].isspace() == translation[0].isspace() for text, translation in texts.items())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("domain", DOMAINS)
 @pytest.mark.parametrize("language", OTHERS)
 def test_the_compiled_catalogue_is_that_of_the_source(language: str, domain: str) -> None:
@@ -53,6 +55,7 @@ def calls() -> Iterator[tuple[str, ast.Call]]:
                 yield f"{path.name}:{node.lineno}", node
 
 
+@pytest.mark.slow
 def test_each_marked_text_is_a_literal_whose_placeholders_are_given() -> None:
     wrong = []
     for place, call in calls():
@@ -67,6 +70,7 @@ def test_each_marked_text_is_a_literal_whose_placeholders_are_given() -> None:
     assert wrong == []
 
 
+@pytest.mark.slow
 def test_placeholders_are_plain_names() -> None:
     """Neither attributes nor items of values can be reached from a catalogue."""
     for language in OTHERS:

@@ -262,6 +262,7 @@ async def test_attempts_are_limited_and_forms_are_bounded(users: Users) -> None:
         assert (await login(at, "x" * MAX_FORM)).status_code == 403
 
 
+@pytest.mark.slow
 async def test_guesses_of_others_lock_nobody_out(users: Users) -> None:
     notes: list[str] = []
     middleware = gate(users, notes.append)

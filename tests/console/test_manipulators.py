@@ -27,6 +27,7 @@ from jauspy.errors import ConfigError, RequestError
 from jauspy.ocu.motion_limits import MotionLimits
 
 
+@pytest.mark.slow
 async def test_a_cell_has_two_arms_and_the_joints_of_one_come_and_go() -> None:
     async with world() as cell:
         robot = await cell.ocu.discover(201)
@@ -93,6 +94,7 @@ async def test_rows_with_times_are_one_motion() -> None:
                 await following
 
 
+@pytest.mark.slow
 async def test_the_exported_program_moves_the_modular_arm() -> None:
     async with world() as cell:
         robot = await cell.ocu.discover(201)

@@ -81,6 +81,7 @@ def _changes_props(node: ast.Subscript | ast.Call) -> bool:
     return isinstance(inner, ast.Attribute) and inner.attr == "props"
 
 
+@pytest.mark.slow
 def test_the_console_keeps_the_rule() -> None:
     found = {
         path.name: list(problems(path.read_text())) for path in sorted(CONSOLE.rglob("*.py")) if path.name != EXEMPT

@@ -97,12 +97,14 @@ async def test_the_tool_moves_while_held_and_stands_when_the_browser_is_silent(v
         assert at.speed < 0.01
 
 
+@pytest.mark.slow
 async def test_what_is_refused_is_reported(virtual_network: VirtualNetwork) -> None:
     async with bench(virtual_network) as at:
         at.jogging._id = next(each.id for each in at.robot.components if each.id.component == 103)
         assert "101.1.103 cannot move its tool at a velocity" in await at.hold(0.3)
 
 
+@pytest.mark.slow
 async def test_a_motion_ends_when_another_browser_takes_over(virtual_network: VirtualNetwork) -> None:
     async with bench(virtual_network) as at:
         notes: list[str] = []
@@ -126,6 +128,7 @@ async def test_a_motion_ends_when_another_browser_takes_over(virtual_network: Vi
         assert notes == ["the motion of robot 101: the motion was stopped: another browser operates this robot"]
 
 
+@pytest.mark.slow
 async def test_arms_are_listed_with_their_joints(virtual_network: VirtualNetwork) -> None:
     async with bench(virtual_network) as at:
         arms = manipulators(at.robot)

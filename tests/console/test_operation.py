@@ -57,6 +57,7 @@ async def desk(network: VirtualNetwork) -> AsyncIterator[Desk]:
             await operation.release()
 
 
+@pytest.mark.slow
 async def test_a_browser_takes_control_and_drives(virtual_network: VirtualNetwork) -> None:
     async with desk(virtual_network) as at:
         assert at.operation.drive("first", 1.0, 0.0) == "take control first"
@@ -67,6 +68,7 @@ async def test_a_browser_takes_control_and_drives(virtual_network: VirtualNetwor
         assert at.operation.drive("second", 1.0, 0.0) == "another browser operates this robot"
 
 
+@pytest.mark.slow
 async def test_the_watchdog_knows_what_is_controlled(virtual_network: VirtualNetwork) -> None:
     told: list[tuple[int, int]] = []
 
@@ -82,6 +84,7 @@ async def test_the_watchdog_knows_what_is_controlled(virtual_network: VirtualNet
         assert told == [(101, 5), (101, 0)]
 
 
+@pytest.mark.slow
 async def test_the_robot_stops_when_the_browser_is_silent(virtual_network: VirtualNetwork) -> None:
     async with desk(virtual_network) as at:
         await at.operation.take("first", 127)
@@ -93,6 +96,7 @@ async def test_the_robot_stops_when_the_browser_is_silent(virtual_network: Virtu
         assert at.speed > 0.2
 
 
+@pytest.mark.slow
 async def test_hand_over_stops_the_robot_first(virtual_network: VirtualNetwork) -> None:
     async with desk(virtual_network) as at:
         await at.operation.take("first", 127)
@@ -135,6 +139,7 @@ async def test_another_user_asks_and_the_operator_decides(virtual_network: Virtu
         assert at.events[-1] == "ben operates robot 101 with authority 127"
 
 
+@pytest.mark.slow
 async def test_a_higher_authority_takes_over_and_observers_do_not(virtual_network: VirtualNetwork) -> None:
     async with desk(virtual_network) as at:
         operation = at.operation
@@ -151,6 +156,7 @@ async def test_a_higher_authority_takes_over_and_observers_do_not(virtual_networ
         assert report.authority_code == 200, "control is requested anew with the other authority"
 
 
+@pytest.mark.slow
 async def test_control_that_was_lost_is_taken_again(virtual_network: VirtualNetwork) -> None:
     async with desk(virtual_network) as at, virtual_network.ocu("42.1.9") as other:
         await at.operation.take("first", 127)
@@ -161,6 +167,7 @@ async def test_control_that_was_lost_is_taken_again(virtual_network: VirtualNetw
         assert at.operation.is_controlled
 
 
+@pytest.mark.slow
 async def test_refused_control_says_why(virtual_network: VirtualNetwork) -> None:
     async with (
         desk(virtual_network) as at,
@@ -173,6 +180,7 @@ async def test_refused_control_says_why(virtual_network: VirtualNetwork) -> None
         assert not at.operation.is_controlled
 
 
+@pytest.mark.slow
 async def test_the_fleet_follows_robots_and_their_states(virtual_network: VirtualNetwork) -> None:
     events: list[str] = []
     async with virtual_network.ocu() as ocu:
@@ -199,6 +207,7 @@ async def test_the_fleet_follows_robots_and_their_states(virtual_network: Virtua
     assert events[-1] == "robot 101 inc1 does not answer any more"
 
 
+@pytest.mark.slow
 async def test_a_robot_is_driven_by_effort_where_it_offers_that(virtual_network: VirtualNetwork) -> None:
     async with desk(virtual_network) as at:
         assert modes_of(at.operation.robot) == ["velocity", "effort"]

@@ -41,6 +41,7 @@ async def component_with(ocu: OCU, service: str) -> ComponentInfo:
     return next(each for each in robot.components if each.find(service))
 
 
+@pytest.mark.slow
 async def test_traces_of_one_report_share_a_subscription(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         component = await component_with(ocu, "LocalPoseSensor")
@@ -67,6 +68,7 @@ async def test_traces_of_one_report_share_a_subscription(virtual_network: Virtua
         recorder.close()
 
 
+@pytest.mark.slow
 async def test_a_component_without_events_is_queried(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         component = await component_with(ocu, "LocalPoseSensor")

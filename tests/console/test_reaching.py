@@ -85,6 +85,7 @@ async def until_asked(reaching: Reaching, task: asyncio.Task[None]) -> None:
         await asyncio.sleep(0.05)
 
 
+@pytest.mark.slow
 async def test_nothing_moves_until_the_operator_agrees_and_the_arm_comes_back(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -112,6 +113,7 @@ async def test_nothing_moves_until_the_operator_agrees_and_the_arm_comes_back(
         await operation.release()
 
 
+@pytest.mark.slow
 async def test_who_cancels_a_plan_moves_nothing(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -132,6 +134,7 @@ async def test_who_cancels_a_plan_moves_nothing(
         await operation.release()
 
 
+@pytest.mark.slow
 async def test_an_arm_that_was_stopped_on_its_way_is_operated_again(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
 ) -> None:

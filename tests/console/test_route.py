@@ -34,6 +34,7 @@ async def arrive(route: Route, index: int | None) -> None:
         await route.look()
 
 
+@pytest.mark.slow
 async def test_a_list_is_sent_carried_out_paused_and_cleared(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         robot = await ocu.discover(101)
@@ -67,6 +68,7 @@ async def test_a_list_is_sent_carried_out_paused_and_cleared(virtual_network: Vi
             assert (route.waypoints, route.ended_at) == ((), -1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("pose", "text"),
     [
@@ -89,6 +91,7 @@ async def test_the_end_is_where_the_robot_stands(
             assert progress_of(route, pose)[0] == text
 
 
+@pytest.mark.slow
 async def test_what_another_client_changes_is_seen_and_what_is_missing_said(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu, virtual_network.ocu("42.1.2") as other:
         robot = await ocu.discover(101)

@@ -78,6 +78,7 @@ async def test_a_browser_takes_control_of_nothing_and_stops_all(console: Visit) 
             assert "released from the emergency" in str(await stop.recv())
 
 
+@pytest.mark.slow
 async def test_pages_that_never_connect_keep_no_other_out(console: Visit) -> None:
     tokens = [token_of(await page(console)) for _ in range(MAX_PAGES_OF_SESSION + 1)]
     with pytest.raises((InvalidStatus, ConnectionClosed)):
@@ -145,6 +146,7 @@ async def test_nothing_is_reached_without_the_cookie_that_the_token_gives(consol
             await socket_of(stranger, path)
 
 
+@pytest.mark.slow
 async def test_the_world_of_a_robot_is_sent(console: Visit) -> None:
     token = token_of(await page(console))
     async with asyncio.timeout(60.0):

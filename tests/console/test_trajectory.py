@@ -80,6 +80,7 @@ def test_files_that_cannot_be_read_are_reported(text: str, said: str) -> None:
         Trajectory.from_json(text, "mine.json")
 
 
+@pytest.mark.slow
 async def test_the_exported_program_moves_the_arm(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot() as runner, virtual_network.ocu() as ocu:
         robot = await ocu.discover(101)

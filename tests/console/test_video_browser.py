@@ -92,7 +92,7 @@ def test_a_camera_that_starts_on_a_busy_machine_says_so(url: str, robot: Running
             for each in new:
                 each.resume()
             wait_for_pictures(page)
-            assert page.locator("figure.large .video-says").inner_text() == ""
+            page.wait_for_function("document.querySelector('figure.large .video-says').innerText === ''")
     finally:
         for each in new:
             each.resume()
@@ -149,6 +149,7 @@ def test_settings_change_the_picture_and_one_who_does_not_operate_may_not(url: s
         page.get_by_text("size: another browser operates this robot").wait_for()
         second.close()
     with page_at(url) as page:
+        wait_for_pictures(page)  # before it is connected, a click does nothing
         page.get_by_role("button", name="settings").click()
         page.get_by_label("size").click()
         page.get_by_role("option", name="640 x 480").click()
@@ -191,6 +192,8 @@ def test_small_cameras_are_reduced_before_the_large_one(url: str) -> None:
             video.judge(2);
             levels.push(video.level);
         };
+        for (let each = 0; each < 200; each += 1) judge(10, 10);  // what a busy machine has reduced before
+        levels.length = 0;
         for (let each = 0; each < 3; each += 1) judge(900, 250);
         for (let each = 0; each < 4; each += 1) judge(900, 900);
         for (let each = 0; each < 3; each += 1) judge(900, 1200);
@@ -214,3 +217,17 @@ def test_a_tab_that_is_hidden_gets_no_video(url: str) -> None:
         page.get_by_role("tab", name="Video").click()
         before = page.evaluate("Math.max(...[...jauspy.video.views.values()].map((view) => view.shown))")
         wait_for_pictures(page, before + 1)
+
+
+def test_each_picture_says_its_age_and_what_the_link_does(url: str) -> None:
+    view = "[...jauspy.video.views.values()][0]"
+    with page_at(url) as page:
+        wait_for_pictures(page)
+        ages = page.locator(".video-facts").filter(has_text=re.compile(r"/s {2}·.* \d+ ms|/s {2}·.* \d+ s"))
+        ages.first.wait_for()
+        page.evaluate(f"{view}.news({{ link: {{ missing: 0.05, lost: 0 }} }})")
+        page.get_by_text("5.0 % lost, all restored").wait_for()
+        page.evaluate(
+            f"{view}.news({{ link: {{ missing: 0.12, lost: 0.004 }} }}); {view}.freezes.push([performance.now(), 1240])"
+        )
+        page.get_by_text(re.compile(r"12 % lost, 0\.4 % for good\s+·\s+stood still for 1\.2 s")).wait_for()

@@ -105,6 +105,7 @@ async def test_a_known_robot_moves_as_measured(virtual_network: VirtualNetwork) 
             assert len(json.dumps(moved, separators=(",", ":"))) < 1000
 
 
+@pytest.mark.slow
 async def test_another_vendors_robot_shows_what_it_reports(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         found = await ocu.discover(101)
@@ -162,6 +163,7 @@ async def test_the_track_is_bounded(virtual_network: VirtualNetwork) -> None:
             await world.watched_by(object())
 
 
+@pytest.mark.slow
 async def test_a_world_ends_with_the_last_page_that_looked(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         robot = await ocu.discover(101)

@@ -28,6 +28,7 @@ def holders(robot: RobotRunner) -> set[object]:
     return {each.host.controller for each in robot.components}
 
 
+@pytest.mark.slow
 async def test_tour_drives_moves_the_arm_and_releases_control(robot: RobotRunner, tour: Tour) -> None:
     await tour.run()
     assert [(each.stage, each.reached) for each in tour._report.results] == [("drive", True), ("arm", True)]
@@ -37,6 +38,7 @@ async def test_tour_drives_moves_the_arm_and_releases_control(robot: RobotRunner
     assert holders(robot) == {None}
 
 
+@pytest.mark.slow
 async def test_drive_times_out_if_the_robot_does_not_arrive(
     robot: RobotRunner, tour: Tour, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -46,6 +48,7 @@ async def test_drive_times_out_if_the_robot_does_not_arrive(
     assert holders(robot) == {None}
 
 
+@pytest.mark.slow
 async def test_loss_of_control_ends_the_drive(robot: RobotRunner, tour: Tour, environment: TestEnvironment) -> None:
     touring = asyncio.create_task(tour.run())
     while robot.snapshot is None or robot.snapshot.pose.x < 0.1:

@@ -168,6 +168,7 @@ def dataset(run_file: RunFile, tmp_path: Path) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_a_data_set_has_the_files_of_lerobot(dataset: Path) -> None:
     files = {str(path.relative_to(dataset)) for path in dataset.rglob("*") if path.is_file()}
     assert files == {
@@ -192,6 +193,7 @@ def test_a_data_set_has_the_files_of_lerobot(dataset: Path) -> None:
     }
 
 
+@pytest.mark.slow
 def test_frames_have_the_newest_state_and_command(dataset: Path) -> None:
     rows = parquet.read_table(dataset / "data/chunk-000/file-000.parquet").to_pylist()
     start = 0.05  # the first picture, after the first state and command
@@ -206,6 +208,7 @@ def test_frames_have_the_newest_state_and_command(dataset: Path) -> None:
     assert [row["episode_index"] for row in rows] == [0] * 15 + [1] * 15
 
 
+@pytest.mark.slow
 def test_pictures_belong_to_frames(dataset: Path) -> None:
     frames = frames_of(dataset / "videos/observation.images.10_0_0_1-5004/chunk-000/file-000.mp4")
     assert [time for time, _ in frames] == pytest.approx([number / 5 for number in range(30)], abs=1e-4)
@@ -220,6 +223,7 @@ def test_pictures_belong_to_frames(dataset: Path) -> None:
     ]
 
 
+@pytest.mark.slow
 def test_statistics_are_those_of_the_frames(dataset: Path) -> None:
     stats = json.loads((dataset / "meta/stats.json").read_text())
     table = parquet.read_table(dataset / "data/chunk-000/file-000.parquet")

@@ -114,6 +114,7 @@ def test_streams_and_endpoints_are_bounded(packets: list[tuple[float, bytes]]) -
     assert (len(streams._streams), len(streams._endpoints)) == (rtp_streams.MAX_STREAMS, rtp_streams.MAX_ENDPOINTS)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.geteuid() != 0, reason="capturing on an interface needs root")
 def test_video_on_an_interface_is_recorded_live(
     packets: list[tuple[float, bytes]], free_port: int, tmp_path: Path

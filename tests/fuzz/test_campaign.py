@@ -20,6 +20,7 @@ from jauspy.messages import registry
 CAPTURE = Path(__file__).parents[1] / "golden" / "sae_management.hex"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cases", [400, pytest.param(4000, marks=pytest.mark.slow)])
 def test_campaign_has_no_findings(cases: int) -> None:
     outcome = run(CampaignPlan(cases, seed=1, payloads=tuple(file_payloads(CAPTURE))))
@@ -48,6 +49,7 @@ FINER_THAN_FLOATS = {"ReportCommunicatorCapability"}
 """Messages with real numbers in eight bytes, of which several raw values are the same float."""
 
 
+@pytest.mark.slow
 def test_generated_messages_are_valid_and_cover_all_items() -> None:
     targets = fuzzer(CampaignPlan(0)).targets
     rng = random.Random(1)
@@ -74,6 +76,7 @@ def test_offsets_locate_counts_and_tags() -> None:
     assert offsets_of(services.layout(), data[:5])[0].at == 2
 
 
+@pytest.mark.slow
 def test_all_kinds_of_mutations_occur() -> None:
     made = fuzzer(CampaignPlan(0))
     rng = random.Random(1)

@@ -15,6 +15,7 @@ def plan(**changes):
     return PythonPlan(DECODER, CASES, only=("SetWrenchEffort",), **changes)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 def test_guided_fuzzing_finds_a_deep_branch_that_blind_fuzzing_misses(seed):
     guided, blind = run(plan(seed=seed)), run(plan(seed=seed, guided=False))
@@ -26,15 +27,18 @@ def test_guided_fuzzing_finds_a_deep_branch_that_blind_fuzzing_misses(seed):
     assert finding.data.hex() == "05047fff80017f00"  # nothing more than what the decoder compares
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_campaign():
     assert run(plan(seed=5)) == run(plan(seed=5))
 
 
+@pytest.mark.slow
 def test_given_payloads_are_run_first():
     found = run(PythonPlan(DECODER, 0, payloads=(bytes.fromhex("05047fff80017f00"),)))
     assert [finding.exception for finding in found.findings.values()] == ["ZeroDivisionError"]
 
 
+@pytest.mark.slow
 def test_measuring_ends_with_the_campaign():
     before = sys.gettrace()
     run(PythonPlan(DECODER, 10))

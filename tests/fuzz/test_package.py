@@ -49,6 +49,7 @@ def test_fresh_package_has_no_findings(fuzz):
     assert "60 cases from" in fuzz(status=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("file", "old", "new", "sentence"),
     [

@@ -53,6 +53,7 @@ def unstable(right: Any, data: bytes) -> Any:
     return message
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("bug", "cause", "largest"),
     [
@@ -110,6 +111,7 @@ def test_difference_of_the_reference_is_found(plant: Any, hunt: Any, monkeypatch
     assert len(finding.data) == 10
 
 
+@pytest.mark.slow
 def test_rejected_valid_message_is_found(hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     from jauspy.codec.layout import Repeat
 

@@ -10,6 +10,7 @@ from jauspy.fuzz.campaign import CampaignPlan, run
 PLAN = CampaignPlan(1200, 3, only=("ConfirmControl",))
 
 
+@pytest.mark.slow
 def test_an_interrupted_campaign_continues_where_it_stopped(tmp_path):
     file, seen = tmp_path / "progress.json", []
 

@@ -39,6 +39,7 @@ def campaign(fault: str, cases: int, *only: str, answer: float = 5.0, memory: in
     return run(TargetPlan(target_address("127.0.0.1:0"), cases, 1, restart=command(fault), only=only, limits=limits))
 
 
+@pytest.mark.slow
 def test_a_correct_target_has_no_findings():
     result = campaign("", 400)
     assert result.findings == {}

@@ -21,6 +21,7 @@ def errors(there: Transform, goal: Transform) -> tuple[float, float]:
     return math.dist(there.position, goal.position), math.hypot(*rotation_vector(there.rotation, goal.rotation))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("robot", ROBOTS)
 @pytest.mark.parametrize("seed", range(8))
 def test_all_reachable_poses_are_found(robot: str, seed: int) -> None:
@@ -36,6 +37,7 @@ def test_all_reachable_poses_are_found(robot: str, seed: int) -> None:
         assert all(low <= p <= high for p, (low, high) in zip(found.positions, arm.limits, strict=True))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_reachable_point_is_reached_with_any_attitude(robot: str) -> None:
     arm, rng = arm_of(robot), random.Random(2)
@@ -126,6 +128,7 @@ def test_arms_of_any_kind_reach_their_poses() -> None:
     assert {kind for _, kind in kinds} == {JointKind.REVOLUTE, JointKind.PRISMATIC}
 
 
+@pytest.mark.slow
 def test_a_search_advances_in_parts_and_ends() -> None:
     arm = arm_of("inc1")
     tool = arm.kinematic_state().tool

@@ -41,6 +41,7 @@ def least_clearance(start, route, others) -> float:
     return least
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("start", "goal"), list(itertools.permutations(POSES, 2)))
 def test_direct_ways_connect_the_poses_of_inc1(start: str, goal: str) -> None:
     found = search(POSES[start], POSES[goal], {"base_link_to_flippers": 2.2})
@@ -49,6 +50,7 @@ def test_direct_ways_connect_the_poses_of_inc1(start: str, goal: str) -> None:
     assert least_clearance(POSES[start], found.route, {"base_link_to_flippers": 2.2}) > MARGIN / 2.0
 
 
+@pytest.mark.slow
 def test_a_route_leads_around_what_is_on_the_direct_way() -> None:
     found = search(BESIDE_A_FLIPPER, POSES["stow"], OTHERS, [POSES["inspect"]])
     assert found.obstacle == ("left_flipper", "gripper_link")

@@ -50,6 +50,7 @@ def test_slow_path_agrees_with_straight_line_code(rows: list[Any], vectors: Modu
             assert slow_path.encode(message, clamp=True, strict=False) == row.right
 
 
+@pytest.mark.slow
 def test_reference_agrees(
     rows: list[Any], vectors: ModuleType, models: dict[tuple[str, str, str], m.MessageDefinition]
 ) -> None:

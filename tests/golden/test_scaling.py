@@ -92,6 +92,7 @@ def test_both_ends_are_exact() -> None:
         assert exact_raw(scale.upper, scale) == scale.top
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("function", ["floor", pytest.param("ceiling", marks=pytest.mark.slow)])
 def test_decoded_values_encode_to_the_same_raw_value(function: Literal["floor", "ceiling"]) -> None:
     scale = Scaling(-6.283185307179586, 1.5707963267948966, 0xFFFF, function)

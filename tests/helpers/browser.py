@@ -17,7 +17,7 @@ sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 BROWSER_MARKS = [
     pytest.mark.slow,
-    pytest.mark.browser,
+    pytest.mark.alone,
     pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
 ]
 WAIT = 90_000

@@ -163,6 +163,7 @@ def test_no_packet_makes_the_dissector_fail(lua: Path, tmp_path: Path) -> None:
     assert any("jaus.malformed.header" in frame.experts for frame in shown)
 
 
+@pytest.mark.slow
 def test_no_stream_and_no_serial_line_makes_the_dissector_fail(lua: Path, tmp_path: Path) -> None:
     rng = Random(5)
     good = datagram(RequestControl(authority_code=1).encode())
@@ -184,6 +185,7 @@ def test_no_stream_and_no_serial_line_makes_the_dissector_fail(lua: Path, tmp_pa
     assert sum("jaus.malformed.truncated" in frame.experts for frame in shown) > 10
 
 
+@pytest.mark.slow
 def test_a_frame_shows_a_limited_number_of_items(lua: Path, tmp_path: Path) -> None:
     few = tmp_path / "few.lua"
     few.write_text(lua.read_text("utf-8").replace("MAX_ITEMS = 100000", "MAX_ITEMS = 50"), encoding="utf-8")
@@ -194,6 +196,7 @@ def test_a_frame_shows_a_limited_number_of_items(lua: Path, tmp_path: Path) -> N
     assert 1 <= len(many.messages) < 20
 
 
+@pytest.mark.slow
 def test_filters_name_fields(lua: Path, tmp_path: Path) -> None:
     messages = [RequestControl(authority_code=code).encode() for code in (1, 127, 255)]
     capture = capture_of(map(datagram, messages), tmp_path / "control.pcapng")
@@ -212,6 +215,7 @@ def test_values_have_units(lua: Path, tmp_path: Path) -> None:
     assert texts["yaw"].endswith(" rad")
 
 
+@pytest.mark.slow
 def test_the_message_in_an_event_is_shown(lua: Path, tmp_path: Path) -> None:
     inner = ReportLocalPose(x=1.5)
     event = Event(event_id=3, sequence_number=9, report_message=inner)
@@ -226,6 +230,7 @@ def test_the_message_in_an_event_is_shown(lua: Path, tmp_path: Path) -> None:
     assert message.name == "Event"
 
 
+@pytest.mark.slow
 def test_the_list_of_packets_names_messages(lua: Path, tmp_path: Path) -> None:
     event = Event(event_id=3, sequence_number=9, report_message=ReportLocalPose(x=1.5)).encode()
     capture = capture_of(
@@ -238,6 +243,7 @@ def test_the_list_of_packets_names_messages(lua: Path, tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.slow
 def test_a_count_of_64_bits_is_no_error_of_the_dissector(tmp_path: Path) -> None:
     file = tmp_path / "thing.xml"
     count = 'min_count="0" max_count="80"'
@@ -259,6 +265,7 @@ def fragments(payload: bytes, size: int, first: int) -> list[bytes]:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", [[0, 1, 2, 3], [0, 2, 1, 3], [3, 2, 1, 0], [0, 1, 1, 2, 3, 3]], ids=str)
 def test_large_messages_are_put_together(order: list[int], lua: Path, tmp_path: Path) -> None:
     """In order, in any other order, and with repeated fragments; the sequence number wraps."""
@@ -280,6 +287,7 @@ def test_all_packets_of_a_datagram_are_shown(lua: Path, tmp_path: Path) -> None:
     assert (other.messages, other.experts) == ([], [])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [1, 2, 3, 7, 20, 1000])
 def test_jtcp_is_dissected_however_it_is_cut_into_segments(size: int, lua: Path, tmp_path: Path) -> None:
     messages = [ReportLocalPose(x=float(n)).encode() for n in range(6)]
@@ -293,6 +301,7 @@ def test_jtcp_is_dissected_however_it_is_cut_into_segments(size: int, lua: Path,
     assert not any(frame.experts for frame in shown)
 
 
+@pytest.mark.slow
 def test_jserial_is_dissected_on_a_user_link_type(lua: Path, tmp_path: Path) -> None:
     message = RequestControl(authority_code=0x10).encode()  # a DLE, which is sent twice
     frame = jserial.frame(datagram(message, 0x1010))
@@ -306,6 +315,7 @@ def test_jserial_is_dissected_on_a_user_link_type(lua: Path, tmp_path: Path) -> 
     assert short.experts == ["jaus.malformed.truncated"]
 
 
+@pytest.mark.slow
 def test_a_definition_of_the_user_is_shown(tmp_path: Path) -> None:
     file = tmp_path / "thing.xml"
     file.write_text(definition(), encoding="utf-8")

@@ -43,6 +43,7 @@ def test_fields_have_the_names_of_our_decoder() -> None:
     assert [part["path"].rpartition(".")[2] for part in parts] == [s.name for s in ReportLocalPose.layout().slots]
 
 
+@pytest.mark.slow
 def test_names_of_filters_are_valid_and_unique() -> None:
     text = make_dissector(registry).text
     paths = re.findall(r'path="([^"]*)"', text)
@@ -50,6 +51,7 @@ def test_names_of_filters_are_valid_and_unique() -> None:
     assert all(re.fullmatch(r"jaus(\.[a-z0-9_]+){3,}", path) for path in paths)
 
 
+@pytest.mark.slow
 def test_ambiguous_ids_are_named_and_hints_choose() -> None:
     collision = registry.collisions[0]
     assert f"[{collision.code}]=" in make_dissector(registry).text.partition("local AMBIGUOUS")[2].partition("\n}")[0]
@@ -58,6 +60,7 @@ def test_ambiguous_ids_are_named_and_hints_choose() -> None:
     assert f"[{collision.code}]=" not in chosen.partition("local AMBIGUOUS")[2].partition("\n}")[0]
 
 
+@pytest.mark.slow
 def test_the_verb_writes_the_file(tmp_path: Path) -> None:
     file = tmp_path / "jaus.lua"
     done = CliRunner().invoke(app, ["dissector", "-o", str(file), "--version", "1.0"])

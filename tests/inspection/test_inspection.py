@@ -79,6 +79,7 @@ def test_a_single_message_has_no_rate() -> None:
     assert (rate.frequency, rate.jitter) == (None, None)
 
 
+@pytest.mark.slow
 def test_the_number_of_routes_is_bounded() -> None:
     rates = Rates()
     for number in range(MAX_ROWS + 5):

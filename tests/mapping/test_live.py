@@ -73,12 +73,14 @@ async def test_wall_is_mapped_at_its_position(walled: None, robot: RobotRunner, 
     assert columns.max() - columns.min() > 60
 
 
+@pytest.mark.slow
 async def test_missing_sensor_is_an_error(robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     with pytest.raises(ConfigError, match=r"101\.1\.108: sensor 7 is not there, or not fixed"):
         await LiveMapping(found, Mapper(), sensor=7).run()
 
 
+@pytest.mark.slow
 async def test_a_robot_without_reports_raises_one_error(robot: RobotRunner, ocu: OCU) -> None:
     live = LiveMapping(await ocu.discover(101), Mapper())
     mapping = asyncio.create_task(live.run())
@@ -88,6 +90,7 @@ async def test_a_robot_without_reports_raises_one_error(robot: RobotRunner, ocu:
         await asyncio.wait_for(mapping, 200.0)
 
 
+@pytest.mark.slow
 async def test_poses_without_a_time_are_counted(robot: RobotRunner, ocu: OCU, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(live_module, "QueryLocalPose", lambda _: QueryLocalPose(0xFF))
     live = LiveMapping(await ocu.discover(101), Mapper())

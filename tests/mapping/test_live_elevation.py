@@ -70,6 +70,7 @@ async def test_silence_of_the_clouds_is_one_error(robot: RobotRunner, ocu: OCU) 
         assert "is the robot started with --cloud ipc:///none?" in str(task.exception())
 
 
+@pytest.mark.slow
 async def test_a_cloud_becomes_heights_in_the_frame_that_is_asked_for(robot: RobotRunner, ocu: OCU) -> None:
     x, y = np.meshgrid(np.arange(1.5, 3.0, 0.02), np.arange(-1.0, 1.0, 0.02))
     ground = np.column_stack([x.ravel(), y.ravel(), np.full(x.size, 0.1)])

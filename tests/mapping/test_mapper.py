@@ -75,6 +75,7 @@ def test_scans_are_added_only_after_some_motion() -> None:
     assert len(mapper.path) == 3
 
 
+@pytest.mark.slow
 def test_a_scan_with_more_rays_than_are_useful_costs_no_more() -> None:
     """As many as a message of a robot may have, all 15 m long, would take gigabytes."""
     rays = 65535

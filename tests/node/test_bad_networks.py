@@ -32,6 +32,7 @@ def converse(hosts: list[str], root: Path, count: int, **settings: Any) -> list[
         return [json.loads(each) for each in lines]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", ["netem", "relay"])
 @pytest.mark.parametrize("count", [2, pytest.param(5, marks=pytest.mark.slow)])
 def test_acknowledged_messages_arrive_once_each(

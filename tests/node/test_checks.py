@@ -192,6 +192,7 @@ def test_15_dead_component_is_removed_and_can_return(daemon: Daemon, connects: b
     again.hears(f"02001000 01 {TO_B} 0220 0300")
 
 
+@pytest.mark.slow
 def test_16_components_that_send_are_registered_after_a_restart(daemon_process: DaemonProcess) -> None:
     a, b = daemon_process.component(A), daemon_process.component(B)
     daemon_process.die()
@@ -204,6 +205,7 @@ def test_16_components_that_send_are_registered_after_a_restart(daemon_process: 
     b.hears(f"02001000 01 {TO_B} 0240 0200")
 
 
+@pytest.mark.slow
 def test_silent_components_are_reachable_after_a_restart(daemon_process: DaemonProcess) -> None:
     """Of those whose sockets are there: live ones, and no other files."""
     a, b = daemon_process.component(A), daemon_process.component(B)

@@ -32,6 +32,7 @@ def component(transport: Transport, arrived: "asyncio.Queue[Packet]") -> Compone
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("way", "ack"),
     [

@@ -45,6 +45,7 @@ def numbered(source: JausID, destination: JausID, count: int) -> list[bytes]:
     return [judp.pack(Packet(source, destination, b"\x02\x20", number)) for number in range(count)]
 
 
+@pytest.mark.slow
 def test_idle_node_manager_sleeps(daemon_process: DaemonProcess) -> None:
     """It looks after its components once a second, and does not poll: others wake up a thousand times a second."""
     component = daemon_process.component("100.1.1")
@@ -197,6 +198,7 @@ asyncio.run(main(sys.argv[1]))
 """
 
 
+@pytest.mark.slow
 def test_root_is_not_required(root: Path, free_port: int) -> None:
     """All of it: the port, the group, local sockets, TCP, status and mirror."""
     if os.geteuid() == 0:

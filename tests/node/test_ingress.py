@@ -120,6 +120,7 @@ async def test_low_priority_is_delayed_but_not_starved(counters: Counters) -> No
     assert [data for data in routed if data not in low] == urgent
 
 
+@pytest.mark.slow
 async def test_flood_does_not_starve_safety_critical_packets(root: Path, introduce, udp) -> None:
     """While a peer sends low-priority packets as fast as it can, another one's emergency stop arrives every time."""
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)) as node:

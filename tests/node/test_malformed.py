@@ -46,6 +46,7 @@ async def until_sent(sock: socket.socket, data: bytes, path: str) -> None:
             return
 
 
+@pytest.mark.slow
 async def test_malformed_udp_is_handled(
     root: Path, introduce: Callable[..., socket.socket], udp: Callable[[], socket.socket]
 ) -> None:
@@ -72,6 +73,7 @@ async def test_malformed_udp_is_handled(
         assert answers <= node.counters["compression.refused"] == COUNT // len(malformed.KINDS)
 
 
+@pytest.mark.slow
 async def test_malformed_local_datagrams_are_handled(root: Path, introduce: Callable[..., socket.socket]) -> None:
     """From a component that is registered, and goes on sending valid messages itself."""
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)) as node:
@@ -89,6 +91,7 @@ async def test_malformed_local_datagrams_are_handled(root: Path, introduce: Call
         assert node.components == (HERE, BESIDE)
 
 
+@pytest.mark.slow
 async def test_malformed_tcp_streams_are_handled(root: Path, introduce: Callable[..., socket.socket]) -> None:
     """Each malformed one on a stream of its own, behind a valid packet; another stream goes on all the while."""
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=0)

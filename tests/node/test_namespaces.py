@@ -53,6 +53,7 @@ def component(root: Path, id: JausID) -> Iterator[socket.socket]:
         yield sock
 
 
+@pytest.mark.slow
 def test_two_hosts_communicate(cable: tuple[str, str], root: Path) -> None:
     near, far = root / "a", root / "b"
     with contextlib.ExitStack() as stack:
@@ -93,6 +94,7 @@ def until_arrived(packet: Packet, speaker: socket.socket, folder: Path, listener
     raise AssertionError("it did not arrive in 20 s")
 
 
+@pytest.mark.slow
 def test_late_network_is_joined(cable: tuple[str, str], root: Path) -> None:
     near, far = root / "a", root / "b"
     end = f"jv{os.getpid()}b"

@@ -110,6 +110,7 @@ def any_datagram(chance: random.Random, source: JausID, number: int) -> bytes:
             return plain
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("check_address", [False, True])
 @pytest.mark.parametrize("seed", range(3))
 async def test_routing_is_the_same_with_and_without_cache(seed: int, check_address: bool) -> None:

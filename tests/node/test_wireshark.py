@@ -59,6 +59,7 @@ async def converse(node: NodeManager, introduce: Callable[..., socket.socket], p
     return seen
 
 
+@pytest.mark.slow
 async def test_mirror_file_is_read_by_wireshark(root: Path, tmp_path: Path, introduce, udp) -> None:
     file = tmp_path / "all.pcapng"
     config = NodeConfig.make(address="127.0.0.1", port=0, local_root=root, mirror=str(file))
@@ -70,6 +71,7 @@ async def test_mirror_file_is_read_by_wireshark(root: Path, tmp_path: Path, intr
     assert times == sorted(times)
 
 
+@pytest.mark.slow
 async def test_concatenated_mirror_datagrams_are_read_by_wireshark(root: Path, tmp_path: Path, introduce, udp) -> None:
     """As `nc -lu 5555 | wireshark -k -i -` reads them."""
     file, viewer = tmp_path / "row.pcapng", udp()

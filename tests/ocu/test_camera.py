@@ -50,6 +50,7 @@ async def test_video_is_sent_as_it_was_set_and_counted(node_manager, robot, ocu)
     assert camera.counters["pictures"] >= 1
 
 
+@pytest.mark.slow
 async def test_still_of_a_camera_by_name(node_manager, robot, ocu):
     camera = (await ocu.robot(101)).camera("chassis")
     with pytest.raises(ResponseTimeout, match="sent no picture of sensor 1 in 0 s"):
@@ -72,6 +73,7 @@ async def test_robot_without_a_camera_says_so(ocu, virtual_network):
             await anext((await ocu.robot(7)).camera().frames())
 
 
+@pytest.mark.slow
 async def test_no_picture_says_why(node_manager, robot, ocu, monkeypatch):
     monkeypatch.setattr(module.Camera, "_register", _ignored)
     with pytest.raises(RequestError, match=r"101.1.106 sends no picture to rtp://127.0.0.1:\d+: no packet arrived"):
@@ -88,6 +90,7 @@ def test_own_address_is_the_one_that_routes_to_the_robot():
     assert address_towards("not an address") is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("location", "expected"),
     [(Location(is_here=True), "127.0.0.1"), (Location(hosts=frozenset({"127.0.0.1"})), "127.0.0.1")],
@@ -119,6 +122,7 @@ async def test_loop_that_is_left_by_break_ends_the_video_when_the_ocu_is_closed(
     assert sum(robot.videos["arm"].receivers.values()) == 0
 
 
+@pytest.mark.slow
 async def test_no_picture_says_what_the_camera_says(node_manager, robot, ocu, monkeypatch):
     """Not that a firewall may be in between: what it says has arrived."""
     monkeypatch.setattr(module.Camera, "_register", _ignored)

@@ -39,6 +39,7 @@ async def cell(virtual_network: VirtualNetwork) -> AsyncIterator[tuple[MemoryCel
             yield backend.robot, robot
 
 
+@pytest.mark.slow
 async def test_modular_arm_moves_and_says_what_it_refuses(cell):
     _, robot = cell
     arm = robot.component(ARM).modular_arm
@@ -67,6 +68,7 @@ async def test_modular_arm_moves_and_says_what_it_refuses(cell):
         assert not (await arm.state()).moving
 
 
+@pytest.mark.slow
 async def test_motions_end_with_their_own_result_and_reason(cell):
     memory, robot = cell
     arm = robot.component(ARM).modular_arm
@@ -89,6 +91,7 @@ async def test_motions_end_with_their_own_result_and_reason(cell):
             await moving
 
 
+@pytest.mark.slow
 async def test_blocked_arm_is_reported_within_a_fraction_of_a_second(cell):
     memory, robot = cell
     arm, clock = robot.component(ARM).modular_arm, asyncio.get_running_loop().time
@@ -103,6 +106,7 @@ async def test_blocked_arm_is_reported_within_a_fraction_of_a_second(cell):
         assert clock() - blocked < 0.5
 
 
+@pytest.mark.slow
 async def test_state_of_an_earlier_motion_is_not_taken_for_a_new_one(cell, monkeypatch):
     """The robot's thread takes the motion late, and its state meanwhile is that of a motion that has succeeded."""
     memory, robot = cell

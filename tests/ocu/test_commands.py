@@ -303,6 +303,7 @@ async def test_component_without_command_events_raises_event_rejected(virtual_ne
         await client.perform(SET_TIME, within=1)
 
 
+@pytest.mark.slow
 async def test_perform_waits_for_a_waypoint(virtual_network, robot_inc1, ocu):
     driver = (await ocu.discover(101)).service("mobility:LocalWaypointDriver")
     async with driver.control():

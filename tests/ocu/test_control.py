@@ -383,6 +383,7 @@ async def test_an_emergency_right_after_resume_loses_control(world):
         assert "went from READY to EMERGENCY" in control.lost
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", sampled(range(5), 1))
 async def test_control_is_kept_for_minutes_on_a_network_that_loses_a_quarter(seed):
     services = [AccessControl(timeout=5), Management(), Discovery(), Liveness()]

@@ -152,6 +152,7 @@ async def test_malformed_answers_are_counted_and_others_used(world):
     assert ocu.stats.malformed >= len(garbage)
 
 
+@pytest.mark.slow
 async def test_discover_all_ends_after_a_second_when_all_have_answered(virtual_network, ocu):
     clock = asyncio.get_running_loop().time
     async with virtual_network.robot():

@@ -25,12 +25,14 @@ async def test_nobody_in_control(inc1, ocu):
     assert reason == (f"{DRIVER} takes commands only from the client in control, which is nobody: take control first")
 
 
+@pytest.mark.slow
 async def test_other_client_in_control_is_named(inc1, ocu, virtual_network):
     async with virtual_network.ocu("42.1.7") as other, (await other.robot(101)).control("drive", authority=200):
         reason = await ocu.explain(DRIVER, WRENCH)
     assert "which is 42.1.7 with authority 200: take control first" in reason
 
 
+@pytest.mark.slow
 async def test_standby_and_emergency(inc1, ocu):
     async with inc1.control("drive"):
         assert await ocu.explain(DRIVER, WRENCH) == ""
@@ -53,6 +55,7 @@ async def test_service_that_is_not_offered(inc1, ocu):
     assert "core:" not in reason
 
 
+@pytest.mark.slow
 async def test_wrong_joints(inc1, ocu):
     make, choice = JointPositionRec.JointPosition, JointPositionRec.JointPositionChoice
     async with inc1.control("arm"):
@@ -76,6 +79,7 @@ async def test_component_that_does_not_answer(ocu):
     assert "does not answer queries and may not exist" in await ocu.explain("101.1.99", WRENCH)
 
 
+@pytest.mark.slow
 async def test_command_that_may_have_been_taken_needs_no_explanation(inc1, ocu):
     async with inc1.control("drive") as control:
         efforts = SetSkidSteerEffort(10.0, 10.0)

@@ -71,6 +71,7 @@ def test_one_of_those_with_a_common_name_is_asked_another_one_next_time(tree: Su
     assert len({batch[0] for batch in nodes}) == len(nodes)
 
 
+@pytest.mark.slow
 def test_who_never_answers_is_asked_less_and_less(tree: SubsystemTree) -> None:
     line, now, times = Line(), 0.0, []
     follow_ups = FollowUps(line, tree)  # type: ignore[arg-type]

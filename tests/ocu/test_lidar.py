@@ -54,6 +54,7 @@ def events_of(robot) -> int:
     return len(list(component.host.service(Events).subscriptions.queries(JausID(42, 1, 1))))
 
 
+@pytest.mark.slow
 async def test_scans_have_angles_to_the_left_and_no_echo_is_infinite(inc1: Robot) -> None:
     scan = await anext(inc1.lidar().scans())
     assert len(scan.angles) == len(scan.ranges) == 360
@@ -65,6 +66,7 @@ async def test_scans_have_angles_to_the_left_and_no_echo_is_infinite(inc1: Robot
     assert 100 < len(scan.points()) < 180
 
 
+@pytest.mark.slow
 async def test_scans_come_as_they_are_measured_and_a_slow_reader_loses_the_oldest(inc1: Robot) -> None:
     clock = asyncio.get_running_loop().time
     begun, arrivals = clock(), []
@@ -79,6 +81,7 @@ async def test_scans_come_as_they_are_measured_and_a_slow_reader_loses_the_oldes
     assert arrivals[7] > arrivals[6], "and the others were dropped"
 
 
+@pytest.mark.slow
 async def test_leaving_the_loop_ends_the_event(inc1: Robot, robot) -> None:
     scans = inc1.lidar().scans()
     await anext(scans)
@@ -87,6 +90,7 @@ async def test_leaving_the_loop_ends_the_event(inc1: Robot, robot) -> None:
     assert events_of(robot) == 0
 
 
+@pytest.mark.slow
 async def test_a_lidar_that_is_off_says_so(inc1: Robot) -> None:
     lidar = inc1.component("101.1.108")
     kind = SetRangeSensorConfiguration
@@ -101,6 +105,7 @@ async def test_a_lidar_that_is_off_says_so(inc1: Robot) -> None:
                     pass
 
 
+@pytest.mark.slow
 async def test_the_place_of_the_lidar_is_that_of_its_link(inc1: Robot) -> None:
     pose = await inc1.lidar().pose()
     assert (pose.x, pose.y) == pytest.approx((-0.33, 0.0), abs=0.001)
@@ -108,6 +113,7 @@ async def test_the_place_of_the_lidar_is_that_of_its_link(inc1: Robot) -> None:
     assert (pose.roll, pose.pitch, pose.yaw) == pytest.approx((0.0, 0.0, 0.0), abs=0.001)
 
 
+@pytest.mark.slow
 async def test_unknown_lidar_lists_those_that_exist(inc1: Robot) -> None:
     with pytest.raises(
         ConfigError, match=r"there is no lidar 'top'\? This robot has 'lidar', as in robot.lidar\('lidar'"
@@ -115,6 +121,7 @@ async def test_unknown_lidar_lists_those_that_exist(inc1: Robot) -> None:
         await anext(inc1.lidar("top").scans())
 
 
+@pytest.mark.slow
 def test_scans_without_await(robot, node_manager: LocalNode) -> None:
     with sync.OCU("42.1.1", node_manager.local) as ocu:
         scans = list(islice(ocu.robot(101).lidar().scans(), 2))

@@ -146,6 +146,7 @@ CHANGES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("change", "same"), CHANGES)
 @pytest.mark.parametrize("bad", [False, True])
 async def test_changes_match_those_of_a_python_list(virtual_network, robot, client, *, change, same, bad):

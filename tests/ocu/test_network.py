@@ -105,6 +105,7 @@ asyncio.run(main())
 """
 
 
+@pytest.mark.slow
 async def test_robot_stops_when_the_ocu_process_is_killed(site):
     async with site.manager(), site.robot:
         process = await asyncio.create_subprocess_exec(sys.executable, "-c", KILLED, f"udp://127.0.0.1:{site.port}")

@@ -48,12 +48,14 @@ def test_user_defined_queries_are_recognised(own: Registry) -> None:
     assert not any(each.IS_QUERY for each in own if each.NAME.startswith(("Report", "Set")))
 
 
+@pytest.mark.slow
 async def test_user_defined_query_is_answered(own: Registry, lamp: Any, world: Any) -> None:
     ocu = await world.ocu(registry=own)
     await ocu.send(lamp.id, own.by_name("SetLamp")(70))
     assert await ocu.query(lamp.id, own.by_name("QueryLamp")()) == own.by_name("ReportLamp")(70)
 
 
+@pytest.mark.slow
 async def test_user_defined_reports_can_be_subscribed(own: Registry, lamp: Any, world: Any) -> None:
     ocu = await world.ocu(registry=own)
     query = own.by_name("QueryLamp")()
@@ -63,11 +65,13 @@ async def test_user_defined_reports_can_be_subscribed(own: Registry, lamp: Any, 
     assert event.query_message == query
 
 
+@pytest.mark.slow
 async def test_ocu_without_the_definition_can_query(own: Registry, lamp: Any, world: Any) -> None:
     ocu = await world.ocu()
     assert await ocu.query(lamp.id, own.by_name("QueryLamp")()) == own.by_name("ReportLamp")(10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("known", "problem"),
     [
@@ -95,6 +99,7 @@ async def test_query_without_known_report_is_an_error(own: Registry, world: Any,
         await ocu.query("101.1.7", own.by_name("SetLamp")(1))
 
 
+@pytest.mark.slow
 async def test_queries_to_the_ocu_are_not_answers(own: Registry, lamp: Any, world: Any) -> None:
     ocu = await world.ocu(registry=own)
     lamp.send(ocu.id, own.by_name("QueryLamp")())

@@ -46,6 +46,7 @@ def positions(robot, group: str = "arm") -> tuple[float, ...]:
     return robot.snapshot.joints[group].positions
 
 
+@pytest.mark.slow
 async def test_poses_are_listed(inc1):
     assert await inc1.arm.poses() == ("stow", "drive", "reach_low", "inspect")
     assert await inc1.manipulator(107).poses() == ()
@@ -54,6 +55,7 @@ async def test_poses_are_listed(inc1):
     assert [id.component for id in known["stow"]] == [103, 104]
 
 
+@pytest.mark.slow
 async def test_the_arm_moves_to_a_pose(inc1, robot):
     async with inc1.control("arm"):
         reached = await inc1.arm.move_to("reach_low")
@@ -67,6 +69,7 @@ async def test_the_arm_moves_to_a_pose(inc1, robot):
     assert positions(robot, "flippers") == pytest.approx((2.2,), abs=0.001)
 
 
+@pytest.mark.slow
 async def test_the_whole_robot_moves_to_a_pose(inc1, robot):
     async with inc1.control():
         reached = await inc1.move_to("drive")
@@ -75,6 +78,7 @@ async def test_the_whole_robot_moves_to_a_pose(inc1, robot):
     assert positions(robot)[1] == pytest.approx(2.618, abs=0.012)
 
 
+@pytest.mark.slow
 async def test_unknown_poses_are_errors_that_list_what_is_known(inc1):
     async with inc1.control():
         for mover in (inc1.arm, inc1):
@@ -88,12 +92,14 @@ async def test_unknown_poses_are_errors_that_list_what_is_known(inc1):
         await inc1.manipulator(107).pose()
 
 
+@pytest.mark.slow
 async def test_without_control_it_says_so(inc1, robot):
     with pytest.raises(ControlRejected, match="take control first"):
         await inc1.arm.move_to("reach_low")
     assert positions(robot)[1] == pytest.approx(2.7, abs=0.001)
 
 
+@pytest.mark.slow
 async def test_control_that_is_taken_while_it_moves_stops_it(inc1, robot, virtual_network):
     async with inc1.control("arm", authority=100):
         moving = asyncio.create_task(inc1.arm.move_to("reach_low"))
@@ -107,6 +113,7 @@ async def test_control_that_is_taken_while_it_moves_stops_it(inc1, robot, virtua
             assert positions(robot) == pytest.approx(stopped, abs=0.02)
 
 
+@pytest.mark.slow
 async def test_a_client_that_falls_silent_stops_the_arm(inc1, robot, virtual_network):
     async with virtual_network.ocu("42.1.9") as other:
         operated = await other.robot(101)
@@ -128,6 +135,7 @@ async def test_a_client_that_falls_silent_stops_the_arm(inc1, robot, virtual_net
                 await moving
 
 
+@pytest.mark.slow
 async def test_standby_while_it_moves_is_named(inc1, robot):
     async with inc1.control("arm"):
         moving = asyncio.create_task(inc1.arm.move_to("reach_low"))
@@ -137,6 +145,7 @@ async def test_standby_while_it_moves_is_named(inc1, robot):
             await moving
 
 
+@pytest.mark.slow
 async def test_a_second_request_ends_the_first(inc1):
     async with inc1.control("arm"):
         first = asyncio.create_task(inc1.arm.move_to("reach_low"))
@@ -146,6 +155,7 @@ async def test_a_second_request_ends_the_first(inc1):
             await first
 
 
+@pytest.mark.slow
 async def test_another_pose_replaces_the_motion(inc1, robot):
     async with inc1.control("arm"):
         first = asyncio.create_task(inc1.arm.move_to("reach_low"))
@@ -156,6 +166,7 @@ async def test_another_pose_replaces_the_motion(inc1, robot):
         assert await inc1.arm.pose() == "drive"
 
 
+@pytest.mark.slow
 async def test_cancelling_stops_the_arm(inc1, robot):
     async with inc1.control("arm"):
         with pytest.raises(TimeoutError):
@@ -167,6 +178,7 @@ async def test_cancelling_stops_the_arm(inc1, robot):
         assert positions(robot) == pytest.approx(stopped, abs=0.05)
 
 
+@pytest.mark.slow
 async def test_no_route_is_named_and_others_move_first(virtual_network: VirtualNetwork, tmp_path: Path):
     file = tmp_path / "beside.toml"
     file.write_text(BESIDE)
@@ -185,6 +197,7 @@ async def test_no_route_is_named_and_others_move_first(virtual_network: VirtualN
             assert await flippers.pose() == await inc1.arm.pose() == "home"
 
 
+@pytest.mark.slow
 async def test_no_route_for_any_component_is_an_error(inc1, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setattr("jauspy.geometry.joint_routes.MAX_CHECKS", 2)
     async with inc1.control():
@@ -192,6 +205,7 @@ async def test_no_route_for_any_component_is_an_error(inc1, monkeypatch: pytest.
             await inc1.move_to("reach_low")
 
 
+@pytest.mark.slow
 async def test_components_without_command_events(virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch):
     """As those of Events 1.0: the report of the service tells the end."""
     monkeypatch.setattr(CommandEvents, "is_command_supported", lambda _: False)
@@ -207,6 +221,7 @@ async def test_components_without_command_events(virtual_network: VirtualNetwork
                 await arm.move_to("inspect")
 
 
+@pytest.mark.slow
 async def test_time_out_stops_the_arm(inc1, robot):
     async with inc1.control("arm"):
         with pytest.raises(RequestError, match=r"is not in the pose 'reach_low': .* within 0\.5 s"):

@@ -16,6 +16,7 @@ MOST_STEPS = 10
 """Steps in one turn, by the table of bounds in ARCHITECTURE.md."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rpy", [None, (0.0, 0.0, 0.0)])
 async def test_a_search_leaves_the_event_loop_to_others(
     robot: RobotRunner, ocu: OCU, monkeypatch: pytest.MonkeyPatch, rpy: tuple[float, float, float] | None

@@ -189,6 +189,7 @@ async def test_reports_lost_in_a_long_outage_are_counted(world, outage):
         await until(lambda: poses.received + poses.lost == len(world.network.sent(Event)))
 
 
+@pytest.mark.slow
 async def test_late_and_duplicate_reports_are_ignored(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu())

@@ -97,6 +97,7 @@ def state(runner) -> tuple[ReportStatus.Status, float]:
 STOPPED = (ReportStatus.Status.STANDBY, 0.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "program",
     [

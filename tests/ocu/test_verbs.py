@@ -39,6 +39,7 @@ async def inc1(robot, ocu):
     return await ocu.robot(101)
 
 
+@pytest.mark.slow
 async def test_drive_turns_left_for_positive_angular(inc1, robot):
     async with inc1.control("drive"):
         await inc1.drive(linear=0.4, angular=0.3, seconds=2.0)
@@ -50,6 +51,7 @@ async def test_drive_turns_left_for_positive_angular(inc1, robot):
     assert abs(datetime.now(UTC) - pose.time) < timedelta(days=32)
 
 
+@pytest.mark.slow
 async def test_drive_goes_on_until_stopped(inc1, robot):
     async with inc1.control("drive"):
         await inc1.drive(linear=0.4)
@@ -60,6 +62,7 @@ async def test_drive_goes_on_until_stopped(inc1, robot):
         assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
 
 
+@pytest.mark.slow
 async def test_drive_stops_at_the_end_of_the_block(inc1, robot):
     async with inc1.control("drive"):
         await inc1.drive(linear=0.4)
@@ -68,6 +71,7 @@ async def test_drive_stops_at_the_end_of_the_block(inc1, robot):
     assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
 
 
+@pytest.mark.slow
 async def test_effort_drives_until_the_next_command_or_for_a_time(inc1, robot):
     async with inc1.control("drive"):
         await inc1.drive_effort(40.0)
@@ -93,6 +97,7 @@ async def test_drive_faster_than_the_robot_can_is_an_error(inc1):
             await inc1.drive(linear=9.0)
 
 
+@pytest.mark.slow
 async def test_drive_in_standby_says_resume_first(inc1, ocu):
     async with inc1.control("drive"):
         await inc1.service("mobility:PrimitiveDriver").send(Standby(), ack=True)
@@ -101,6 +106,7 @@ async def test_drive_in_standby_says_resume_first(inc1, ocu):
         assert "in Standby: resume first" in await ocu.explain("101.1.102", SetWrenchEffort())
 
 
+@pytest.mark.slow
 async def test_go_to_reports_progress_and_arrives(inc1):
     seen = []
     async with inc1.control("drive"):
@@ -110,6 +116,7 @@ async def test_go_to_reports_progress_and_arrives(inc1):
     assert seen[-1].elapsed > seen[0].elapsed
 
 
+@pytest.mark.slow
 async def test_go_to_in_the_frame_of_the_robot_is_relative(inc1):
     async with inc1.control("drive"):
         await inc1.go_to(x=1.0, y=0.0, yaw=math.pi / 2)
@@ -117,6 +124,7 @@ async def test_go_to_in_the_frame_of_the_robot_is_relative(inc1):
     assert math.dist((there.x, there.y), (1.0, 0.8)) < 0.25
 
 
+@pytest.mark.slow
 async def test_link_is_measured_by_the_robot(inc1):
     await inc1.link()
     await asyncio.sleep(3.0)
@@ -125,6 +133,7 @@ async def test_link_is_measured_by_the_robot(inc1):
     assert (health.round_trip, health.loss) == (pytest.approx(0.0, abs=0.01), 0.0)
 
 
+@pytest.mark.slow
 async def test_course_with_reverse_and_waits(inc1):
     headings = []
     async with inc1.control("drive"):
@@ -136,6 +145,7 @@ async def test_course_with_reverse_and_waits(inc1):
     assert abs(headings[0]) < 0.3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("points", "error", "text"),
     [
@@ -156,6 +166,7 @@ def test_waits_have_limits():
         CoursePoint(1.0, 0.0, wait=0.0)
 
 
+@pytest.mark.slow
 async def test_cancelled_course_stops_the_robot(inc1, robot):
     async with inc1.control("drive"):
         with pytest.raises(TimeoutError):
@@ -165,6 +176,7 @@ async def test_cancelled_course_stops_the_robot(inc1, robot):
         assert abs(robot.snapshot.twist.vx) < 0.01
 
 
+@pytest.mark.slow
 async def test_cancelled_go_to_stops_the_robot(inc1, robot):
     async with inc1.control("drive"):
         with pytest.raises(TimeoutError):
@@ -174,6 +186,7 @@ async def test_cancelled_go_to_stops_the_robot(inc1, robot):
         assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("earlier", ["course", "go_to", "drive"])
 async def test_the_end_of_an_earlier_motion_does_not_stop_a_later_one(inc1, robot, earlier):
     async with inc1.control("drive"):
@@ -194,6 +207,7 @@ async def test_the_end_of_an_earlier_motion_does_not_stop_a_later_one(inc1, robo
         await asyncio.wait({later})
 
 
+@pytest.mark.slow
 async def test_go_to_accepts_where_the_robot_stands(inc1, robot, monkeypatch):
     """As with a pose that drifts while the robot comes to rest."""
     pose, queries = Driving.pose, []
@@ -213,6 +227,7 @@ async def test_go_to_accepts_where_the_robot_stands(inc1, robot, monkeypatch):
     assert len(queries) <= 8.0 / PROGRESS_INTERVAL + 2, "the pose is not queried more often while the robot stands"
 
 
+@pytest.mark.slow
 async def test_go_to_names_the_loss_of_control(inc1, virtual_network):
     async with inc1.control("drive", authority=100):
         going = asyncio.create_task(inc1.go_to(x=5.0, y=0.0))
@@ -222,6 +237,7 @@ async def test_go_to_names_the_loss_of_control(inc1, virtual_network):
                 await going
 
 
+@pytest.mark.slow
 async def test_go_to_says_that_the_robot_is_tilted_when_its_guard_stops_it(inc1, robot, monkeypatch):
     level = KinematicDrive.pose
 
@@ -237,11 +253,13 @@ async def test_go_to_says_that_the_robot_is_tilted_when_its_guard_stops_it(inc1,
         assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
 
 
+@pytest.mark.slow
 async def test_go_to_unknown_frame_lists_frames(inc1):
     with pytest.raises(ConfigError, match=r"no frame 'map'; frames are local, robot"):
         await inc1.go_to(x=1.0, y=0.0, frame="map")
 
 
+@pytest.mark.slow
 async def test_arm_positions_are_those_of_the_description(inc1, robot):
     async with inc1.control("arm"):
         reached = await inc1.arm.move({ELBOW: -1.2})
@@ -251,6 +269,7 @@ async def test_arm_positions_are_those_of_the_description(inc1, robot):
     assert reached[SHOULDER] == pytest.approx(2.7, abs=0.02)
 
 
+@pytest.mark.slow
 async def test_begin_returns_at_once_and_reports_follow_the_motion(inc1, robot):
     async with inc1.control("arm"):
         await inc1.arm.begin({TURN: 0.6})
@@ -262,6 +281,7 @@ async def test_begin_returns_at_once_and_reports_follow_the_motion(inc1, robot):
     assert seen[-1] == pytest.approx(0.6, abs=0.01)
 
 
+@pytest.mark.slow
 async def test_move_with_a_tolerance_ends_at_rest_within_it(inc1, robot):
     async with inc1.control("arm"):
         reached = await inc1.arm.move({TURN: 0.5}, tolerance=0.002)
@@ -269,6 +289,7 @@ async def test_move_with_a_tolerance_ends_at_rest_within_it(inc1, robot):
         assert robot.snapshot.joints["arm"].velocities[0] == pytest.approx(0.0, abs=1e-2)
 
 
+@pytest.mark.slow
 async def test_motion_limits_are_set_for_joints_by_name_and_stay(inc1):
     clock = asyncio.get_running_loop().time
     async with inc1.control("arm"):
@@ -286,6 +307,7 @@ async def test_motion_limits_are_set_for_joints_by_name_and_stay(inc1):
             await inc1.arm.set_motion_limits({TURN: MotionLimits(0.1, 0.0)})
 
 
+@pytest.mark.slow
 async def test_pan_tilt_unit_is_moved_by_the_names_of_its_joints(inc1, robot):
     unit = inc1.manipulator(PAN_TILT)
     async with inc1.control(PAN_TILT):
@@ -300,6 +322,7 @@ async def test_pan_tilt_unit_is_moved_by_the_names_of_its_joints(inc1, robot):
             await unit.joint_positions(**{PAN: 0.0})
 
 
+@pytest.mark.slow
 async def test_force_torque_sensor_measures_the_weight_downwards(inc1):
     measured = await inc1.force_torque()
     assert -measured.force[2] / GRAVITY == pytest.approx(1.5, abs=1.0)
@@ -309,6 +332,7 @@ async def test_force_torque_sensor_measures_the_weight_downwards(inc1):
         await inc1.force_torque(7)
 
 
+@pytest.mark.slow
 async def test_all_joints_are_reported_as_in_the_description(inc1, robot):
     reported = await inc1.joints()
     joints = reported.positions
@@ -326,6 +350,7 @@ async def test_all_joints_are_reported_as_in_the_description(inc1, robot):
         assert joints[name] == pytest.approx(value, abs=0.005)
 
 
+@pytest.mark.slow
 async def test_speed_limits_the_joints_for_this_move_only(inc1):
     clock = asyncio.get_running_loop().time
     async with inc1.control("arm"):
@@ -338,6 +363,7 @@ async def test_speed_limits_the_joints_for_this_move_only(inc1):
     assert fast < 2.5
 
 
+@pytest.mark.slow
 async def test_unknown_joints_and_positions_out_of_range_are_named(inc1):
     async with inc1.control("arm"):
         with pytest.raises(ConfigError, match="no joint 'knee'; there are base_link_to_arm_link_1"):
@@ -346,6 +372,7 @@ async def test_unknown_joints_and_positions_out_of_range_are_named(inc1):
             await inc1.arm.move({ELBOW: 3.0})
 
 
+@pytest.mark.slow
 async def test_a_move_takes_its_duration_with_all_joints(inc1, robot):
     clock = asyncio.get_running_loop().time
     async with inc1.control("arm"):
@@ -362,6 +389,7 @@ async def test_a_move_takes_its_duration_with_all_joints(inc1, robot):
             await inc1.arm.move({TURN: 0.0}, duration=4.0, speed=0.1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("service", ["list", "verbs"])
 async def test_an_arm_follows_rows_in_their_times(inc1, robot, monkeypatch, service):
     if service == "verbs":
@@ -381,6 +409,7 @@ async def test_an_arm_follows_rows_in_their_times(inc1, robot, monkeypatch, serv
     assert reached.positions[SHOULDER] == pytest.approx(2.4, abs=0.02)
 
 
+@pytest.mark.slow
 async def test_rows_that_cannot_be_move_nothing(inc1, robot):
     async with inc1.control("arm"):
         before = robot.snapshot.joints["arm"].positions
@@ -395,6 +424,7 @@ async def test_rows_that_cannot_be_move_nothing(inc1, robot):
         assert robot.snapshot.joints["arm"].positions == before
 
 
+@pytest.mark.slow
 async def test_a_pause_takes_its_time_and_cancelling_stops(inc1, robot):
     clock = asyncio.get_running_loop().time
     async with inc1.control("arm"):
@@ -412,6 +442,7 @@ async def test_a_pause_takes_its_time_and_cancelling_stops(inc1, robot):
         assert robot.snapshot.joints["arm"].positions[0] == pytest.approx(there, abs=0.01)
 
 
+@pytest.mark.slow
 async def test_a_speed_may_be_that_of_some_joints(inc1, robot):
     clock = asyncio.get_running_loop().time
     async with inc1.control("arm"):
@@ -453,6 +484,7 @@ async def test_the_tool_moves_at_a_velocity_in_both_frames(inc1, robot, monkeypa
             await arm.move_tool_at((0.1, 0.0, 0.0), frame="base")
 
 
+@pytest.mark.slow
 async def test_the_gripper_opens_to_a_width(inc1, robot):
     async with inc1.control("gripper"):
         gripper = inc1.gripper
@@ -466,6 +498,7 @@ async def test_the_gripper_opens_to_a_width(inc1, robot):
             await gripper.open_to(2.0)
 
 
+@pytest.mark.slow
 async def test_a_width_is_the_distance_between_the_fingers_in_the_simulation():
     mujoco = pytest.importorskip("mujoco")
     async with VirtualNetwork() as network:
@@ -483,6 +516,7 @@ async def test_a_width_is_the_distance_between_the_fingers_in_the_simulation():
                 assert await inc1.gripper.force() == pytest.approx(0.0, abs=3.0), "they hold, and press nothing"
 
 
+@pytest.mark.slow
 async def test_an_arm_that_presses_on_something_stops_and_says_which_joint(caplog):
     mujoco = pytest.importorskip("mujoco")
     numpy = pytest.importorskip("numpy")
@@ -535,6 +569,7 @@ async def test_a_slow_move_is_not_taken_for_a_blocked_one():
                 assert arm.state().positions[0] == pytest.approx(start + 0.05, abs=0.01)
 
 
+@pytest.mark.slow
 async def test_cancelled_move_stops_the_arm(inc1, robot):
     async with inc1.control("arm"):
         with pytest.raises(TimeoutError):
@@ -547,6 +582,7 @@ async def test_cancelled_move_stops_the_arm(inc1, robot):
         assert there < 1.5
 
 
+@pytest.mark.slow
 async def test_tool_moves_in_the_frame_of_the_robot(inc1):
     async with inc1.control("arm"):
         tool = await inc1.arm.move_tool(position=(0.6, 0.0, 0.6), rpy=(0.0, 0.0, 0.0))
@@ -556,6 +592,7 @@ async def test_tool_moves_in_the_frame_of_the_robot(inc1):
         assert left.y == pytest.approx(0.3, abs=0.01)
 
 
+@pytest.mark.slow
 async def test_without_rpy_the_tool_takes_the_short_way(inc1):
     """And does not turn the arm over, through the chassis, for an attitude that is nearer by a part of a degree."""
     async with inc1.control("arm"):
@@ -569,6 +606,7 @@ async def test_without_rpy_the_tool_takes_the_short_way(inc1):
     assert seconds < 2.0, "the other way takes 4.6 s"
 
 
+@pytest.mark.slow
 async def test_an_arm_that_sags_beside_the_pose_does_not_wait_for_the_timeout(inc1, robot, monkeypatch):
     (arm,) = (each for each in robot.components if str(each.id) == "101.1.104")
     joints = arm.host.service(EndEffectorPoseDriver).arm.joints
@@ -585,6 +623,7 @@ async def test_an_arm_that_sags_beside_the_pose_does_not_wait_for_the_timeout(in
         assert loop_time() - begun < 10.0
 
 
+@pytest.mark.slow
 async def test_tool_out_of_reach_says_at_once_how_far_it_is(inc1):
     async with inc1.control("arm"):
         before, begun = (await inc1.arm.joints()).positions, loop_time()
@@ -600,6 +639,7 @@ async def test_tool_out_of_reach_says_at_once_how_far_it_is(inc1):
             await inc1.arm.move_tool(position=(0.6, 0.0, 0.3), rpy=(0, 90, 0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 async def test_tool_pose_that_is_no_place_is_refused_before_it_is_sent(inc1, bad):
     async with inc1.control("arm"):
@@ -609,6 +649,7 @@ async def test_tool_pose_that_is_no_place_is_refused_before_it_is_sent(inc1, bad
             await inc1.arm.move_tool((0.6, 0.0, 0.6), rpy=(0.0, bad, 0.0))
 
 
+@pytest.mark.slow
 async def test_gripper_closes_with_a_force_and_opens(inc1):
     async with inc1.control("gripper"):
         closed = await inc1.gripper.close(force=20)
@@ -631,6 +672,7 @@ async def test_control_takes_all_that_moves_and_releases_it(inc1, ocu, virtual_n
         assert "is nobody: take control first" in await ocu.explain(f"101.1.{component}")
 
 
+@pytest.mark.slow
 async def test_a_robot_that_went_to_standby_meanwhile_can_be_resumed(inc1, robot):
     """As after the link was lost for longer than its time-outs."""
     async with inc1.control("drive") as control:

@@ -25,6 +25,7 @@ async def drive(robot, driver) -> list[tuple[float, float]]:
     return [*reached[1:], place()]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loss", [0.0, pytest.param(0.1, marks=pytest.mark.slow)])
 async def test_four_local_waypoints_in_order(virtual_network, robot, ocu, loss):
     virtual_network.loss = loss
@@ -56,6 +57,7 @@ async def test_four_global_waypoints_in_order(virtual_network, robot, ocu):
     assert all(math.dist(*pair) < 0.5 for pair in zip(reached, SQUARE, strict=True)), reached
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ManipulatorJointPositionListDriver", "ManipulatorListDriver"])
 async def test_joint_positions_in_order(virtual_network, robot, ocu, name):
     arm = (await ocu.discover(101)).component(104)
@@ -77,6 +79,7 @@ async def test_joint_positions_in_order(virtual_network, robot, ocu, name):
         assert after.joint_position.value == pytest.approx(before.joint_position.value + 0.1, abs=0.03)
 
 
+@pytest.mark.slow
 async def test_lists_work_on_a_node_manager(node_manager, robot, ocu):
     driver = (await ocu.discover(101)).service("LocalWaypointListDriver")
     async with driver.control():

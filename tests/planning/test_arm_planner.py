@@ -75,6 +75,7 @@ def planned(planner: ArmPlanner, request: PlanRequest) -> Plan | Reason:
         return error.reason
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ARMS)
 def test_plans_among_boxes_touch_nothing(robots, name: str) -> None:
     model, planner = robots[name]
@@ -239,6 +240,7 @@ def blocked() -> tuple[tuple[float, ...], JointGoal, Obstacles]:
     return (0.0,) * 7, JointGoal((0.0, 1.9, 0.0, 0.0, 0.0, 0.0, 0.0)), Obstacles(slab)
 
 
+@pytest.mark.slow
 def test_no_way_is_said_within_a_second(robots) -> None:
     begin = time.process_time()
     with pytest.raises(NoPlan, match=r"no way to the goal was found within 1 s") as caught:

@@ -50,6 +50,7 @@ def test_the_gripper_has_its_shapes_from_the_description(gripper: Gripper) -> No
     assert inner == pytest.approx([OPENING / 2.0, OPENING / 2.0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [(0.08, 0.06, 0.1), (0.22, 0.04, 0.04)])
 def test_the_best_grasps_have_two_faces_between_the_fingers(gripper: Gripper, size: tuple[float, float, float]) -> None:
     ranked = candidates(box(size), gripper, FOOT)

@@ -5,11 +5,14 @@ from __future__ import annotations
 import asyncio
 import math
 from collections.abc import Sequence
+from types import SimpleNamespace
 
 import pytest
 from tests.helpers.robot import described
 
 pytest.importorskip("scipy", reason="planning needs scipy")
+
+import numpy as np
 
 from jauspy.backends import kinematic
 from jauspy.backends.kinematic import KinematicRobot
@@ -17,12 +20,14 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.messages.iop import AddNoGoZone, QueryCostMap2D, QueryNoGoZones, QueryPath, RemoveNoGoZone
 from jauspy.ocu import Robot
+from jauspy.ocu.state import RobotPose
 from jauspy.planning import navigator
 from jauspy.planning.driving_map import DrivingMap
-from jauspy.planning.mobility import flipper_joints
+from jauspy.planning.mobility import flipper_joints, mobility_of
 from jauspy.planning.navigator import Navigator
-from jauspy.planning.path_search import NoPath, is_leg_free
+from jauspy.planning.path_search import NoPath, PathPoint, is_leg_free
 from jauspy.planning.path_services import IMPASSABLE, navigation_services
+from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.platform.ranging import Scanner
 
 MODEL = described("inc1")[1]
@@ -163,6 +168,7 @@ async def test_a_speed_is_above_zero(inc1, speed):
         Navigator(inc1, MODEL, surroundings(inc1), speed=speed)
 
 
+@pytest.mark.slow
 async def test_way_and_cost_are_reported_and_zones_kept(virtual_network, inc1, walls, ocu):
     walls.append((2.0, -4.0, 2.0, 1.0))
     kind = QueryPath.PathType.PLANNED_LOCAL_PATH
@@ -204,6 +210,7 @@ async def test_way_and_cost_are_reported_and_zones_kept(virtual_network, inc1, w
                 await navigator.plan(4.0, -2.0)
 
 
+@pytest.mark.slow
 def test_a_zone_covers_what_is_inside(inc1):
     around = DrivingMap(inc1, size=10.0, resolution=0.1, threaded=False)
     around.zones = [((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))]
@@ -212,3 +219,16 @@ def test_a_zone_covers_what_is_inside(inc1):
     assert not cells[18, 18], "beyond the long side"
     assert not cells[12, 5]
     assert PlanarPose() == around.mapper.correction
+
+
+def test_the_rest_of_a_way_does_not_lead_back_to_a_corner_that_is_behind():
+    cells = np.zeros((200, 200), bool)
+    terrain = TerrainCost(mobility_of(MODEL), cells, ~cells, (-5.0, -5.0), 0.05)
+    around = SimpleNamespace(to_map=lambda pose: pose)
+    driver = Navigator(SimpleNamespace(components=()), MODEL, around)  # type: ignore[arg-type]
+    driver.terrain, driver._driven = terrain, [PathPoint(0.0, 0.0), PathPoint(1.0, 0.0), PathPoint(1.0, 2.0)]
+    for x, y, corners in ((0.5, 0.0, 2), (0.95, 0.02, 1), (1.2, 0.05, 1), (1.02, 0.6, 1), (1.0, 2.1, 1)):
+        place, *rest = driver.ahead(RobotPose(x, y, 0.0, 0.0, 0.0, 0.0))
+        assert place[:2] == (x, y)
+        assert len(rest) == corners, (x, y)
+        assert rest[-1] == (1.0, 2.0, False)

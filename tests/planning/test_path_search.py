@@ -2,7 +2,7 @@
 
 import math
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ pytest.importorskip("scipy", reason="planning needs scipy")
 
 from jauspy.geometry.poses import PlanarPose
 from jauspy.planning.mobility import Mobility
-from jauspy.planning.path_search import NoPath, find_path, is_leg_free
+from jauspy.planning.path_search import NoPath, find_path, find_widest_path, is_leg_free, way_cost
 from jauspy.planning.terrain_cost import TerrainCost
 
 MOBILITY = Mobility(front=0.4, back=0.4, half_width=0.3, step=0.08, flipper_step=0.2, up=0.5, down=0.5, side=0.3)
@@ -49,6 +49,61 @@ def test_a_door_is_passed_straight():
     found = terrain((-0.1, -5.0, 0.1, -0.5), (-0.1, 0.5, 0.1, 5.0))
     path = find_path(found, PlanarPose(-2.0, -2.0, 0.0), (2.0, 2.0))
     assert_free(found, path)
+
+
+def doors(cells: int) -> TerrainCost:
+    """A wall with a door of so many cells of 5 cm."""
+    occupied = np.zeros((120, 120), bool)
+    occupied[:, 60] = True
+    occupied[60 : 60 + cells, 60] = False
+    return TerrainCost(MOBILITY, occupied, np.ones_like(occupied), (-3.0, -3.0), 0.05)
+
+
+def test_a_door_that_noise_makes_narrower_is_passed_where_there_is_no_other_way():
+    start, goal = PlanarPose(-1.5, 0.3, 0.0), (1.5, 0.3)
+    with pytest.raises(NoPath, match="no way to"):
+        find_path(doors(12), start, goal, seconds=0.1)
+    found = doors(12)
+    assert_free(found, find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 1.0))
+    assert found.margin == -0.01
+    wide = doors(16)
+    find_widest_path(wide, start, goal, backward=True, end=time.thread_time() + 1.0)
+    assert wide.margin == 0.02
+    with pytest.raises(NoPath, match="no way to"):
+        find_widest_path(doors(10), start, goal, backward=True, end=time.thread_time() + 0.3)
+
+
+def test_the_cost_of_a_way_is_that_of_its_legs_on_another_map():
+    found = terrain((-0.2, -5.0, 0.2, 2.0))
+    path = find_path(found, PlanarPose(-2.0, 0.0, 0.0), (2.0, 0.0))
+    assert way_cost(found, path.points) == pytest.approx(path.cost, rel=0.1)
+    assert way_cost(terrain(), path.points) < path.cost, "nothing is near"
+    assert way_cost(found, path.points[:1]) == 0.0
+
+
+@dataclass
+class Kerb:
+    """Ground that is 15 cm higher from x = 0 on."""
+
+    origin: tuple[float, float] = (-4.0, -4.0)
+    resolution: float = 0.1
+
+    @property
+    def heights(self) -> np.ndarray:
+        return np.where(np.arange(80)[None, :] >= 40, 0.15, 0.0).repeat(80, axis=0).astype(np.float32)
+
+
+def test_a_goal_astride_of_a_kerb_is_refused_with_a_place_beside_it():
+    cells = np.zeros((80, 80), bool)
+    found = TerrainCost(MOBILITY, cells, ~cells, (-4.0, -4.0), 0.1, elevation=Kerb())
+    start = PlanarPose(-2.0, 0.0, 0.0)
+    with pytest.raises(NoPath, match=r"at the edge of a step.*nearest place where it can stand") as error:
+        find_path(found, start, (0.05, 0.0))
+    assert "\n" not in str(error.value)
+    up = find_path(found, start, (2.0, 0.0))
+    assert math.dist(up.points[-1][:2], (2.0, 0.0)) < 0.2, "up the kerb, and on"
+    assert not found.is_astride(*up.points[-1][:2], 0.0)
+    find_path(found, start, (-0.9, 0.0))
 
 
 def test_a_chassis_that_steers_drives_curves():

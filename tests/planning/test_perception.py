@@ -88,6 +88,7 @@ async def test_a_wall_stays_where_it_is_while_the_robot_drives(walled: None, rob
     assert 0.0 <= sensor.latency < 0.5
 
 
+@pytest.mark.slow
 async def test_clouds_are_placed_by_the_joints_of_their_time(robot: RobotRunner, ocu: OCU) -> None:
     async with fed(await ocu.discover(101), lidars=False) as perception:
         async with asyncio.timeout(30.0):
@@ -126,6 +127,7 @@ async def test_clouds_that_cannot_be_placed_are_counted(robot: RobotRunner, ocu:
         assert perception.counters["skipped, as a newer one came"] == 49
 
 
+@pytest.mark.slow
 async def test_a_robot_that_is_gone_ends_it(robot: RobotRunner, ocu: OCU) -> None:
     _, model = described("inc1")
     perception = Perception(await ocu.discover(101), Scene(model.description), model)

@@ -8,6 +8,7 @@ import struct
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from copy import copy
 from dataclasses import dataclass, field, replace
 
 import pytest
@@ -19,13 +20,13 @@ from tests.helpers.straight_planner import StraightPlanner
 from jauspy.console.world import World
 from jauspy.errors import RequestError
 from jauspy.messages.core import ReleaseControl, RequestControl, Resume
-from jauspy.messages.planning import CancelMotion, ExecuteMotion, PlanMotion
-from jauspy.ocu import OCU, Joints, PlannerState, Robot
+from jauspy.messages.planning import CancelMotion, ExecuteMotion, PlanMotion, SetHeldObject
+from jauspy.ocu import OCU, HeldObject, Joints, PlannerState, Robot
 from jauspy.ocu.planner import PLANNER, Planner, PlanningFailed
 from jauspy.planning.component import planner_component
 from jauspy.planning.execution import PlannedArm
 from jauspy.planning.motion import NoPlan, Plan, PlanRequest, PoseGoal, Reason
-from jauspy.planning.obstacles import Array, Obstacles
+from jauspy.planning.obstacles import Array, Cylinder, Obstacles, Primitive
 from jauspy.planning.service import MotionPlannerService
 from jauspy.robot import robot_files
 from jauspy.testing import VirtualNetwork
@@ -46,6 +47,7 @@ class Beside:
     ocu: OCU
     seen: list[Obstacles] = field(default_factory=lambda: [Obstacles()])
     checked: list[int] = field(default_factory=list)
+    held: list[Primitive | None] = field(default_factory=list)
     obstruction: str = ""
 
     def obstacles(self) -> Obstacles:
@@ -53,8 +55,9 @@ class Beside:
             raise RequestError("no camera answers")
         return self.seen[-1]
 
-    def in_the_way(self, positions: Array, obstacles: Obstacles) -> str:
+    def in_the_way(self, positions: Array, obstacles: Obstacles, payload: Primitive | None = None) -> str:
         self.checked.append(len(positions))
+        self.held.append(payload)
         return self.obstruction
 
 
@@ -79,6 +82,7 @@ async def beside(network: VirtualNetwork) -> AsyncIterator[Beside]:
             yield found
 
 
+@pytest.mark.slow
 async def test_a_motion_is_planned_shown_and_carried_out(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         assert str(await inc1.planner.arm()) == "101.1.104"
@@ -109,6 +113,7 @@ async def some_joint(inc1: Beside) -> tuple[str, float]:
     return first, (await inc1.robot.arm.joints()).positions[first]
 
 
+@pytest.mark.slow
 async def test_a_new_obstacle_stops_the_arm_and_it_plans_again(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
@@ -132,6 +137,7 @@ async def test_a_new_obstacle_stops_the_arm_and_it_plans_again(virtual_network: 
         assert at + 0.2 < again < at + 0.7  # it stood there
 
 
+@pytest.mark.slow
 async def test_an_obstacle_that_stays_ends_the_motion_with_the_reason(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
@@ -149,6 +155,7 @@ async def test_an_obstacle_that_stays_ends_the_motion_with_the_reason(virtual_ne
         assert abs(stopped - at) < 0.5
 
 
+@pytest.mark.slow
 async def test_an_arm_that_leaves_the_way_stops_and_plans_again(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -174,6 +181,7 @@ async def test_an_arm_that_leaves_the_way_stops_and_plans_again(
         assert at + 0.3 < inc1.straight.requests[1].start[0] < at + 0.75
 
 
+@pytest.mark.slow
 async def test_a_plan_from_where_the_arm_is_no_longer_is_made_again(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
@@ -187,6 +195,7 @@ async def test_a_plan_from_where_the_arm_is_no_longer_is_made_again(virtual_netw
             assert (await inc1.robot.arm.joints()).positions[joint] == pytest.approx(at - 0.4, abs=0.02)
 
 
+@pytest.mark.slow
 async def test_another_command_to_the_arm_ends_the_motion(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         names = await inc1.planner.joints()
@@ -201,6 +210,7 @@ async def test_another_command_to_the_arm_ends_the_motion(virtual_network: Virtu
             assert why.value.reason == "arm_stopped"
 
 
+@pytest.mark.slow
 async def test_cancelling_and_losing_control_stop_the_arm(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
@@ -227,6 +237,7 @@ async def test_cancelling_and_losing_control_stop_the_arm(virtual_network: Virtu
             assert (await inc1.planner.state()).phase == "failed"
 
 
+@pytest.mark.slow
 async def test_reasons_are_told(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)
@@ -263,6 +274,7 @@ async def test_reasons_are_told(virtual_network: VirtualNetwork) -> None:
             assert why.value.reason == "arm_refused"
 
 
+@pytest.mark.slow
 async def test_frames_are_where_the_robot_is_now(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         async with inc1.robot.control("planner"):
@@ -275,6 +287,68 @@ async def test_frames_are_where_the_robot_is_now(virtual_network: VirtualNetwork
         tool = await inc1.robot.arm.tool()
         assert places[0] == places[1] == pytest.approx((0.1, 0.0, 0.0))
         assert math.dist(places[2], (tool.x, tool.y, tool.z)) == pytest.approx(0.1, abs=0.005)
+
+
+async def test_what_is_held_is_stated_by_an_operator_and_planned_for(virtual_network: VirtualNetwork) -> None:
+    async with beside(virtual_network) as inc1:
+        joint, at = await some_joint(inc1)
+        told: list[Primitive | None] = []
+        inc1.planned._on_hold = told.append
+        bar = HeldObject("cylinder", (0.04, 0.04, 0.3), (0.05, 0.0, 0.0), (0.0, math.pi / 2.0, 0.0), "bar")
+        assert await inc1.planner.held() is None
+        async with inc1.robot.control("planner"):
+            before = await inc1.planner.plan_joints({joint: at + 0.2})
+            await inc1.planner.hold(bar)
+            assert await inc1.planner.preview() is None, "it was made without the bar"
+            with pytest.raises(PlanningFailed, match="plan first"):
+                await inc1.planner.execute(before)
+            plan = await inc1.planner.plan_joints({joint: at + 0.2})
+            await inc1.planner.execute(plan)
+        seen = await inc1.planner.held()
+        assert seen is not None
+        assert (seen.shape, seen.name, seen.size) == ("cylinder", "bar", bar.size), "it stays when control is released"
+        assert (*seen.position, *seen.rpy) == pytest.approx((*bar.position, *bar.rpy))
+        held = inc1.straight.requests[-1].payload
+        assert isinstance(held, Cylinder)
+        assert (held.radius, held.length) == (0.02, 0.3)
+        assert inc1.straight.requests[0].payload is None
+        assert inc1.held[-1] is held, "what comes near it on the way counts"
+        async with inc1.robot.control("planner"):
+            await inc1.planner.hold(None)
+            await inc1.planner.plan_joints({joint: at})
+        assert inc1.straight.requests[-1].payload is None
+        assert told == [held, None]
+
+
+async def test_hostile_statements_of_what_is_held_are_refused(virtual_network: VirtualNetwork) -> None:
+    async with beside(virtual_network) as inc1, virtual_network.component("42.1.9", []) as attacker:
+        box = SetHeldObject(1, "box", 0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.2, 0.2, 0.2)
+        attacker.send(PLANNER_ID, box)
+        await asyncio.sleep(0.5)
+        assert await inc1.planner.held() is None, "without control"
+        attacker.send(PLANNER_ID, RequestControl(authority_code=100))
+        attacker.send(PLANNER_ID, Resume())
+        await asyncio.sleep(0.5)
+        wrong = (math.nan, math.inf, -math.inf, 1e300, -1e300)
+        fields = ("x", "yaw", "size_x", "size_y", "size_z")
+        messages = [replace_field(box, name, value) for name in fields for value in wrong]
+        messages += [replace_field(box, "size_x", value) for value in (0.0, -0.1, 11.0)]
+        payloads = [message.encode(strict=False) for message in [*messages, replace_field(box, "shape", 9)]]
+        for payload in [*payloads, *(payload[:-5] for payload in payloads)]:
+            attacker.send_encoded(PLANNER_ID, payload)
+            await asyncio.sleep(0.05)
+            assert await inc1.planner.held() is None
+        assert (await inc1.planner.state()).reason == "wrong_request"
+        attacker.send(PLANNER_ID, box)
+        await asyncio.sleep(0.2)
+        assert (await inc1.planner.held()) == HeldObject("box", (0.2, 0.2, 0.2), (0.1, 0.0, 0.0), name="box")
+
+
+def replace_field(message: SetHeldObject, name: str, value: float) -> SetHeldObject:
+    """The message with one field set to a value that the codec may not write by itself."""
+    changed = copy(message)
+    setattr(changed, name, value)
+    return changed
 
 
 def hostile_goals(joint: str) -> list[bytes]:
@@ -303,6 +377,7 @@ def hostile_goals(joint: str) -> list[bytes]:
     return [*(payload for payload in payloads if written not in payload), *numbers]
 
 
+@pytest.mark.slow
 async def test_hostile_messages_change_nothing(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1, virtual_network.component("42.1.9", []) as attacker:
         joint, at = await some_joint(inc1)
@@ -352,6 +427,7 @@ class Slow:
         raise NoPlan(Reason.NO_WAY, "there is none")
 
 
+@pytest.mark.slow
 async def test_many_requests_plan_one_at_a_time(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         slow = Slow()
@@ -391,6 +467,7 @@ async def test_a_bug_of_a_planner_is_told_and_does_not_end_the_component(virtual
             await inc1.planner.plan_joints({joint: at + 0.1})
 
 
+@pytest.mark.slow
 async def test_reports_are_sent_as_events(virtual_network: VirtualNetwork) -> None:
     async with beside(virtual_network) as inc1:
         joint, at = await some_joint(inc1)

@@ -157,6 +157,7 @@ def test_mutants_of_the_filter_of_the_body_are_caught(hall: Sighted) -> None:
     )
 
 
+@pytest.mark.slow
 def test_the_body_has_all_links_with_a_shape(hall: Sighted) -> None:
     body = OwnBody(hall.description, 0.05)
     assert body.unread == []

@@ -58,6 +58,7 @@ def test_invalid_mass_error_names_the_link() -> None:
         measure(RobotModel(broken, TrackSetup((), (), 0.0)))
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")
 @pytest.mark.parametrize("name", ["inc1", "inc1_pprm"])
 def test_agrees_with_the_simulator(name: str) -> None:

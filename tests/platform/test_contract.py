@@ -93,6 +93,7 @@ def test_both_efforts_drive_a_left_curve(robot: Robot) -> None:
     assert pose.yaw > 0.2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("efforts", [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.6, -0.3)])
 def test_stop_stops_within_a_second(robot: Robot, efforts: tuple[float, float]) -> None:
     robot.drive.set_effort(*efforts)

@@ -47,6 +47,7 @@ def off(true: Pose, estimate: PoseEstimate) -> tuple[float, float]:
     return math.dist((true.x, true.y), (pose.x, pose.y)), abs(math.remainder(true.yaw - pose.yaw, math.tau))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gnss", [SENSORS.gnss, RTK], ids=["standalone", "rtk"])
 def test_errors_are_as_large_as_they_are_reported(gnss: GnssSetup) -> None:
     ratios: dict[str, list[float]] = {"local": [], "globe": [], "yaw": []}
@@ -61,6 +62,7 @@ def test_errors_are_as_large_as_they_are_reported(gnss: GnssSetup) -> None:
         assert 0.2 < mean_square < 2.0, f"{name}: {found}"
 
 
+@pytest.mark.slow
 def test_standalone_receiver_is_off_by_a_metre_and_rtk_by_a_centimetre() -> None:
     far = [off(*pair(drive(replace(SENSORS, seed=seed), 2.0)))[0] for seed in range(8)]
     near = [off(*pair(drive(replace(SENSORS, seed=seed, gnss=RTK), 2.0)))[0] for seed in range(8)]

@@ -71,6 +71,7 @@ def test_points_above_the_ground_carry_nothing():
     assert min(x for x, _, _ in lifted) == -0.4
 
 
+@pytest.mark.slow
 @given(
     points=st.lists(st.tuples(*[st.floats(-2.0, 2.0)] * 3), min_size=1, max_size=30),
     centre=st.tuples(*[st.floats(-2.0, 2.0)] * 3),

@@ -74,7 +74,7 @@ def test_rules_and_rates_disable_caching() -> None:
     limited = Node(sources=SourceChecks(SourceLimits(rate=10.0)))
     assert limited.cacheable_route(A, B, home(A)) is None
     node = Node()
-    node.core.gateway = Gateway(101, ["lan"], ["lan"], GatewayRules([]))
+    node.core.gateway = Gateway([range(101, 102)], ["lan"], ["lan"], GatewayRules([]))
     assert node.cacheable_route(A, B, home(A)) is None
 
 

@@ -16,9 +16,16 @@ LAN, VEHICLE = GroupPort("lan"), GroupPort("vehicle")
 HERE = LocalPort(f"/root/{int(LOCAL)}")
 
 
-def gateway(*rules: GatewayRule, networks: tuple[str, ...] = ("lan", "vehicle"), subsystem: int = 101) -> Router:
+def gateway(
+    *rules: GatewayRule,
+    networks: tuple[str, ...] = ("lan", "vehicle"),
+    subsystem: int = 101,
+    further: tuple[range, ...] = (),
+) -> Router:
     inside = networks[1:]
-    reported = Gateway(subsystem, networks, inside, GatewayRules(rules, inside=inside))
+    reported = Gateway(
+        [range(subsystem, subsystem + 1), *further], networks, inside, GatewayRules(rules, inside=inside)
+    )
     return Router("/root", networks=networks, gateway=reported)
 
 
@@ -273,3 +280,27 @@ def test_refused_messages_are_counted_by_kind_and_bounded() -> None:
         after(core, message(OCU, MOB, code=code), OCU_PORT)
     assert len(core.gateway.refused) == rules.MAX_REFUSED
     assert ("rule", "lan", 0x0405) not in core.gateway.refused
+
+
+def test_a_site_with_several_subsystems_has_one_gateway() -> None:
+    """Two robots and an operator of the site; what they say to each other stays inside."""
+    core = gateway(further=(range(102, 120), range(43, 44)))
+    other, own_operator = JausID.parse("119.1.1"), JausID.parse("43.1.1")
+    inside = UdpPort("10.1.0.9", 3794, "vehicle"), UdpPort("10.1.0.8", 3794, "vehicle")
+    after(core, message(OCU, EVERYONE, 100), OCU_PORT)
+    for id, port in ((MOB, MOB_PORT), (other, inside[0]), (own_operator, inside[1])):
+        after(core, message(id, JausID(101, 255, 255), 100), port)
+    for id, port in ((MOB, MOB_PORT), (other, inside[0]), (own_operator, inside[1])):
+        query, report = message(OCU, id), message(id, OCU)
+        assert after(core, query, OCU_PORT) == [(port, query)]
+        assert after(core, report, port) == [(OCU_PORT, report)]
+    stays = [
+        (message(own_operator, other), inside[1]),
+        (message(other, JausID(102, 255, 255)), inside[0]),
+        (message(own_operator, MOB), inside[1]),
+    ]
+    assert [after(core, data, port) for data, port in stays] == [[], [], []]
+    assert after(core, message(OCU, JausID(120, 1, 1)), OCU_PORT) == []
+    assert core.counters["dropped.gateway.not_addressed_here"] == 1
+    assert after(core, message(other, MOB), OCU_PORT) == []
+    assert core.counters["dropped.address_mismatch"] + core.counters["dropped.gateway.own_id_outside"] == 1

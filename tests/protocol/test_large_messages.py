@@ -182,6 +182,7 @@ def test_memory_of_acknowledged_fragments_is_not_reused() -> None:
     assert endpoint.counters["dropped.large_message.no_memory"] == 4 - acknowledged
 
 
+@pytest.mark.slow
 def test_16_mb_arrive_reliably_over_a_network_that_loses(bad_network: Any) -> None:
     allowed = Delivery(max_message=16 << 20, resends=8)
     network = bad_network(3, loss=0.02, twice=0.02, delay=0.001)

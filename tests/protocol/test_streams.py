@@ -59,6 +59,7 @@ packets = st.builds(
 )
 
 
+@pytest.mark.slow
 @given(st.lists(packets, max_size=8), st.data())
 def test_packets_do_not_depend_on_chunk_boundaries(datagrams: list[bytes], draw: st.DataObject) -> None:
     serial, stream_decoder = FrameDecoder(), StreamDecoder()

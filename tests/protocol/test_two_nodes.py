@@ -128,6 +128,7 @@ def test_each_sent_message_arrives_once(seed: int, use: CompressionUse) -> None:
         assert sum(host.node.counters["compression.received"] for host in network.hosts.values()) > 50
 
 
+@pytest.mark.slow
 def test_16_mb_message_passes_two_node_managers_and_a_bad_network() -> None:
     network = world(1, A, B, loss=0.02, twice=0.02, delay=0.002)
     payload = network.chance.randbytes(16 << 20)

@@ -97,6 +97,7 @@ def test_what_a_hostile_file_claims_takes_no_memory(hostile: bytes) -> None:
         tracemalloc.stop()
 
 
+@pytest.mark.slow
 def test_many_messages_of_a_chunk_are_not_in_memory_at_once() -> None:
     message = struct.pack("<BQHIQQ", 5, 22, 1, 0, 0, 0)
     data = chunk(zstandard.compress(message * 100_000), "zstd", len(message) * 100_000)
@@ -122,6 +123,7 @@ def test_verbs_say_that_a_hostile_file_is_damaged(verb: tuple[str, ...], tmp_pat
     assert "larger than it says" in " ".join(result.stderr.split())
 
 
+@pytest.mark.slow
 def test_damaged_bytes_are_errors_of_a_parser() -> None:
     chance, whole, refused = random.Random(3), written(), 0
     for _ in range(150):

@@ -198,6 +198,7 @@ for number in itertools.count():
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["mcap", "pcapng"])
 def test_kill_loses_less_than_a_second(tmp_path: Path, suffix: str) -> None:
     if suffix == "mcap":

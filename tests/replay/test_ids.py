@@ -9,6 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from jauspy.codec.message import Message, Struct
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -75,6 +77,7 @@ def _structures(kind: type[Struct], name: str, seen: frozenset[type]) -> bool:
     return False
 
 
+@pytest.mark.slow
 def test_the_documentation_lists_the_messages_with_ids() -> None:
     """By the definitions; not those that only have a message, which may have ids, inside."""
     found = {entry.name for entry in registry.entries if _structures(entry.load(), "", frozenset())}

@@ -40,6 +40,7 @@ def power(robot, seconds: float) -> float:
     return (before - battery.state().energy) / (robot.time - begun)
 
 
+@pytest.mark.slow
 def test_driving_lamps_and_arms_take_power(robot):
     battery = Battery.of(robot)
     if battery is None:
@@ -157,6 +158,7 @@ async def test_an_operator_is_told_and_the_motors_stop(virtual_network, tmp_path
     assert logged == [logging.WARNING, logging.ERROR], "each is said once"
 
 
+@pytest.mark.slow
 async def test_a_battery_that_ends_stops_the_arm_on_its_way_to_a_pose(virtual_network, tmp_path):
     file = tmp_path / "robot.toml"
     file.write_text(NEARLY_EMPTY.replace("charge = 0.22", "charge = 0.065"))

@@ -95,6 +95,7 @@ def states(start: Start) -> set[DriveState]:
     return {drive.state for drive in start.robot.fleet.drives.values()}
 
 
+@pytest.mark.slow
 async def test_drives_are_enabled_when_all_modules_are_open(start: Start) -> None:
     """Making components takes the interpreter for tenths of a second."""
     seen = []

@@ -110,6 +110,7 @@ async def test_all_modules_at_once_are_discovered():
         assert len(cell.ids) == len(CONFIG.modules) - 1  # without the car, which has no wheels
 
 
+@pytest.mark.slow
 async def test_the_car_appears_with_its_wheels_and_is_driven_by_the_public_services():
     async with world() as cell:
         cell.robot.car.current = CarState(assembled=True, pose=Pose(1.0, 2.0, 0.0, yaw=0.5))
@@ -167,6 +168,7 @@ async def test_changes_of_a_connector_are_events():
             assert (report.enabled, report.attached_to) == (1, "box_1")
 
 
+@pytest.mark.slow
 async def test_periodic_events_of_the_modular_arm():
     async with world() as cell:
         cell.robot.assemble("servo_1", "servo_2")
@@ -180,6 +182,7 @@ async def test_periodic_events_of_the_modular_arm():
         assert cell.network.now() - began == pytest.approx(1.0, abs=0.2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lost", ["released", "client gone"])
 async def test_all_motion_stops_within_200_ms_of_the_loss_of_control(lost):
     async with world() as cell:

@@ -223,6 +223,7 @@ def test_other_clients_do_not_move_a_servo_module(servo):
     assert servo.robot.servos["servo_1"].target is None
 
 
+@pytest.mark.slow
 def test_velocities_and_torques_end_without_a_further_target(servo):
     servo.control()
     module = servo.robot.servos["servo_1"]
@@ -468,6 +469,7 @@ def positions(bench: Bench) -> list[float]:
     return [each.position for each in arm_state(bench).joint_list]
 
 
+@pytest.mark.slow
 def test_the_arm_moves_and_leaves_joints_as_they_are(arm):
     arm.control()
     arm.tell(move(1.0, -40.0, duration=2.0))

@@ -68,6 +68,7 @@ def test_invalid_cloud_addresses_are_rejected_before_the_start(wanted: list[str]
         Clouds(robot_files.load("inc1"), wanted)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not (find_spec("pynng") and find_spec("numpy")), reason="the extra 'cloud' is not installed")
 async def test_scans_and_depth_are_published_each_at_its_address(tmp_path: Path) -> None:
     class Running(KinematicRobot):

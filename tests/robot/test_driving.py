@@ -41,6 +41,7 @@ def current(world: World) -> SetVelocityCommand:
     return world.ask(QueryVelocityCommand(ALL, CURRENT))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("speed", "yaw_rate"),
     sampled([(0.5, 0.0), (-0.5, 0.0), (0.0, 0.5), (0.2, 0.0), (0.6, 0.4), (0.0, -0.3), (1.45, 0.0)], 3, several=True),
@@ -55,6 +56,7 @@ def test_velocities_are_reached_and_held(world: World, speed: float, yaw_rate: f
     assert max(abs(w - yaw_rate) for _, w in samples) < 0.2, "tracks that slip shake a little"
 
 
+@pytest.mark.slow
 def test_acceleration_is_limited_and_measured(world: World) -> None:
     kinds = SetAccelerationLimit.CommandType
     world.tell(SetAccelerationLimit(command_type=kinds.MAX_ACCELERATION, acceleration_x=0.4), drive(1.2))
@@ -70,6 +72,7 @@ def test_acceleration_is_limited_and_measured(world: World) -> None:
     assert world.velocity.velocity_x == pytest.approx(0.7, abs=0.1)
 
 
+@pytest.mark.slow
 def test_turning_while_driving_causes_lateral_acceleration(world: World) -> None:
     world.tell(drive(1.0, 0.4))
     world.run(4.0)
@@ -78,6 +81,7 @@ def test_turning_while_driving_causes_lateral_acceleration(world: World) -> None
     assert sum(measured) / len(measured) == pytest.approx(0.4, abs=0.1), "to the right, towards the centre"
 
 
+@pytest.mark.slow
 def test_vector_heading_is_reached_and_held(world: World) -> None:
     world.tell(SetLocalVector(speed=0.8, heading=math.pi / 2))
     world.run(0.5)
@@ -95,6 +99,7 @@ def test_vector_heading_is_reached_and_held(world: World) -> None:
     )
 
 
+@pytest.mark.slow
 def test_vector_follows_a_change_of_its_frame(world: World) -> None:
     world.tell(SetLocalVector(speed=0.5, heading=0.0))
     world.run(2.0)
@@ -115,6 +120,7 @@ def test_vector_without_heading_keeps_the_present_heading(world: World) -> None:
     assert world.velocity.velocity_x == pytest.approx(0.5, abs=0.05)
 
 
+@pytest.mark.slow
 def test_vector_with_negative_speed_drives_backward(world: World) -> None:
     world.tell(SetLocalVectorExt(speed=Speed(Speed.Choice.SPEED_OVER_GROUND, -0.5), course=0.3))
     world.run(4.0)
@@ -122,6 +128,7 @@ def test_vector_with_negative_speed_drives_backward(world: World) -> None:
     assert world.velocity.velocity_x == pytest.approx(-0.5, abs=0.05)
 
 
+@pytest.mark.slow
 def test_global_vector_refers_to_true_north(world: World) -> None:
     world.tell(SetGlobalVector(speed=0.5, heading=0.0))
     world.run(6.0)
@@ -133,6 +140,7 @@ def test_global_vector_refers_to_true_north(world: World) -> None:
 # --- one driver after another -----------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_newest_command_preempts_earlier_ones(world: World) -> None:
     world.set_list([SetLocalWaypoint(x=30.0, y=0.0)])
     world.tell(ExecuteList(speed=1.0, element_uid=1))
@@ -158,6 +166,7 @@ def test_newest_command_preempts_earlier_ones(world: World) -> None:
     assert world.velocity.velocity_x == pytest.approx(0.5, abs=0.05)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "command",
     [drive(1.0), SetLocalVector(speed=1.0, heading=0.0), SetWrenchEffort(propulsive_linear_effort_x=60.0)],
@@ -179,6 +188,7 @@ def test_emergency_stops_and_motion_does_not_resume(world: World, command) -> No
     assert world.velocity.velocity_x == pytest.approx(0.5, abs=0.05)
 
 
+@pytest.mark.slow
 def test_next_client_inherits_no_motion(world: World) -> None:
     world.tell(
         SetVelocityCommand(command_type=MAX, velocity_x=0.3), SetVelocityCommand(command_type=DEFAULT, velocity_x=0.2)
@@ -197,6 +207,7 @@ def test_default_velocity_causes_no_motion(world: World) -> None:
     assert current(world).velocity_x == pytest.approx(0.4, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_the_same_commands_give_the_same_trajectory_bit_for_bit(world: World) -> None:
     def trajectory() -> list[object]:
         fresh = World(world.backend)

@@ -126,6 +126,7 @@ def test_tool_reaches_commanded_poses(backend: str, robot: str) -> None:
         assert errors(arm.commanded(), goal) == pytest.approx((0.0, 0.0), abs=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")
 @pytest.mark.parametrize("robot", sampled([*STARTS], 1))
 def test_simulated_tool_reaches_the_commanded_pose(robot: str) -> None:
@@ -139,6 +140,7 @@ def test_simulated_tool_reaches_the_commanded_pose(robot: str) -> None:
     assert math.dist(seen, (arm.arm.geometry.base @ goal).position) < 1.5 * MILLIMETRE
 
 
+@pytest.mark.slow
 def test_joints_respect_the_motion_profile(arm: Handler) -> None:
     record = m.SetJointMotionProfile.RevoluteJointMotionProfileRec
     arm.tell(m.SetJointMotionProfile([record(0.2, 1.0, 1.0)] * 5))
@@ -148,6 +150,7 @@ def test_joints_respect_the_motion_profile(arm: Handler) -> None:
     assert 0.15 < max(fastest) < 0.25
 
 
+@pytest.mark.slow
 def test_tool_offset_is_applied(arm: Handler) -> None:
     before = arm.pose()
     x, y, z = arm.arm.tool
@@ -159,6 +162,7 @@ def test_tool_offset_is_applied(arm: Handler) -> None:
     assert math.dist(arm.arm.kinematic_state().tool.position, before.position) == pytest.approx(0.05, abs=0.002)
 
 
+@pytest.mark.slow
 def test_pose_out_of_reach_is_counted_and_the_arm_holds(arm: Handler) -> None:
     before = arm.positions()
     ends: list[int] = outcomes(arm, CreateCommandEvent(1, 60, NOWHERE))
@@ -169,6 +173,7 @@ def test_pose_out_of_reach_is_counted_and_the_arm_holds(arm: Handler) -> None:
     assert errors(arm.commanded(), arm.pose()) == pytest.approx((0.0, 0.0), abs=1e-3)
 
 
+@pytest.mark.slow
 def test_zero_quaternion_is_ignored_and_counted(arm: Handler) -> None:
     goal = arm.pose_at((0.2, 1.3, -1.0, 0.2, -0.3))
     arm.tell(command(goal))
@@ -180,6 +185,7 @@ def test_zero_quaternion_is_ignored_and_counted(arm: Handler) -> None:
     assert distance < MILLIMETRE, "the command before still holds"
 
 
+@pytest.mark.slow
 def test_unreachable_attitude_fails_but_the_point_is_reached(arm: Handler) -> None:
     goal = replace(arm.pose(), rotation=arm.pose_at((-0.4, 1.2, -0.9, 0.3, 0.9)).rotation)
     ends: list[int] = outcomes(arm, CreateCommandEvent(1, 60, command(goal)))
@@ -190,6 +196,7 @@ def test_unreachable_attitude_fails_but_the_point_is_reached(arm: Handler) -> No
     assert turn > HALF_A_DEGREE
 
 
+@pytest.mark.slow
 def test_command_event_fails_when_the_pose_is_abandoned(arm: Handler) -> None:
     goals = [command(arm.pose_at((turn, 1.3, -1.0, 0.2, -0.3))) for turn in (-1.0, 1.0)]
     assert outcomes(arm, CreateCommandEvent(1, 60, goals[0])) == []
@@ -200,6 +207,7 @@ def test_command_event_fails_when_the_pose_is_abandoned(arm: Handler) -> None:
     assert outcomes(arm, CreateCommandEvent(1, 60, goals[0]), Standby()) == [1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stop", sampled([Standby(), ReleaseControl(), SetEmergency(1)], 1))
 @pytest.mark.parametrize("what", ["pose", "velocity", "search"])
 def test_stops_within_200_ms(arm: Handler, stop: Message, what: str) -> None:
@@ -218,6 +226,7 @@ def test_stops_within_200_ms(arm: Handler, stop: Message, what: str) -> None:
     assert arm.host.counters["out_of_reach"] == 0, "nobody goes on searching"
 
 
+@pytest.mark.slow
 def test_does_not_move_without_control(arm: Handler) -> None:
     before = arm.positions()
     arm.tell(command(arm.pose_at((0.0, 1.6, -1.5, 0.2, 0.0))), moving(0.0, 0.0, 0.0, -0.2, 0.0, 0.0), client=OTHER)
@@ -266,6 +275,7 @@ def test_list_of_poses_is_executed(arm: Handler) -> None:
     assert errors(arm.pose(), goals[-1])[0] < 3 * MILLIMETRE
 
 
+@pytest.mark.slow
 def test_pose_out_of_reach_ends_the_list(arm: Handler) -> None:
     rows = [element(1, 2, NOWHERE), element(2, 0, command(arm.pose_at((0.2, 1.3, -1.0, 0.2, -0.3))))]
     before = arm.positions()
@@ -278,6 +288,7 @@ def test_pose_out_of_reach_ends_the_list(arm: Handler) -> None:
     assert arm.host.counters["out_of_reach"] == 1
 
 
+@pytest.mark.slow
 def test_element_with_zero_quaternion_is_rejected(arm: Handler) -> None:
     rows = [element(1, 0, m.SetEndEffectorPose(0.3, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))]
     (answer,) = arm.tell(SetElement(SetElement.RequestIDRec(7), rows))
@@ -287,6 +298,7 @@ def test_element_with_zero_quaternion_is_rejected(arm: Handler) -> None:
 # --- velocities
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("robot", "way"), sampled(LINES, 2, several=True))
 def test_the_tool_moves_along_a_straight_line_and_stops(backend: str, robot: str, way: Vector) -> None:
     arm = Handler(backend, robot)
@@ -314,6 +326,7 @@ def test_the_tool_moves_along_a_straight_line_and_stops(backend: str, robot: str
     assert not driver.is_moving, "the joints just hold"
 
 
+@pytest.mark.slow
 def test_repeated_commands_respect_the_motion_profile(arm: Handler) -> None:
     record = m.SetJointMotionProfile.RevoluteJointMotionProfileRec
     arm.tell(m.SetJointMotionProfile([record(0.4, 0.2, 0.2)] * 5))
@@ -352,6 +365,7 @@ def test_velocities_stay_within_limits(arm: Handler) -> None:
     assert all(map(math.isfinite, arm.positions()))
 
 
+@pytest.mark.slow
 def test_the_same_commands_give_the_same_trajectory(backend: str) -> None:
     def trajectory() -> list[tuple[float, ...]]:
         arm, seen = Handler(backend, "inc1"), []
@@ -363,6 +377,7 @@ def test_the_same_commands_give_the_same_trajectory(backend: str) -> None:
     assert trajectory() == trajectory()
 
 
+@pytest.mark.slow
 def test_resume_does_not_continue_a_motion(arm: Handler) -> None:
     arm.tell(moving(0.0, 0.0, 0.0, -0.1, 0.0, 0.0))
     arm.run(0.3)

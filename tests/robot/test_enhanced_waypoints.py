@@ -36,6 +36,7 @@ def waypoints(world: World, *points: tuple[float, float]) -> None:
     world.set_list(SetLocalWaypoint(x=x, y=y) for x, y in points)
 
 
+@pytest.mark.slow
 def test_it_drives_there_forward_and_back_in_reverse(world: World) -> None:
     waypoints(world, (2.0, 0.0), (0.0, 0.0))
     add(world, (1, 0), (2, 1))
@@ -49,6 +50,7 @@ def test_it_drives_there_forward_and_back_in_reverse(world: World) -> None:
     assert status(world) is Status.COMPLETE
 
 
+@pytest.mark.slow
 def test_without_a_direction_it_turns_round(world: World) -> None:
     waypoints(world, (2.0, 0.0), (0.0, 0.0))
     headings: list[float] = []
@@ -57,6 +59,7 @@ def test_without_a_direction_it_turns_round(world: World) -> None:
     assert max(map(abs, headings)) > 2.5
 
 
+@pytest.mark.slow
 def test_it_waits_and_tells_for_how_long(world: World) -> None:
     waypoints(world, (1.0, 0.0), (2.0, 0.0))
     add(world, (1, None, 5.0))
@@ -75,6 +78,7 @@ def test_it_waits_and_tells_for_how_long(world: World) -> None:
     assert status(world) is Status.COMPLETE
 
 
+@pytest.mark.slow
 def test_it_waits_for_the_next_execute_command(world: World) -> None:
     waypoints(world, (1.0, 0.0), (2.0, 0.0))
     add(world, (1, None, 0.0), (2, None, 0.0))
@@ -134,6 +138,7 @@ def test_hostile_information_is_bounded_and_counted(world: World) -> None:
     assert CLIENT != OTHER
 
 
+@pytest.mark.slow
 def test_global_waypoints_have_their_own_messages(world: World) -> None:
     east = 38.593, -77.179
     world.set_list([SetGlobalWaypoint(latitude=east[0] + 2 * 9e-6, longitude=east[1])])

@@ -52,6 +52,7 @@ async def settle(robot: Robot, component: int, wanted: Status) -> None:
             await asyncio.sleep(0.05)
 
 
+@pytest.mark.slow
 async def test_a_part_that_cannot_be_commanded(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
@@ -80,6 +81,7 @@ async def test_a_part_that_cannot_be_commanded(
         assert runner.snapshot.twist.vx > 0.1
 
 
+@pytest.mark.slow
 async def test_a_robot_that_cannot_advance(virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch) -> None:
     async with running(virtual_network) as (runner, ocu, robot, _):
         with monkeypatch.context() as broken:
@@ -168,6 +170,7 @@ async def test_what_a_backend_does_otherwise_than_the_contract_is_one_sentence(
         await runner.open()
 
 
+@pytest.mark.slow
 async def test_a_position_that_is_no_number_is_a_fault(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:

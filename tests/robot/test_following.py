@@ -155,6 +155,7 @@ async def test_goes_on_after_a_short_silence(two: TwoRobots) -> None:
     assert two.distance == pytest.approx(2.0, abs=0.25)
 
 
+@pytest.mark.slow
 async def test_stops_when_its_operator_is_gone(two: TwoRobots) -> None:
     await two.follow(gap=2.0)
     driving = asyncio.create_task(drive_leader(two, 0.3, 20.0))
@@ -167,6 +168,7 @@ async def test_stops_when_its_operator_is_gone(two: TwoRobots) -> None:
     two.network.reconnect("42.2.1")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "message", [SetEmergency(SetEmergency.EmergencyCode.STOP), pytest.param(Standby(), marks=pytest.mark.slow)]
 )
@@ -184,6 +186,7 @@ async def test_a_stop_of_the_follower_ends_following(two: TwoRobots, message: Se
     assert two.poses[1].x == before
 
 
+@pytest.mark.slow
 async def test_another_command_ends_following(two: TwoRobots) -> None:
     await two.follow(gap=2.0)
     await drive_leader(two, 0.5, 3.0)
@@ -254,6 +257,7 @@ async def test_the_convoy_says_whom_to_follow(two: TwoRobots) -> None:
     assert details.convoy_list[0].convoy_order_list[0].vehicle_id == 102
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("is_named", [True, False])
 async def test_a_follower_that_the_convoy_names_may_slow_the_leader_down(two: TwoRobots, is_named: bool) -> None:
     if is_named:
@@ -304,6 +308,7 @@ async def test_registration_ends_unless_it_is_renewed(two: TwoRobots) -> None:
         await driving
 
 
+@pytest.mark.slow
 async def test_a_robot_starts_behind_the_one_before_it_or_where_it_is_told(virtual_network: VirtualNetwork) -> None:
     async with two_robots(virtual_network, start=Pose(x=-3.0, y=1.0, yaw=math.pi / 2)) as two:
         assert two.poses[1] == Pose(x=-3.0, y=1.0, yaw=math.pi / 2)
@@ -340,6 +345,7 @@ async def test_verbs_set_the_convoy(two: TwoRobots) -> None:
     assert (await two.ocus[0].query(LEADER, QueryConvoyDetails())).convoy_list == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("leader", "options", "message"),
     [

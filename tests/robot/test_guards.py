@@ -66,6 +66,7 @@ async def scene(network: VirtualNetwork, folder: Path, robot: str = "inc1") -> A
         yield Scene(await ocu.robot(101), ocu, runner, judge, network)
 
 
+@pytest.mark.slow
 async def test_guards_are_off_until_a_policy_switches_them_on(virtual_network: VirtualNetwork, tmp_path: Path) -> None:
     async with scene(virtual_network, tmp_path) as inc1:
         assert [(guard.name, guard.enabled, guard.active) for guard in await inc1.robot.guards.observe()] == [
@@ -81,6 +82,7 @@ async def test_guards_are_off_until_a_policy_switches_them_on(virtual_network: V
         assert [guard.enabled for guard in await inc1.robot.guards.observe()] == [True, False]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "mode",
     [
@@ -175,6 +177,7 @@ def collision_policy(behavior: int, priority: int = 3) -> SetSelfCollisionAvoida
     return kind(kind.SelfCollisionAvoidancePolicyRec(9), kind.SelfCollisionAvoidanceRec(behavior, priority))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("message", "response", "taken"),
     [
@@ -206,6 +209,7 @@ async def test_policies_that_are_unknown_are_refused_and_change_nothing(
         assert found.priority == (3 if taken and not is_teleop else 255)
 
 
+@pytest.mark.slow
 async def test_capabilities_are_to_stop(virtual_network: VirtualNetwork, tmp_path: Path) -> None:
     async with scene(virtual_network, tmp_path) as inc1:
         teleop = await inc1.robot.service("GuardedTeleopPolicyManager").query(QueryGuardedTeleopCapabilities())
@@ -218,6 +222,7 @@ async def test_capabilities_are_to_stop(virtual_network: VirtualNetwork, tmp_pat
         assert status.self_collision_avoidance_status == status.SelfCollisionAvoidanceStatus.DISABLED
 
 
+@pytest.mark.slow
 async def test_a_policy_needs_control(virtual_network: VirtualNetwork, tmp_path: Path) -> None:
     async with scene(virtual_network, tmp_path) as inc1:
         async with virtual_network.ocu("42.1.2") as other, (await other.robot(101)).control(MASTER):
@@ -228,6 +233,7 @@ async def test_a_policy_needs_control(virtual_network: VirtualNetwork, tmp_path:
         assert not any(guard.enabled for guard in await inc1.robot.guards.observe())
 
 
+@pytest.mark.slow
 async def test_losing_the_operator_stops_a_guarded_robot(virtual_network: VirtualNetwork, tmp_path: Path) -> None:
     """The stop of the dead-man passes the guard at once."""
     async with scene(virtual_network, tmp_path) as inc1:

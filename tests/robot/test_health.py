@@ -92,6 +92,7 @@ def test_a_battery_that_is_low_or_empty_is_told(master):
     assert found[108, "RangeSensor"][0] == Severity.NONE
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("part", "failed"),
     [
@@ -121,6 +122,7 @@ def test_times_are_those_of_the_change(master):
     assert [entry.logtime for row in rows for entry in row.component_status_list] == before
 
 
+@pytest.mark.slow
 def test_hours_and_reminders(master):
     service = reporter(master)
     service._reminders = {1: TRACKS, 2: replace(TRACKS, id=2, interval=7200.0)}

@@ -87,6 +87,7 @@ def test_waypoints_are_reached_by_the_estimated_pose() -> None:
     assert 0.005 < away < 0.5, "as it is"
 
 
+@pytest.mark.slow
 def test_a_global_waypoint_follows_what_gnss_tells() -> None:
     """The heading at the start is off by degrees: by dead reckoning alone the robot would miss by a metre."""
     world = world_with(LocalizationSetup(source="sensors", seed=2, gnss=replace(RTK, heading_error=math.radians(10.0))))

@@ -104,6 +104,7 @@ def test_default_is_to_stay_where_it_stops(world: World) -> None:
     assert x(world) == pytest.approx(stopped, abs=0.02)
 
 
+@pytest.mark.slow
 def test_dead_mans_stop_comes_first_and_then_it_drives_back(world: World) -> None:
     assert world.ask(policy(back(100.0))) == SetCommsLostPolicyResponse(7, SUCCESS)
     drive(world, 5)
@@ -129,6 +130,7 @@ def status_of(world: World) -> int:
     return world.tell(QueryRetrotraverseStatus(), client=OTHER)[-1].retrotraverse_status_rec.retrotraverse_status
 
 
+@pytest.mark.slow
 def test_distance_and_speed_of_the_wire(world: World) -> None:
     world.tell(policy(back(1.5, 0.25), timeout=6))
     drive(world, 5)
@@ -160,6 +162,7 @@ def test_time_out_of_zero_begins_when_control_ends(world: World) -> None:
     assert x(world) < stopped - 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("client", [CLIENT, OTHER], ids=["the same client", "another client"])
 def test_control_stops_the_motion(world: World, client) -> None:
     world.tell(policy(back(100.0), timeout=6, regained=DO_NOTHING))
@@ -182,6 +185,7 @@ def test_control_stops_the_motion(world: World, client) -> None:
     assert x(world) > before + 0.2
 
 
+@pytest.mark.slow
 def test_link_that_is_back_stops_the_motion_although_nobody_controls(world: World) -> None:
     world.tell(policy(back(100.0), timeout=6, regained_timeout=2))
     drive(world, 6)
@@ -202,6 +206,7 @@ def test_link_that_is_back_stops_the_motion_although_nobody_controls(world: Worl
     assert state(world) == DISABLED
 
 
+@pytest.mark.slow
 def test_link_that_is_back_only_now_and_then_is_not_back(world: World) -> None:
     world.tell(policy(back(100.0), timeout=6, regained_timeout=10))
     drive(world, 6)
@@ -213,6 +218,7 @@ def test_link_that_is_back_only_now_and_then_is_not_back(world: World) -> None:
     assert abs(x(world)) < 0.15
 
 
+@pytest.mark.slow
 def test_do_nothing_goes_on_when_the_link_is_back(world: World) -> None:
     world.tell(policy(back(100.0), timeout=6, regained=DO_NOTHING))
     drive(world, 5)
@@ -223,6 +229,7 @@ def test_do_nothing_goes_on_when_the_link_is_back(world: World) -> None:
     assert abs(x(world)) < 0.15
 
 
+@pytest.mark.slow
 def test_link_that_is_back_before_the_time_out_prevents_the_reaction(world: World) -> None:
     world.tell(policy(back(100.0), timeout=10))
     drive(world, 5)
@@ -234,6 +241,7 @@ def test_link_that_is_back_before_the_time_out_prevents_the_reaction(world: Worl
     assert state(world) == DISABLED
 
 
+@pytest.mark.slow
 def test_continue_goes_on_to_the_waypoint(world: World) -> None:
     world.tell(policy(CONTINUE, timeout=7))
     world.tell(SetLocalWaypoint(x=6.0, y=0.0), SetTravelSpeed(0.4))
@@ -266,6 +274,7 @@ def test_continue_goes_on_with_the_list(world: World) -> None:
     assert holder(world).component_id == 0
 
 
+@pytest.mark.slow
 def test_continue_without_a_mission_stays(world: World) -> None:
     world.tell(policy(CONTINUE, timeout=6))
     drive(world, 4)
@@ -346,6 +355,7 @@ def test_policy_is_that_of_the_client_in_control(world: World) -> None:
     assert type(variant).__name__ == "StopMotionVar"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", [ReleaseControl(), Standby(), SetEmergency(1)], ids=lambda message: message.NAME)
 def test_no_reaction_after_what_the_client_has_said_last(world: World, ending: Message) -> None:
     world.tell(policy(back(100.0), timeout=6))
@@ -358,6 +368,7 @@ def test_no_reaction_after_what_the_client_has_said_last(world: World, ending: M
     assert world.own_motion.parts == frozenset()
 
 
+@pytest.mark.slow
 def test_no_reaction_after_an_emergency_of_anybody(world: World) -> None:
     world.tell(policy(back(100.0), timeout=6))
     drive(world, 6)
@@ -372,6 +383,7 @@ def test_no_reaction_after_an_emergency_of_anybody(world: World) -> None:
     assert x(world) == pytest.approx(stopped, abs=0.02)
 
 
+@pytest.mark.slow
 def test_client_with_a_higher_authority_does_not_start_a_reaction(world: World) -> None:
     world.tell(policy(back(100.0), timeout=6))
     drive(world, 5)
@@ -397,6 +409,7 @@ def test_client_that_is_unreachable_has_lost_the_link(world: World) -> None:
     assert x(world) < stopped - 0.2
 
 
+@pytest.mark.slow
 def test_retrotraverse_of_the_client_is_continued(world: World) -> None:
     drive(world, 8)
     world.tell(policy(CONTINUE, timeout=6), velocity(0.0))
@@ -413,6 +426,7 @@ def test_retrotraverse_of_the_client_is_continued(world: World) -> None:
     assert abs(x(world)) < 0.2
 
 
+@pytest.mark.slow
 def test_blocked_reaction_gives_up(world: World) -> None:
     place = world.place
     world.tell(policy(move(GlobalWaypointRec(place.latitude, place.longitude), 0.5), timeout=6))
@@ -433,6 +447,7 @@ def test_capabilities(world: World) -> None:
     assert bare.ask(policy(move(GlobalWaypointRec(0.0, 0.0), 1.0))).comms_lost_result == NOT_SUPPORTED
 
 
+@pytest.mark.slow
 def test_default_of_the_robots_file(world: World) -> None:
     world = World(world.backend, timeout=CONTROL, comms_lost={"policy": "retrotraverse", "timeout": 6, "distance": 2.0})
     world.take_control()
@@ -445,6 +460,7 @@ def test_default_of_the_robots_file(world: World) -> None:
     assert stopped - x(world) == pytest.approx(2.0, abs=0.15)
 
 
+@pytest.mark.slow
 def test_closing_ends_it(world: World) -> None:
     world.tell(policy(back(100.0), timeout=6))
     drive(world, 6)

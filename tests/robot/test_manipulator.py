@@ -93,6 +93,7 @@ def forward(report: Any, positions: Sequence[float], tool: Vector) -> tuple[Vect
     return frame.apply(tool), base.inverse() @ frame
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")
 @pytest.mark.parametrize(
     ("robot", "goal"), [("inc1", GOAL), ("inc1", (-1.0, 2.0, -1.5, -0.8, 1.0)), ("inc1_pprm", (0.3, 0.2, -0.7, 0.4))]
@@ -144,6 +145,7 @@ def test_the_tool_offset_can_be_set(arm: Workcell) -> None:
 # --- motion
 
 
+@pytest.mark.slow
 def test_joint_positions_are_reached(arm: Workcell) -> None:
     command = positions(arm, GOAL)
     arm.tell(command)
@@ -154,6 +156,7 @@ def test_joint_positions_are_reached(arm: Workcell) -> None:
     assert [record.joint_position.value for record in commanded] == pytest.approx(wanted, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_command_event_reports_success_or_failure(arm: Workcell) -> None:
     assert outcomes(arm, CreateCommandEvent(1, 60, positions(arm, GOAL))) == []
     ends: list[int] = []
@@ -167,6 +170,7 @@ def test_command_event_reports_success_or_failure(arm: Workcell) -> None:
     assert outcomes(arm, CreateCommandEvent(1, 60, velocities(0.1))) == [1], "it does not fit the joints"
 
 
+@pytest.mark.slow
 def test_the_motion_profile_limits_speed(arm: Workcell) -> None:
     record = m.SetJointMotionProfile.RevoluteJointMotionProfileRec
     arm.tell(m.SetJointMotionProfile([record(0.2, 1.0, 1.0)] * 5))
@@ -219,6 +223,7 @@ def test_force_torques_are_applied(arm: Workcell) -> None:
     assert [each.joint_force_torque.value for each in found] == pytest.approx([5.0, 30.0, 0.0, 0.0, -0.2], abs=step)
 
 
+@pytest.mark.slow
 def test_tool_moves_at_the_reported_velocity(arm: Workcell) -> None:
     def tool() -> Vector:
         pose = arm.ask(m.QueryEndEffectorPose())
@@ -238,6 +243,7 @@ def test_tool_moves_at_the_reported_velocity(arm: Workcell) -> None:
 # --- lists
 
 
+@pytest.mark.slow
 def test_list_of_positions_is_executed(arm: Workcell) -> None:
     goals = [(0.3, 2.5, -2.4, 0.0, 0.0), (0.3, 2.2, -2.2, 0.2, 0.5), (0.0, 2.5, -2.5, 0.0, 0.0)]
     elements = [
@@ -287,6 +293,7 @@ def test_commands_that_do_not_match_the_joints_are_counted(arm: Workcell) -> Non
 # --- the gripper
 
 
+@pytest.mark.slow
 def test_positive_efforts_close_the_gripper_and_negative_ones_open_it(gripper: Workcell) -> None:
     fingers = gripper.robot.groups["gripper"]
     gripper.tell(m.SetEndEffectorEffort(60.0))

@@ -91,6 +91,7 @@ class Bench:
         return {name: count for name, count in dict(self.host.counters).items() if "error" in name and count}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("joints", COUNTS)
 def test_every_joint_gets_where_it_is_sent(joints):
     bench = Bench(joints)

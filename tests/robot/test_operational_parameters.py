@@ -37,6 +37,7 @@ def camera():
     made.robot.close()
 
 
+@pytest.mark.slow
 def test_a_stretched_arm_takes_current(arm):
     arm.take_control()
     arm.robot.groups["arm"].command([Target(ControlMode.POSITION, value) for value in (0.0, 0.5, -0.4, 0.0, 0.0)])

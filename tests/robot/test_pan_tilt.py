@@ -96,12 +96,14 @@ def test_camera_direction_follows_from_reported_values(head: Head) -> None:
     assert turn.rotate(ahead) == pytest.approx(head.line_of_sight(), abs=1e-3)
 
 
+@pytest.mark.slow
 def test_angles_beyond_the_limits_are_limited(head: Head) -> None:
     head.tell(m.SetPanTiltJointPositions(-20.0, -20.0))
     head.run(4.0)
     assert head.angles() == pytest.approx((-2.0, -0.7), abs=0.02)
 
 
+@pytest.mark.slow
 def test_velocity_turns_until_the_limit(head: Head) -> None:
     head.tell(m.SetPanTiltJointVelocity(0.5, -0.2))
     head.run(1.5)
@@ -152,6 +154,7 @@ def test_a_profile_limits_all_drivers(head: Head) -> None:
     assert head.speeds()[0] == pytest.approx(-0.2, abs=0.03)
 
 
+@pytest.mark.slow
 def test_command_event_reports_when_the_angles_are_reached(head: Head) -> None:
     head.tell(CreateCommandEvent(7, 10, m.SetPanTiltJointPositions(0.8, 0.5)))
     results: list[Message] = []

@@ -80,6 +80,7 @@ def braked(request: pytest.FixtureRequest):
     robot.close()
 
 
+@pytest.mark.slow
 def test_engaged_brake_holds_the_chassis_and_released_brake_does_not(braked: Braked) -> None:
     assert braked.drive() > 0.1
     braked.tell(SetParkingBrake(100.0))

@@ -97,6 +97,7 @@ def test_pose_that_is_held_and_transition_are_reported(arm: PosedArm) -> None:
 # --- how a transition ends
 
 
+@pytest.mark.slow
 def test_completed_in_each_pose(arm: PosedArm) -> None:
     for request, pose in enumerate((REACH_LOW, DRIVE, INSPECT, STOW)):
         arm.request(request, pose)
@@ -107,6 +108,7 @@ def test_completed_in_each_pose(arm: PosedArm) -> None:
     assert arm.ended == [(number, Status.TRANSITION_COMPLETED) for number in range(4)]
 
 
+@pytest.mark.slow
 def test_all_joints_arrive_together(arm: PosedArm) -> None:
     """So that the way is a straight one, which is what was checked."""
     start = arm.positions()
@@ -139,6 +141,7 @@ def test_flippers_have_the_same_poses_under_the_same_ids() -> None:
     assert flippers.pose == INSPECT, "which has the same angle as reach_low, and was reached last"
 
 
+@pytest.mark.slow
 def test_command_event_ends_with_the_transition(arm: PosedArm) -> None:
     command = CreateCommandEvent(1, 60, iop.SetCurrentPose(1, INSPECT))
     assert outcomes(arm, command) == []
@@ -161,6 +164,7 @@ def test_unknown_ids_are_refused_at_once(arm: PosedArm, pose: int) -> None:
     assert arm.pose == STOW
 
 
+@pytest.mark.slow
 def test_another_pose_preempts_the_motion_that_is_reported_as_failed(arm: PosedArm) -> None:
     arm.request(1, REACH_LOW)
     arm.run(1.0)
@@ -172,6 +176,7 @@ def test_another_pose_preempts_the_motion_that_is_reported_as_failed(arm: PosedA
     assert arm.pose == STOW
 
 
+@pytest.mark.slow
 def test_many_requests_at_once_leave_one_motion(arm: PosedArm) -> None:
     for number in range(200):
         arm.request(number, 1 + number % 4)
@@ -192,6 +197,7 @@ def test_command_of_another_service_preempts_the_motion(arm: PosedArm) -> None:
     assert arm.pose == 255
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("messages", "client"),
     [
@@ -280,6 +286,7 @@ def test_no_route_is_reported_as_an_invalid_transition(monkeypatch: pytest.Monke
     assert arm.host.counters["pose_not_reached"] == 1
 
 
+@pytest.mark.slow
 def test_pose_in_which_the_flippers_are_now_is_refused_at_once() -> None:
     arm = arm_beside_a_flipper(0.5)
     arm.request(1, BESIDE_A_FLIPPER)

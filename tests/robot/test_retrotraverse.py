@@ -169,6 +169,7 @@ def test_ends_abeam_of_a_waypoint_and_before_a_standoff(world: World, track: Tra
     assert before - world.pose.x == pytest.approx(1.5, abs=0.15)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "ending",
     [
@@ -192,6 +193,7 @@ def test_stops_at_once(world: World, track: Track, ending: Message) -> None:
         assert abs(world.pose.x) < 0.15
 
 
+@pytest.mark.slow
 def test_only_the_client_in_control_may_start_and_cancel_it(world: World, track: Track) -> None:
     track.drive((0.5, 0.0, 4.0))
     world.tell(start(100.0), client=OTHER)
@@ -208,6 +210,7 @@ def test_only_the_client_in_control_may_start_and_cancel_it(world: World, track:
     assert world.stands()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "message",
     [
@@ -236,6 +239,7 @@ def test_odd_requests_move_nothing_out_of_the_path(world: World, track: Track, m
     assert not world.host.first_error
 
 
+@pytest.mark.slow
 def test_tolerance_of_a_waypoint_does_not_widen_the_path(world: World, track: Track) -> None:
     track.drive((0.5, 0.0, 3.0))
     world.tell(start(0.0, waypoint=GlobalWaypointRec(38.593, -77.179, path_tolerance=100.0)))
@@ -255,6 +259,7 @@ def test_without_a_path_nothing_moves(world: World) -> None:
     assert world.host.counters["retrotraverse_nothing_to_do"] == 1
 
 
+@pytest.mark.slow
 def test_its_end_is_a_command_event(world: World, track: Track) -> None:
     track.drive((0.5, 0.0, 3.0))
     seen: list[Message] = []
@@ -268,6 +273,7 @@ def test_its_end_is_a_command_event(world: World, track: Track) -> None:
     assert results[0] == CommandEvent.CommandResult.SUCCESSFUL
 
 
+@pytest.mark.slow
 def test_gives_up_when_something_is_in_the_way(world: World, track: Track) -> None:
     track.drive((0.5, 0.0, 4.0))
     world.tell(start(100.0))
@@ -307,6 +313,7 @@ def test_flippers_get_the_positions_that_they_had(track: Track, world: World) ->
     assert 1.4 < raised_at[0] < x - 1.0  # where it was lowered, and the robot stood meanwhile
 
 
+@pytest.mark.slow
 def test_flippers_of_another_client_are_left_alone(track: Track, world: World) -> None:
     flippers = world.robot.groups["flippers"]
     (up,) = flippers.state().positions
@@ -320,6 +327,7 @@ def test_flippers_of_another_client_are_left_alone(track: Track, world: World) -
     assert flippers.state().positions[0] == pytest.approx(down, abs=0.1)
 
 
+@pytest.mark.slow
 def test_control_is_needed_again_after_a_release(world: World, track: Track) -> None:
     track.drive((0.5, 0.0, 3.0))
     world.tell(ReleaseControl())

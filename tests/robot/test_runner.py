@@ -95,6 +95,7 @@ def runner(hub) -> RobotRunner:
     return RobotRunner(load("inc1"), lambda me: LoopbackTransport(me, hub), backend="kinematic")
 
 
+@pytest.mark.slow
 async def test_robot_drives_and_reports_its_pose(runner, client):
     async with runner:
         client.tell(RequestControl(authority_code=100), Resume(), FORWARD)
@@ -113,6 +114,7 @@ async def test_stands_still_when_closed_while_driving(runner, client):
     assert runner.components == ()
 
 
+@pytest.mark.slow
 async def test_does_not_move_without_control(runner, client):
     async with runner:
         client.tell(FORWARD, Resume(), FORWARD, QueryIdentification(query_type=4))
@@ -123,6 +125,7 @@ async def test_does_not_move_without_control(runner, client):
         assert runner.snapshot.pose.x == 0.0
 
 
+@pytest.mark.slow
 async def test_each_module_discovers_the_whole_robot(runner, client):
     async with runner:
         client.tell(QueryConfiguration(query_type=2))
@@ -152,6 +155,7 @@ async def test_can_be_opened_again(runner, client):
             assert (await client.answer()).identification == "inc1"
 
 
+@pytest.mark.slow
 async def test_stops_everything_when_a_transport_cannot_be_opened(runner, hub, monkeypatch):
     taken = LoopbackTransport(ROBOT, hub)
     await taken.open()
@@ -176,6 +180,7 @@ async def test_runs_until_cancelled(runner, client):
     assert runner.components == ()
 
 
+@pytest.mark.slow
 async def test_backend_object_is_accepted(hub, client):
     class Workshop(KinematicBackend):
         name = "workshop"

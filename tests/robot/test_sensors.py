@@ -200,6 +200,7 @@ def test_each_sensor_is_reported_once(mast: Mast) -> None:
     assert only.range_sensor_data_rec.report_coordinate_system == NATIVE
 
 
+@pytest.mark.slow
 def test_unknown_sensors_are_reported_up_to_a_bound(mast: Mast) -> None:
     query = m.QueryRangeSensorData([DATA(number, NATIVE, 0) for number in range(2, 30002)])
     found = mast.ask(query, m.ReportRangeSensorData).range_sensor_data_list
@@ -284,6 +285,7 @@ def test_reported_settings_are_valid_settings(mast: Mast) -> None:
 Code = m.ConfirmSensorConfiguration.RangeSensorErrorRec.RangeSensorErrorCode
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("wanted", "code", "said"),
     [

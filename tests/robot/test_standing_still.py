@@ -353,6 +353,7 @@ async def test_heartbeats_that_end_while_the_robot_is_closed_are_no_failure(
     assert "heartbeats" not in caplog.text
 
 
+@pytest.mark.slow
 async def test_heartbeats_that_end_are_told(virtual_network: VirtualNetwork, caplog: pytest.LogCaptureFixture) -> None:
     async with virtual_network.robot() as runner, virtual_network.ocu("42.1.2") as ocu:
         driver = (await ocu.discover(101)).service("PrimitiveDriver")
@@ -367,6 +368,7 @@ async def test_heartbeats_that_end_are_told(virtual_network: VirtualNetwork, cap
         await stands(virtual_network, why, OPEN_AGAIN, caplog)
 
 
+@pytest.mark.slow
 async def test_a_virtual_robot_that_does_not_advance_is_told(
     virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:

@@ -247,6 +247,7 @@ def test_several_cameras_of_one_component():
 # --- for real
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("format", sampled(list(StillFormat), 1))
 async def test_real_camera_takes_an_image(format):
     pytest.importorskip("av", reason="the extra 'video' is not installed")

@@ -125,6 +125,7 @@ def assert_stops(cell: Cell, speeds: Callable[[], dict[str, float]], end: Callab
             assert not moves, f"after {cell.now - begin:.3f} s"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("robot", "ahead", "turn"),
     sampled(
@@ -141,6 +142,7 @@ def test_tracks_stop_within_200_ms(
     assert_stops(cell, cell.tracks, end)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("robot", "way"),
     sampled([("inc1", 1.0), ("inc1", -1.0), ("inc1_pprm", 1.0), ("inc1_pprm", -1.0)], 1, several=True),

@@ -353,6 +353,7 @@ def test_joint_of_a_moving_camera_is_reported(component, manipulator, joint):
 # --- for real
 
 
+@pytest.mark.slow
 async def test_a_client_watches_and_changes_a_real_camera():
     pytest.importorskip("av", reason="the extra 'video' is not installed")
     pytest.importorskip("cv2", reason="the extra 'video' is not installed")

@@ -110,6 +110,7 @@ def test_four_global_waypoints_in_order_by_list(world: World) -> None:
     assert (answer.latitude, answer.longitude) == pytest.approx(places[-1], abs=1e-7)
 
 
+@pytest.mark.slow
 def test_list_may_mix_frames_and_keeps_the_speed(world: World) -> None:
     world.set_list([SetLocalWaypoint(x=2.0, y=0.0), SetGlobalWaypoint(latitude=38.593, longitude=-77.179)])
     world.tell(ExecuteList(speed=0.8, element_uid=1))
@@ -171,6 +172,7 @@ def test_new_waypoint_during_a_drive_is_a_lasting_command(world: World) -> None:
     assert outcomes(world, GO, Standby()) == [False]
 
 
+@pytest.mark.slow
 def test_waypoint_is_driven_to_after_the_speed_is_set(world: World) -> None:
     world.tell(SetLocalWaypoint(x=3.0, y=-2.0))
     world.run(1.0)
@@ -188,6 +190,7 @@ def test_waypoint_is_driven_to_after_the_speed_is_set(world: World) -> None:
     assert world.distance(3.0, -2.0) < 0.15, "a new waypoint waits for its speed"
 
 
+@pytest.mark.slow
 def test_global_waypoint_is_reached(world: World) -> None:
     goal = (38.593 + 3 * 9e-6, -77.179)
     world.tell(SetGlobalWaypoint(latitude=goal[0], longitude=goal[1]), SetTravelSpeed(speed=1.0))
@@ -207,6 +210,7 @@ def test_waypoints_refer_to_the_set_frame(world: World) -> None:
     assert world.vehicle.pose.y == pytest.approx(0.0, abs=0.1)
 
 
+@pytest.mark.slow
 def test_waypoint_follows_a_frame_set_during_the_drive(world: World) -> None:
     world.tell(SetLocalWaypoint(x=6.0, y=0.0), SetTravelSpeed(speed=1.0))
     world.run(2.0)
@@ -216,6 +220,7 @@ def test_waypoint_follows_a_frame_set_during_the_drive(world: World) -> None:
     assert world.vehicle.pose.x > 7.0
 
 
+@pytest.mark.slow
 def test_yaw_is_reached(world: World) -> None:
     world.tell(SetLocalWaypoint(x=2.0, y=1.0, yaw=-2.0), SetTravelSpeed(speed=1.0))
     world.run_until(lambda: speed(world) == 0.0, 20.0)
@@ -224,6 +229,7 @@ def test_yaw_is_reached(world: World) -> None:
     assert math.remainder(world.pose.yaw + 2.0, math.tau) == pytest.approx(0.0, abs=0.06)
 
 
+@pytest.mark.slow
 def test_a_negative_speed_drives_backward(world: World) -> None:
     world.tell(SetLocalWaypoint(x=-2.0, y=0.3))
     world.tell(SetTravelSpeedExt(speed=Speed(Speed.Choice.SPEED_OVER_GROUND, -0.6)))
@@ -256,6 +262,7 @@ def test_wide_tolerance_passes_a_waypoint_early(world: World) -> None:
     assert world.distance(4.0, 0.0) == pytest.approx(2.0, abs=0.1)
 
 
+@pytest.mark.slow
 def test_execute_without_an_element_changes_the_speed(world: World) -> None:
     world.set_list([SetLocalWaypoint(x=6.0, y=0.0)])
     world.tell(ExecuteList(speed=1.0))
@@ -282,6 +289,7 @@ def test_execute_starts_at_the_given_element(world: World) -> None:
     assert world.active == 2, "there is no such element"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("client", "message"),
     [
@@ -310,6 +318,7 @@ def test_end_of_control_or_ready_stops_the_drive_for_good(world: World, client: 
     assert world.stands(), "nobody drives to a waypoint of somebody else"
 
 
+@pytest.mark.slow
 def test_replaced_active_element_restarts(world: World) -> None:
     world.set_list([SetLocalWaypoint(x=6.0, y=0.0)])
     world.tell(ExecuteList(speed=1.0, element_uid=1))

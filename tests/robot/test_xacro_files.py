@@ -138,6 +138,7 @@ def test_long_values_that_are_used_often(written) -> None:
         expand(written(f'<xacro:property name="p0" value="ten chars."/>{doubled}<link name="{"${p13}" * 100}"/>'))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "use", ['<xacro:include filename="pipe"/>', """<link name="${xacro.load_yaml('pipe')}"/>"""], ids=["XML", "YAML"]
 )

@@ -159,6 +159,7 @@ BODIES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("body", "message"), BODIES.values(), ids=BODIES.keys())
 def test_wrong_body(jsidl, body, message):
     jsidl.service(body=body, types=f'<record name="Pose" optional="false">{BYTE}</record>')

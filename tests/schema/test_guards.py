@@ -28,6 +28,7 @@ def extend(inner: st.SearchStrategy[tuple[str, str]]) -> st.SearchStrategy[tuple
     )
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(st.recursive(names(), extend, max_leaves=12), st.tuples(*[st.booleans()] * len(NAMES)))
 def test_guards_evaluate_like_python(pair: tuple[str, str], values: tuple[bool, ...]) -> None:

@@ -32,11 +32,13 @@ def test_what_is_told_of_inc1_is_of_services_of_the_profile():
     assert set(page.INC1) <= {service.id.rpartition(":")[2] for service in page.services()}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["PlatformState", "EnhancedAccessControl", "UnsolicitedHeartbeat", "PlatformMode"])
 def test_services_of_the_platform_are_offered_by_the_master(name):
     assert page.offered()[f"urn:jaus:jss:iop:{name}"] == ["CM-MAS"]
 
 
+@pytest.mark.slow
 def test_lint_finds_nothing_but_the_mistakes_of_the_reference():
     paths = [path for name in ("iop", "exp") for path in sorted((SCHEMAS / name).rglob("*.xml"))]
     found = Counter((finding.file.rpartition("/")[2], finding.code) for finding in lint(paths))

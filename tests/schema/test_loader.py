@@ -40,6 +40,7 @@ def test_only_needed_services_and_ancestors_are_loaded() -> None:
     assert keys(found) == {(f"{MOBILITY}PrimitiveDriver", "1.1"), *((f"{CORE}{name}", "1.1") for name in names)}
 
 
+@pytest.mark.slow
 def test_partially_loaded_services_equal_fully_loaded_ones() -> None:
     whole = load_builtin()
     assert load(*keys(whole)) == whole

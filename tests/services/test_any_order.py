@@ -74,6 +74,7 @@ def step(rig, drive, random: Random) -> None:
     rig.sent()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", sampled(range(40), 10))
 def test_random_inputs_raise_nothing_and_move_nothing_without_control(make, drive, seed) -> None:
     random, vehicle = Random(seed), Vehicle(drive, name="test", origin=GlobalPose(60.0, 25.0, 10.0, 0.0))

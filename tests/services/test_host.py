@@ -71,6 +71,7 @@ def test_wildcards_send_nothing(robot) -> None:
 
 
 # The robot goes through all examples: what one leaves behind is the next one's start.
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(messages=st.lists(st.tuples(st.sampled_from(INPUTS), st.binary(max_size=40)), min_size=1, max_size=20))
 def test_garbage_never_raises(robot, messages: list[tuple[int, bytes]]) -> None:

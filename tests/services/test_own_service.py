@@ -86,6 +86,7 @@ def own(tmp_path: Path):
     return jauspy.load(file), load_files([file, *builtin_paths()])
 
 
+@pytest.mark.slow
 def test_user_defined_service_runs_and_can_be_subscribed(own, make) -> None:
     registry, schema = own
     report = registry.by_name("ReportBattery")
@@ -112,6 +113,7 @@ def test_user_defined_service_runs_and_can_be_subscribed(own, make) -> None:
     assert (content if isinstance(content, bytes) else content.encode()) == report(cycles=512).encode()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("parameter", ['<parameter type="QueryBattery" value="msg"/>', ""])
 def test_transition_named_after_an_input_is_on_its_receipt(tmp_path: Path, make, parameter: str) -> None:
     """As in the JAUS Toolset, also without a parameter for the message."""

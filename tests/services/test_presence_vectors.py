@@ -28,6 +28,7 @@ FULL = ReportVelocityState(1.0, 2.0, 3.0, 4.0, 0.1, 0.2, 0.3, 0.4)
 NAMES = ("velocity_x", "velocity_y", "velocity_z", "velocity_rms", "roll_rate", "pitch_rate", "yaw_rate", "rate_rms")
 
 
+@pytest.mark.slow
 @given(st.integers(0, 0xFFFF), st.sets(st.sampled_from(NAMES)))
 def test_report_has_requested_and_available_fields(asked: int, missing: set[str]) -> None:
     report = ReportVelocityState(**{name: getattr(FULL, name) for name in NAMES if name not in missing})

@@ -14,6 +14,7 @@ from jauspy_sim.robot import SimulatedRobot
 INC1 = robot_model(load("inc1"))
 
 
+@pytest.mark.slow
 def test_groups_count_the_bodies_that_they_touch() -> None:
     robot = SimulatedRobot.open(INC1, "empty")
     contacts = Contacts.of(robot)
@@ -32,6 +33,7 @@ def test_groups_count_the_bodies_that_they_touch() -> None:
     assert contacts.state()["flippers"]["world"] == left > 0
 
 
+@pytest.mark.slow
 def test_arm_on_the_table_is_counted_with_all_that_it_carries() -> None:
     robot = SimulatedRobot.open(INC1, "yard")
     address = robot.model.joint("inc1/base").qposadr[0]

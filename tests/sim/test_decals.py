@@ -195,6 +195,7 @@ def test_physics_has_none_of_it(name: str) -> None:
     assert state_size(drawn) == state_size(physics)
 
 
+@pytest.mark.slow
 def test_pictures_do_not_change_the_trajectory_by_a_bit() -> None:
     """Of two robots with the same commands, one is drawn with all decorations each tenth of a second."""
     ends = []

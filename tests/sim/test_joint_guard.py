@@ -29,7 +29,7 @@ STEP, TOOL_PERIOD = 0.002, 0.02
 GROUPS = ("arm", "flippers", "gripper", "pan_tilt")
 RUN = 6.0
 """Seconds of one run."""
-TELEOPERATIONS = int(os.environ.get("JAUSPY_TELEOPERATIONS", "100"))
+TELEOPERATIONS = int(os.environ.get("JAUSPY_TELEOPERATIONS", "25"))
 """Random runs, of which 25 take most of a minute; 500 are run before a release."""
 SEEDS = (1, 2, 3)
 """Runs of which at least two touch the robot without the guard."""
@@ -150,6 +150,7 @@ def closed() -> Iterator[list[SimulatedRobot]]:
         robot.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", BENT)
 def test_a_joint_stops_before_the_contact_and_tells_the_distance(target: Target, closed: list[SimulatedRobot]) -> None:
     free = moved(4.0, target, joint=WRIST, enabled=False)
@@ -169,6 +170,7 @@ def test_a_joint_stops_before_the_contact_and_tells_the_distance(target: Target,
     assert abs(run.robot.groups["arm"].state().velocities[WRIST]) < 0.01
 
 
+@pytest.mark.slow
 def test_it_may_move_away_after_a_stop(closed: list[SimulatedRobot]) -> None:
     run = moved(4.0, Target(ControlMode.VELOCITY, -1.0), joint=WRIST)
     closed.append(run.sim)
@@ -181,6 +183,7 @@ def test_it_may_move_away_after_a_stop(closed: list[SimulatedRobot]) -> None:
     assert not run.guard.active
 
 
+@pytest.mark.slow
 def test_a_motion_that_comes_near_nothing_is_the_same_with_and_without_the_guard(
     closed: list[SimulatedRobot],
 ) -> None:
@@ -192,6 +195,7 @@ def test_a_motion_that_comes_near_nothing_is_the_same_with_and_without_the_guard
     assert ends[0] == pytest.approx(ends[1], abs=1e-6)
 
 
+@pytest.mark.slow
 def test_switching_it_off_lets_the_command_go_on(closed: list[SimulatedRobot]) -> None:
     run = moved(4.0, Target(ControlMode.VELOCITY, -1.0), joint=WRIST)
     closed.append(run.sim)

@@ -92,6 +92,7 @@ def test_no_contact_on_the_way_from_anywhere(seed: int) -> None:
     assert arm.touched == set()
 
 
+@pytest.mark.slow
 def test_a_detour_avoids_what_the_direct_way_touches() -> None:
     """The physics agrees that the joints' own way, which JointPositionDriver takes, leads into a flipper."""
     arm = WatchedArm(BESIDE_A_FLIPPER, 1.65)

@@ -85,6 +85,7 @@ def flippers_ahead() -> tuple[float, float]:
     return 0.35 + 0.25 + 0.26 * math.cos(FLIPPERS_AHEAD) + 0.045, 0.102 + 0.26 * math.sin(FLIPPERS_AHEAD)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("above", "lifted"), [pytest.param(0.06, True, id="above"), pytest.param(-0.06, False, id="below")]
 )
@@ -98,6 +99,7 @@ def test_rears_up_at_a_wall_from_the_friction_that_statics_gives(above: float, l
     robot.close()
 
 
+@pytest.mark.slow
 def test_the_forces_at_the_wall_are_those_of_motors_and_friction() -> None:
     """While it rises: friction within its cone, belts within the motors' force, and the weight is carried."""
     robot = at_wall(FLIPPERS_AHEAD)
@@ -131,6 +133,7 @@ def test_the_forces_at_the_wall_are_those_of_motors_and_friction() -> None:
     assert heights[-1] > heights[0] + 0.08
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("effort", "flippers"),
     [pytest.param(0.11, FLIPPERS_AHEAD, id="motors too weak"), pytest.param(HELD, FLIPPERS_UP, id="flippers up")],
@@ -172,11 +175,13 @@ def tilt(pose: Pose) -> float:
     return math.degrees(math.acos(math.cos(pose.roll) * math.cos(pose.pitch)))
 
 
+@pytest.mark.slow
 def test_falls_over_without_the_tilt_guard() -> None:
     operated = Operated(at_wall(FLIPPERS_AHEAD), guarded=False)
     assert max(map(tilt, operated.hold(HELD, 8.0))) > 80.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("effort", [HELD, pytest.param(1.0, marks=pytest.mark.slow)])
 def test_the_tilt_guard_stops_it_and_it_drives_back(effort: float) -> None:
     operated = Operated(at_wall(FLIPPERS_AHEAD), guarded=True)

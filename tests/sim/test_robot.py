@@ -32,6 +32,7 @@ def yard() -> SimulatedRobot:
     return SimulatedRobot.open(INC1, "yard")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("robot", "world"), sampled([(robot, world) for robot in known() for world in known_worlds()], 9, several=True)
 )
@@ -64,6 +65,7 @@ def test_climbs_the_ramp_onto_the_deck(yard: SimulatedRobot) -> None:
     assert on_deck.pitch == pytest.approx(0.0, abs=0.01)
 
 
+@pytest.mark.slow
 def test_the_brake_holds_it_on_the_ramp(yard: SimulatedRobot) -> None:
     yard.drive.set_effort(0.3, 0.0)
     yard.advance(9.0)
@@ -74,6 +76,7 @@ def test_the_brake_holds_it_on_the_ramp(yard: SimulatedRobot) -> None:
     assert math.dist((before.x, before.z), (yard.drive.pose().x, yard.drive.pose().z)) < 0.005
 
 
+@pytest.mark.slow
 def test_pushes_a_carton(yard: SimulatedRobot) -> None:
     data, model = yard._data, yard._model
     carton = data.body("carton_1").xpos
@@ -86,6 +89,7 @@ def test_pushes_a_carton(yard: SimulatedRobot) -> None:
     assert abs(yard.drive.pose().yaw) < 0.2
 
 
+@pytest.mark.slow
 def test_belts_are_reset(yard: SimulatedRobot) -> None:
     yard.drive.set_effort(1.0, 0.3)
     yard.advance(1.0)
@@ -104,6 +108,7 @@ def test_remaining_time_is_carried_over(yard: SimulatedRobot) -> None:
     assert yard.time == 2 * TIMESTEP
 
 
+@pytest.mark.slow
 def test_tenths_of_seconds_lose_no_step(yard: SimulatedRobot) -> None:
     for _ in range(20):
         yard.advance(0.1)
@@ -139,6 +144,7 @@ def test_warnings_are_logged_and_no_file_is_left(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("friction", [1.0, 0.05])
 def test_wheels_slip_on_ice(tmp_path: Path, friction: float) -> None:
     (tmp_path / "ground.xml").write_text(GROUND.format(friction))

@@ -73,6 +73,7 @@ def test_each_takes_its_own_commands(pair: tuple[SimulatedRobot, SimulatedRobot]
     assert abs(second.drive.acceleration().ax) < 20.0
 
 
+@pytest.mark.slow
 def test_they_collide(pair: tuple[SimulatedRobot, SimulatedRobot]) -> None:
     first, second = pair
     assert not touching(first)
@@ -85,6 +86,7 @@ def test_they_collide(pair: tuple[SimulatedRobot, SimulatedRobot]) -> None:
     assert second.drive.pose().x < -0.3, "it does not drive through the other"
 
 
+@pytest.mark.slow
 def test_contacts_name_the_other_robot(pair: tuple[SimulatedRobot, SimulatedRobot]) -> None:
     first, second = pair
     second.groups["flippers"].command([Target(ControlMode.POSITION, 0.0)])
@@ -116,6 +118,7 @@ def test_lidars_see_the_other_robot_and_not_their_own(pair: tuple[SimulatedRobot
     assert (pair[0].model.geom_group == groups).all()
 
 
+@pytest.mark.slow
 def test_cameras_have_both_robots_in_their_model(pair: tuple[SimulatedRobot, SimulatedRobot]) -> None:
     first, second = pair
     for robot, name in ((first, "inc1"), (second, "inc1_2")):
@@ -129,6 +132,7 @@ def test_cameras_have_both_robots_in_their_model(pair: tuple[SimulatedRobot, Sim
             assert model.body(f"{each}/base_link").id == robot.model.body(f"{each}/base_link").id
 
 
+@pytest.mark.slow
 def test_the_second_appears_in_a_picture_of_the_first() -> None:
     """The same view of the ground, with and without a robot 2.5 m ahead, by rays: no GL is needed."""
     from jauspy_sim.rendering.rays import RayRenderer
@@ -156,6 +160,7 @@ def test_belts_of_each_run_on_their_own(pair: tuple[SimulatedRobot, SimulatedRob
     assert other_right < -0.2
 
 
+@pytest.mark.slow
 def test_same_commands_give_the_same_motion_however_the_calls_are_divided() -> None:
     ends = []
     for order in ((0, 1), (1, 0)):

@@ -60,6 +60,7 @@ def test_level_rises_with_the_speed_of_the_tracks(sim):
     assert stopped == pytest.approx(quiet, abs=1.5)
 
 
+@pytest.mark.slow
 def test_turning_on_the_spot_and_the_arm_are_heard(sim):
     robot, *_ = sim
     quiet, _ = heard(sim, 1.0)

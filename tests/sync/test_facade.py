@@ -60,6 +60,7 @@ def test_wrong_types_cause_one_sentence(listed, ocu):
         client.waypoints[:] = [(1.0, 2.0)]
 
 
+@pytest.mark.slow
 def test_robot_is_discovered_controlled_and_driven(robot, node_manager, ocu):
     found = ocu.discover(subsystem=101)
     driver = found.service("mobility:PrimitiveDriver")
@@ -76,6 +77,7 @@ def test_robot_is_discovered_controlled_and_driven(robot, node_manager, ocu):
     assert ocu.query(driver.id, QueryStatus(), expects=ReportStatus).status == Status.STANDBY
 
 
+@pytest.mark.slow
 def test_query_each_and_subscriptions_iterate(robot, ocu):
     answers = ocu.query_each("101.255.255", QueryStatus(), within=20.0)
     assert {str(source) for source, _ in islice(answers, len(MODULES))} == set(MODULES)
@@ -100,6 +102,7 @@ def test_errors_equal_those_of_the_asynchronous_client(robot, node_manager, ocu)
         mine.__enter__()
 
 
+@pytest.mark.slow
 def test_an_error_in_the_block_leaves_standby(robot, ocu):
     driver = ocu.discover(101).service("PrimitiveDriver")
 
@@ -209,6 +212,7 @@ def test_counters_can_be_read_while_they_change(ocu):
         counting.join(20)
 
 
+@pytest.mark.slow
 def test_close_inside_a_block_leaves_standby(robot, node_manager):
     with OCU("42.1.1", node_manager.local) as ocu:
         driver = ocu.discover(101).service("PrimitiveDriver")
@@ -285,6 +289,7 @@ with OCU("42.1.1", sys.argv[1]) as ocu:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "wait",
     [

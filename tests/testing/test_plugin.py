@@ -176,6 +176,7 @@ def test_an_ocu_reaches_a_component(request: pytest.FixtureRequest, mode: str, p
     assert request.getfixturevalue(mode)[f"{place}:test_it"] == Outcome(True, "")
 
 
+@pytest.mark.slow
 def test_virtual_hour_takes_no_time(automatic: dict[str, Outcome]) -> None:
     assert automatic["virtual_hour:test_it"] == Outcome(True, "")
 
@@ -218,6 +219,7 @@ def test_the_node_manager_serves_a_test_without_asyncio(without_asyncio: dict[st
     assert without_asyncio["plain:test_it"] == Outcome(True, "")
 
 
+@pytest.mark.slow
 def test_missing_pytest_asyncio_is_explained(without_asyncio: dict[str, Outcome]) -> None:
     outcome = without_asyncio["plain:test_ocu"]
     assert not outcome.passed

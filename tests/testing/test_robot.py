@@ -30,6 +30,7 @@ async def _drive(robot, ocu, metres: float) -> None:
     assert await driver.status() == ReportStatus.Status.STANDBY
 
 
+@pytest.mark.slow
 async def test_it_drives_on_virtual_time(virtual_network, robot, ocu):
     virtual_network.loss = 0.1
     await drive(robot, ocu, 10.0)
@@ -37,6 +38,7 @@ async def test_it_drives_on_virtual_time(virtual_network, robot, ocu):
     assert 10.0 < virtual_network.clock.elapsed < 30.0
 
 
+@pytest.mark.slow
 async def test_it_drives_on_a_node_manager(node_manager, robot, ocu):
     await drive(robot, ocu, 0.2)
     assert robot.snapshot.pose.x > 0.19

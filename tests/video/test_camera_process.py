@@ -120,6 +120,7 @@ async def test_camera_process_has_lower_priority(monkeypatch, robot, receiver):
         assert os.getpgid(camera.pid) != os.getpgid(0), "Ctrl-C is the robot's"
 
 
+@pytest.mark.slow
 async def test_the_process_starts_at_first_use_and_two_receivers_see_the_same_pictures(camera, receiver):
     decoder = H264Decoder()
     assert camera.pid is None
@@ -135,6 +136,7 @@ async def test_the_process_starts_at_first_use_and_two_receivers_see_the_same_pi
     await until(lambda: camera.description.startswith("draws sky and floor"), TIMEOUT)
 
 
+@pytest.mark.slow
 async def test_the_size_changes_while_it_runs(camera, receiver):
     decoder = H264Decoder()
     camera.watch(at(receiver))
@@ -146,6 +148,7 @@ async def test_the_size_changes_while_it_runs(camera, receiver):
     assert not receiver.counters.get("lost")
 
 
+@pytest.mark.slow
 async def test_streams_can_be_paused_played_and_left(camera, receiver):
     with RtpReceiver() as other:
         camera.watch(at(receiver))
@@ -250,6 +253,7 @@ async def test_process_without_still_is_ended(camera, monkeypatch):
     assert (await asyncio.wait_for(taken, TIMEOUT)).content
 
 
+@pytest.mark.slow
 async def test_starting_process_is_not_ended(camera, monkeypatch):
     monkeypatch.setattr(camera_process, "STILL_TIMEOUT", 0.01)
     taken = asyncio.get_running_loop().create_future()

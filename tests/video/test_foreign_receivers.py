@@ -43,6 +43,7 @@ def show(sender: RtpSender, settings: VideoSettings, scene, ending: threading.Ev
         number += 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("player", PLAYERS, ids=lambda player: player.__name__)
 @pytest.mark.parametrize(
     "settings",

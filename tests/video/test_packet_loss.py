@@ -134,6 +134,7 @@ def free_port() -> int:
         return free.port
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "player",
     [

@@ -39,6 +39,7 @@ def test_parameter_sets_are_aggregated_and_large_units_fragmented():
     assert max(map(len, made)) == 1000
 
 
+@pytest.mark.slow
 @given(units, st.integers(16, 200))
 def test_packetised_pictures_are_reassembled(nals, limit):
     made = packetise(nals, limit)

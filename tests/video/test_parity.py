@@ -104,6 +104,14 @@ def test_parity_of_an_attacker_is_bounded_and_never_raises():
     assert repair.feed(RtpPacket(30_000, 0, SOURCE, bytes(60_000)), 10.0)
 
 
+def test_large_packets_do_not_wait_for_a_missing_one():
+    repair = PacketRepair()
+    repair.feed(RtpPacket(0, 0, SOURCE, bytes(100)), 0.0)
+    repair.feed_parity(RtpPacket(0, 0, 9, SOURCE.to_bytes(4, "big") + bytes(20), payload_type=PARITY_TYPE), 0.0)
+    large = [RtpPacket(number, 0, SOURCE, bytes(60_000)) for number in range(2, 40)]
+    assert [packet for each in large for packet in repair.feed(each, 0.0)] == large
+
+
 def test_a_request_names_the_stream_and_is_no_request_for_a_picture():
     data = parity_request(3, SOURCE, 0.5)
     assert requested_parity(data) == (SOURCE, 0.5)

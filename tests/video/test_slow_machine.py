@@ -149,6 +149,7 @@ def test_other_settings_are_tried_in_full(bench, receiver):
     assert bench.session.looked[-1] == (320, 240)
 
 
+@pytest.mark.slow
 def test_a_still_is_no_sign_of_a_slow_machine_and_is_made_with_less_effort_on_one(bench, receiver):
     bench.worker.execute(AddReceiver(at(receiver)))
     wanted = TakeStill(1, StillSettings(640, 480, StillFormat.JPEG))
@@ -227,6 +228,7 @@ def test_a_long_note_is_cut_and_damaged_reports_are_nothing():
 # --- the process ------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 async def test_receivers_and_the_log_are_told_that_a_camera_starts(monkeypatch, caplog, receiver):
     """A worker that gets nothing of the processor, here because it is stopped."""
     monkeypatch.setattr(camera_process, "NOTICE_INTERVAL", 0.05)

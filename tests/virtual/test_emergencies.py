@@ -35,6 +35,7 @@ async def moved(robot: Robot, read) -> float:
     return max(abs(now - then) for now, then in zip(await read(robot), before, strict=True))
 
 
+@pytest.mark.slow
 async def test_emergency_during_a_pose_stops_the_arm_for_good(virtual_network: VirtualNetwork) -> None:
     async with virtual_network.robot(), virtual_network.ocu() as ocu:
         robot = await ocu.robot(101)

@@ -141,6 +141,7 @@ async def test_bad_link_is_no_lost_link(network: VirtualNetwork) -> None:
             network.loss = 0.0
 
 
+@pytest.mark.slow
 async def test_verbs_say_what_is_wrong(network: VirtualNetwork) -> None:
     async with network.robot(), network.ocu() as ocu:
         inc1 = await ocu.robot(101)
@@ -233,6 +234,7 @@ async def test_another_retrotraverse_replaces_the_first(network: VirtualNetwork)
             assert abs(x(robot)) < 0.2
 
 
+@pytest.mark.slow
 async def test_offline_ocu_is_told(network: VirtualNetwork) -> None:
     """The reaction is in the log of the robot, and in the status that any client reads."""
     async with network.robot(), network.ocu() as ocu, OCU("44.1.1", transport=network.transport("44.1.1")) as watcher:

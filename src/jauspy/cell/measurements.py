@@ -84,8 +84,8 @@ class Measured:
     """Why the run failed; empty after a success."""
     duration: float = 0.0
     """Seconds of the cell's time."""
-    wall: float = 0.0
-    """Seconds of this machine's time; differs from run to run."""
+    cpu: float = 0.0
+    """Seconds of CPU time of the process that ran it; differs from run to run."""
     values: dict[str, float] = field(default_factory=dict)
     """Figures by name, SI units."""
     rows: list[dict[str, Any]] = field(default_factory=list)
@@ -100,7 +100,7 @@ class Measured:
     def comparable(self) -> dict[str, Any]:
         """All that is the same in each run with this seed."""
         found = asdict(self)
-        del found["wall"], found["film_problem"]
+        del found["cpu"], found["film_problem"]
         return found
 
 

@@ -68,7 +68,9 @@ class Summary:
     """Median of the successful runs, in seconds of the cell's time."""
     longest: float
     speed: float
-    """Times real time, of all runs together on this machine."""
+    """Seconds of the cell's time for a second of CPU time, of all runs together."""
+    cpu: float
+    """Mean CPU time of a run, in seconds."""
     failures: tuple[tuple[int, str], ...]
     """Seed and reason of each failed run."""
 
@@ -83,7 +85,7 @@ def summarised(results: Iterable[Measured]) -> Summary:
     found = sorted(results, key=lambda run: run.seed)
     good = [run for run in found if run.success]
     low, high = wilson(len(good), len(found))
-    wall = sum(run.wall for run in found)
+    cpu = sum(run.cpu for run in found)
     return Summary(
         task=found[0].task if found else "",
         runs=len(found),
@@ -92,7 +94,8 @@ def summarised(results: Iterable[Measured]) -> Summary:
         high=high,
         duration=median(run.duration for run in good) if good else math.nan,
         longest=max((run.duration for run in good), default=math.nan),
-        speed=sum(run.duration for run in found) / wall if wall else math.nan,
+        speed=sum(run.duration for run in found) / cpu if cpu else math.nan,
+        cpu=cpu / len(found) if found else math.nan,
         failures=tuple((run.seed, run.failure) for run in found if not run.success),
     )
 

@@ -1251,8 +1251,9 @@ TABLE: Final = (
         (0xDA40, "PlanMotion", "205d2c5e"), (0xDA41, "ExecuteMotion", "c493f60c"),
         (0xDA42, "CancelMotion", "2e38e77b"), (0xEA40, "QueryMotionPlan", "2e38e77b"),
         (0xEA41, "QueryMotionPlannerState", "2e38e77b"), (0xEA42, "QueryMotionPlannerSpecification", "2e38e77b"),
+        (0xDA43, "SetHeldObject", "05fd94b2"), (0xEA43, "QueryHeldObject", "2e38e77b"),
         (0xFA40, "ReportMotionPlan", "00d310ea"), (0xFA41, "ReportMotionPlannerState", "4dec5e47"),
-        (0xFA42, "ReportMotionPlannerSpecification", "64dcc3de"),
+        (0xFA42, "ReportMotionPlannerSpecification", "64dcc3de"), (0xFA43, "ReportHeldObject", "05fd94b2"),
     ),
     *entries(
         "jauspy.messages.ugv.v1_0.ackermann_driver", "urn:jaus:jss:ugv:AckermannDriver", "1.0",

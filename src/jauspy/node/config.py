@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ipaddress
 import json
+import re
 import secrets
 import stat
 import textwrap
@@ -35,6 +36,11 @@ from jauspy.transport.age import MAX_AGE
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial import SerialLine
 from jauspy.user_files import read_file, read_toml
+
+MAX_SUBSYSTEM: Final = 65534
+MAX_SUBSYSTEM_RANGES: Final = 64
+"""Entries of `further_subsystems`: each packet is compared with them."""
+_SUBSYSTEMS: Final = re.compile(r"(\d{1,5})(?:-(\d{1,5}))?", re.ASCII)
 
 
 class NodeSettings(BaseModel):
@@ -118,6 +124,25 @@ def _message(value: object) -> object:
     return f"0x{value:04X}" if isinstance(value, int) and 0 <= value <= 0xFFFF else value
 
 
+def parse_subsystems(text: str) -> range:
+    """The subsystems of `102` or `102-120`; raises `ValueError`."""
+    found = _SUBSYSTEMS.fullmatch(text)
+    first, last = (int(found[1]), int(found[2] or found[1])) if found is not None else (0, 0)
+    if not 1 <= first <= last <= MAX_SUBSYSTEM:
+        raise ValueError(f"write a subsystem or a range of them from 1 to {MAX_SUBSYSTEM}, as in 102-120")
+    return range(first, last + 1)
+
+
+def _subsystems(text: str) -> str:
+    parse_subsystems(text)
+    return text
+
+
+def _number(value: object) -> object:
+    """Accept a number in place of its text."""
+    return str(value) if type(value) is int else value
+
+
 def parse_pattern(text: str) -> JausID:
     """The id with wildcards for a pattern such as `42.*.*`; raises `ValueError`."""
     parts = text.split(".")
@@ -140,6 +165,7 @@ HostPort = Annotated[str, AfterValidator(_host_port)]
 Mirror = Annotated[str, AfterValidator(_mirror)]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,32}$")]
 IdPattern = Annotated[str, AfterValidator(_id_pattern)]
+Subsystems = Annotated[str, BeforeValidator(_number), AfterValidator(_subsystems)]
 MessageName = Annotated[str, BeforeValidator(_message)]
 Mode = Annotated[int, AfterValidator(_mode), Field(json_schema_extra={"octal": True})]
 
@@ -207,8 +233,13 @@ class RuleConfig(NodeSettings):
 class GatewayConfig(NodeSettings):
     """Forwarding between the networks of this node manager."""
 
-    subsystem: int = Field(ge=1, le=65534, examples=[101])
+    subsystem: int = Field(ge=1, le=MAX_SUBSYSTEM, examples=[101])
     """The subsystem whose ids are forwarded."""
+    further_subsystems: tuple[Subsystems, ...] = Field(
+        default=(), max_length=MAX_SUBSYSTEM_RANGES, examples=[["102-120", "42"]]
+    )
+    """Further subsystems inside, or ranges of them, where this is the gateway of a site with several robots or
+    operators. See docs/sites.md."""
     inside: tuple[Name, ...] = Field(default=(), examples=[["vehicle"]])
     """The networks inside the subsystem; all others are outside. The components of this machine are inside."""
     rules: tuple[RuleConfig, ...] = ()
@@ -415,7 +446,11 @@ def make_gateway(config: NodeConfig) -> Gateway | None:
     rules = GatewayRules(
         [_make_rule(number, rule) for number, rule in enumerate(settings.rules)], inside=settings.inside
     )
-    return Gateway(settings.subsystem, [network.name for network in config.all_networks], settings.inside, rules)
+    subsystems = [
+        range(settings.subsystem, settings.subsystem + 1),
+        *map(parse_subsystems, settings.further_subsystems),
+    ]
+    return Gateway(subsystems, [network.name for network in config.all_networks], settings.inside, rules)
 
 
 def _make_rule(number: int, config: RuleConfig) -> GatewayRule:

@@ -18,7 +18,7 @@ from jauspy.ocu.joints import joint_efforts, joint_positions, joint_velocities, 
 from jauspy.ocu.lidar import Lidar, Scan
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.motion_limits import MotionLimits
-from jauspy.ocu.planner import MotionPlan, Planner, PlannerState
+from jauspy.ocu.planner import HeldObject, MotionPlan, Planner, PlannerState
 from jauspy.ocu.robot import ComponentClient, Robot, RobotControl
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.sound import Announcer, Microphone
@@ -50,6 +50,7 @@ __all__ = [
     "Guard",
     "Guards",
     "HealthReport",
+    "HeldObject",
     "Joints",
     "Lidar",
     "LinkHealth",

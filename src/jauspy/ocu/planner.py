@@ -18,12 +18,15 @@ from jauspy.messages.planning import (
     CancelMotion,
     ExecuteMotion,
     PlanMotion,
+    QueryHeldObject,
     QueryMotionPlan,
     QueryMotionPlannerSpecification,
     QueryMotionPlannerState,
+    ReportHeldObject,
     ReportMotionPlan,
     ReportMotionPlannerSpecification,
     ReportMotionPlannerState,
+    SetHeldObject,
 )
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.explain import check_ready
@@ -88,6 +91,21 @@ class PlannerState:
     """Part of the way that is done, 0 to 1."""
     replans: int
     """New plans during the motion."""
+
+
+@dataclass(frozen=True, slots=True)
+class HeldObject:
+    """What a gripper holds, in the frame of the tool: metres and radians."""
+
+    shape: str
+    """"box", "sphere" or "cylinder"; a cylinder is around its z axis."""
+    size: tuple[float, float, float]
+    """Sides of the box around it, along its own axes."""
+    position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """Its middle."""
+    rpy: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    name: str = ""
+    """Name in sentences of the planner."""
 
 
 class PlanningFailed(RequestError):
@@ -173,6 +191,34 @@ class Planner:
         pose = PlanMotion.GoalPoseRec(frame, *_three(position, "position"), *_three(rpy, "rpy"))
         region = PlanMotion.GoalRegionRec(*_three(size, "size"), float(angle))
         return await self._plan(PlanMotion.RegionGoalSeq(pose, region), time_limit)
+
+    async def hold(self, held: HeldObject | None) -> None:
+        """State what the gripper holds: from now on it is planned for as a part of the arm; None for nothing.
+
+        Planning and motion end, and the plan is forgotten. Raises `RequestError` with the reason if it is not taken.
+        """
+        message = _nothing_held() if held is None else _held_message(held)
+        await check_ready(self._connection, self.info.id)
+        await self._connection.send_checked(self.info.id, message, ack=True)
+        taken = await self.held()
+        if (None if taken is None else taken.shape) != (None if held is None else held.shape):
+            state = await self.state()
+            raise RequestError(f"{self.info.id} does not take what is held: {state.text or 'it reports another'}")
+
+    async def held(self) -> HeldObject | None:
+        """What the planner takes the gripper to hold."""
+        report = await self._connection.query(self.info.id, QueryHeldObject(), expects=ReportHeldObject)
+        assert isinstance(report, ReportHeldObject)
+        if report.shape == ReportHeldObject.Shape.NOTHING:
+            return None
+        shape = report.shape.name.lower() if isinstance(report.shape, ReportHeldObject.Shape) else str(report.shape)
+        return HeldObject(
+            shape,
+            (report.size_x, report.size_y, report.size_z),
+            (report.x, report.y, report.z),
+            (report.roll, report.pitch, report.yaw),
+            printable(report.object_name),
+        )
 
     async def preview(self) -> MotionPlan | None:
         """The plan that can be carried out, or is; None if there is none."""
@@ -309,6 +355,22 @@ def state_of(report: ReportMotionPlannerState) -> PlannerState:
         report.progress / 100.0,
         report.replans,
     )
+
+
+def _nothing_held() -> SetHeldObject:
+    return SetHeldObject(SetHeldObject.Shape.NOTHING, "", *(0.0,) * 9)
+
+
+def _held_message(held: HeldObject) -> SetHeldObject:
+    shapes = [shape.name.lower() for shape in SetHeldObject.Shape if shape]
+    if held.shape not in shapes:
+        raise ConfigError(f"shape={held.shape!r} of a held object is none of {', '.join(shapes)}")
+    check_text(held.name, "a held object's name")
+    size = _three(held.size, "size")
+    if min(size) <= 0.0:
+        raise ConfigError(f"size is three numbers above 0, in metres, not {size}")
+    shape = SetHeldObject.Shape[held.shape.upper()]
+    return SetHeldObject(shape, held.name, *_three(held.position, "position"), *_three(held.rpy, "rpy"), *size)
 
 
 def _three(values: Sequence[float], name: str) -> tuple[float, float, float]:

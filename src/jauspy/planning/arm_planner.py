@@ -18,7 +18,7 @@ from jauspy.planning.arm_goals import PostureSearch, Reached
 from jauspy.planning.arm_model import ArmModel
 from jauspy.planning.contacts import Contacts
 from jauspy.planning.motion import JointGoal, NoPlan, Plan, PlanRequest, PoseGoal, Reason, RegionGoal
-from jauspy.planning.obstacles import Array, Obstacles
+from jauspy.planning.obstacles import Array, Obstacles, Primitive
 from jauspy.planning.timing import timed
 from jauspy.platform.description import RobotModel
 
@@ -64,12 +64,12 @@ class ArmPlanner:
         """Find a motion; `NoPlan` with a reason if there is none."""
         return _Planning(self.arm, request, self.margin).run()
 
-    def obstruction(self, positions: Array, obstacles: Obstacles) -> str:
+    def obstruction(self, positions: Array, obstacles: Obstacles, payload: Primitive | None = None) -> str:
         """What is in the way of straight motions between positions, shape (n, joints), in words; empty if nothing.
 
         Half of the margin counts, so that noise of sensors does not stop a motion that was planned with all of it.
         """
-        contacts = Contacts(self.arm, obstacles, WATCHED * self.margin)
+        contacts = Contacts(self.arm, obstacles, WATCHED * self.margin, payload)
         here = contacts.allow(positions[0])
         if here.metres <= 0.0:
             return f"{_named(here.between)} touch"

@@ -22,7 +22,7 @@ from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.motion_limits import straight_duration
 from jauspy.ocu.robot import Robot
 from jauspy.planning.motion import Goal, JointGoal, MotionPlanner, NoPlan, Plan, PlanRequest, Reason
-from jauspy.planning.obstacles import Array, Obstacles
+from jauspy.planning.obstacles import Array, Obstacles, Primitive
 from jauspy.platform.description import GroupSetup, RobotModel
 
 Phase: TypeAlias = ReportMotionPlannerState.Phase
@@ -91,8 +91,11 @@ class Aim:
 class ObstructionCheck(Protocol):
     """Tells what is in the way of an arm."""
 
-    def __call__(self, positions: Array, obstacles: Obstacles) -> str:
-        """What is too near on straight motions between positions, shape (n, joints), in words; empty if nothing."""
+    def __call__(self, positions: Array, obstacles: Obstacles, payload: Primitive | None = None) -> str:
+        """What is too near on straight motions between positions, shape (n, joints), in words; empty if nothing.
+
+        `payload` is what the arm holds, in the frame of the tool.
+        """
         ...
 
 
@@ -131,7 +134,8 @@ class PlannedArm:
 
     `obstacles` returns them in the frame of the robot's base, or raises `RequestError`. `obstruction`
     compares what is left of the way with them during a motion; without it a motion is not stopped for new obstacles.
-    With `in_thread` planning does not block the event loop.
+    With `in_thread` planning does not block the event loop. `on_hold` is called when what the arm holds has changed,
+    so that sensors do not take it for an obstacle.
     """
 
     def __init__(
@@ -145,14 +149,23 @@ class PlannedArm:
         obstruction: ObstructionCheck | None = None,
         authority: int = DEFAULT_AUTHORITY,
         in_thread: bool = True,
+        on_hold: Callable[[Primitive | None], object] = lambda _: None,
     ) -> None:
         self.arm = arm
+        self.held: Primitive | None = None
+        """What the arm holds, in the frame of the tool: a part of the arm in plans and during motions."""
         self.tree = FrameTree(model.description)
         self.robot = robot
         self._model = model
         self._planner, self._obstacles, self._obstruction = planner, obstacles, obstruction
         self._authority = authority
         self._in_thread = in_thread
+        self._on_hold = on_hold
+
+    def hold(self, held: Primitive | None) -> None:
+        """Count a thing in the frame of the tool as part of the arm from now on; None when the gripper is empty."""
+        self._on_hold(held)
+        self.held = held
 
     async def group(self) -> tuple[str, GroupSetup]:
         """Name and setup of the description's group with the joints of the arm; `ConfigError` if there is none."""
@@ -167,7 +180,7 @@ class PlannedArm:
         except RequestError as error:
             raise NoPlan(Reason.NO_SIGHT, str(error)) from error
         cancelled = Event()
-        request = PlanRequest(start, goal, obstacles, time_limit=time_limit, is_cancelled=cancelled.is_set)
+        request = PlanRequest(start, goal, obstacles, self.held, time_limit=time_limit, is_cancelled=cancelled.is_set)
         return await self._run(lambda: self._planner.plan(request), cancelled)
 
     async def execute(self, plan: Plan, aim: Aim, *, max_replans: int = 3, tell: Tell, time_limit: float = 1.0) -> None:
@@ -326,7 +339,8 @@ class PlannedArm:
             obstacles = self._obstacles()
         except RequestError as error:
             raise MotionFailed(Reason.NO_SIGHT, str(error)) from error
-        found = await self._run(lambda: check(rest, obstacles))
+        held = self.held
+        found = await self._run(lambda: check(rest, obstacles, held))
         if found:
             raise _NewPlanNeeded(Reason.NEW_OBSTACLE, f"on what is left of the way {found}")
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 import asyncio
 import itertools
 import math
+import time
 from collections.abc import Callable, Coroutine, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
@@ -21,8 +22,9 @@ from jauspy.ocu.robot import DEFAULT_SPEED, Robot
 from jauspy.ocu.state import RobotPose
 from jauspy.planning.driving_map import Corners, DrivingMap
 from jauspy.planning.mobility import Mobility, flipper_joints, mobility_of, with_posture
-from jauspy.planning.path_search import NoPath, Path, PathPoint, find_path, is_leg_free
+from jauspy.planning.path_search import NoPath, Path, PathPoint, find_widest_path, is_leg_free, way_cost
 from jauspy.planning.terrain_cost import TerrainCost
+from jauspy.planning.way_choice import WayChoice
 from jauspy.platform.description import RobotModel
 
 PERIOD: Final = 0.2
@@ -36,8 +38,6 @@ STOP_DISTANCE: Final = 1.0
 """Metres to an obstacle on the way within which the robot stops before it plans again."""
 REVIEW_INTERVAL: Final = 3.0
 """Seconds after which a way is sought again, since the map knows more."""
-BETTER: Final = 0.85
-"""Part of the cost of the present way below which another one is taken."""
 ARRIVED: Final = 0.3
 """Metres from the goal within which the robot has arrived, once it stands."""
 CORNER_TOLERANCE: Final = 0.12
@@ -56,8 +56,11 @@ PROGRESS: Final = 0.1
 """Metres that count as progress."""
 PROGRESS_TURN: Final = 0.3
 """Radians that count as progress."""
-DRIFT: Final = 0.05
-"""Metres or radians by which the map moves in the local frame before waypoints are sent again."""
+DRIFT: Final = 0.03
+"""Metres or radians by which the map moves in the local frame before waypoints are sent again: tracks that slip in a
+turn move it by decimetres within seconds, and doors leave less than that."""
+LEAD: Final = 0.2
+"""Metres that a robot drives at most while it gets a new list of waypoints."""
 SPACING: Final = 0.05
 """Metres between the points of a way that are compared with steps."""
 CLIMBING: Final = math.radians(45.0)
@@ -106,6 +109,8 @@ class Navigator:
         """The present way, in the map."""
         self.terrain: TerrainCost | None = None
         """The cost on which it was found."""
+        self.planning_time = 0.0
+        """Seconds of processor time of the last search, with those of the costs."""
         self._robot = robot
         self._model = model
         self._speed = speed
@@ -121,6 +126,9 @@ class Navigator:
         """Points of the part that is driven, in the map."""
         self._rest: list[_Part] = []
         self._course: asyncio.Task[Any] | None = None
+        self._choice = WayChoice()
+        self._held = False
+        """True while the robot stands before something that may be noise, and keeps what is left of its way."""
         self._correction = PlanarPose()
 
     # --- planning -----------------------------------------------------------------------------------------------------
@@ -139,9 +147,13 @@ class Navigator:
         return path
 
     def _find(self, mobility: Mobility, pose: PlanarPose, goal: tuple[float, float]) -> tuple[TerrainCost, Path]:
+        began = time.thread_time()
         terrain = self.map.terrain(mobility, [(pose.x, pose.y), goal])
-        seconds = SEARCH_TIME if self._plans else FIRST_SEARCH_TIME
-        return terrain, find_path(terrain, pose, goal, backward=self._backward, seconds=seconds)
+        end = time.thread_time() + (SEARCH_TIME if self._plans else FIRST_SEARCH_TIME)
+        try:
+            return terrain, find_widest_path(terrain, pose, goal, backward=self._backward, end=end)
+        finally:
+            self.planning_time = time.thread_time() - began
 
     async def _known_mobility(self) -> Mobility:
         if self._mobility is None:
@@ -203,12 +215,18 @@ class Navigator:
         while True:
             if self._course is not None:
                 await self.map.wait(self._course, PERIOD)
+            elif self._held:
+                await asyncio.sleep(PERIOD)
             pose = await self._robot.pose()
             self.map.check()
             now = clock()
             if progress is not None:
                 progress(NavigationProgress(self._left(pose), now - began, pose, self._plans, self._replanned_in))
-            if self._course is None or self._course.done():
+            if self._held:
+                free = await self._free_metres(pose)
+                self._choice.look(is_free=free >= LOOK_AHEAD, now=now)
+                await (self._resend(pose) if free >= LOOK_AHEAD else self._avoid(x, y, pose, now))
+            elif self._course is None or self._course.done():
                 if self._distance_to(pose, x, y) <= ARRIVED and not self._rest:
                     if self._flippers is not None:
                         await self._set_flippers(None)
@@ -220,13 +238,18 @@ class Navigator:
                 watch.count(pose, (x, y))
                 await self._take_way(x, y, clock())
             elif (free := await self._free_metres(pose)) < LOOK_AHEAD:
+                self._choice.look(is_free=False, now=now)
                 if free < STOP_DISTANCE:
-                    await self._end_course()
-                await self._take_way(x, y, now)
+                    await self._hold(pose)
+                await self._avoid(x, y, pose, now)
                 reviewed = clock()
-            elif now - reviewed > REVIEW_INTERVAL:
-                await self._review(x, y, pose)
-                reviewed = clock()
+            else:
+                self._choice.look(is_free=True, now=now)
+                if now - reviewed > REVIEW_INTERVAL:
+                    await self._review(x, y, pose)
+                    reviewed = clock()
+                else:
+                    await self._keep_in_map()
 
     async def _take_way(self, x: float, y: float, needed: float) -> None:
         """Find a way and drive it. Without one the robot stops, and waits for one for `PATIENCE` seconds."""
@@ -240,32 +263,71 @@ class Navigator:
                 if clock() - needed > PATIENCE or not self._plans:
                     raise
                 await asyncio.sleep(PERIOD)
+        await self._take(path, needed)
+
+    async def _take(self, path: Path, needed: float) -> None:
+        """Drive a way that was needed at this time."""
         await self._follow(path)
         if self._plans:
-            self._replanned_in = clock() - needed
+            self._replanned_in = asyncio.get_running_loop().time() - needed
         self._plans += 1
+
+    async def _avoid(self, x: float, y: float, pose: RobotPose, needed: float) -> None:
+        """Take a way around what blocks the present one; one that is much dearer only if that is certain."""
+        if self._choice.is_blocked:
+            await self._take_way(x, y, needed)
+            return
+        before = self.path
+        with suppress(NoPath):
+            path = await self.plan(x, y)
+            if self._choice.takes_around(path.cost, self._cost_left(pose)):
+                await self._take(path, needed)
+                return
+        self.path = before
+        if not self._held:
+            await self._keep_in_map()
 
     async def _review(self, x: float, y: float, pose: RobotPose) -> None:
         """Take another way if it is much better than what is left of the present one."""
         before = self.path
-        assert before is not None
         with suppress(NoPath):
             path = await self.plan(x, y)
-            share = self._left(pose) / max(before.length, 1e-6)
-            if path.cost < BETTER * share * before.cost or self._has_drifted():
+            if self._choice.takes_better(path.cost, self._cost_left(pose)):
                 await self._follow(path)
                 self._plans += 1
                 return
         self.path = before
+        await self._keep_in_map()
 
-    def _has_drifted(self) -> bool:
-        """True if the map has moved in the local frame since the waypoints were sent."""
+    async def _hold(self, pose: RobotPose) -> None:
+        """Stop, and keep what is left of the way."""
+        rest = self._left_parts(pose)
+        await self._end_course()
+        self._rest, self._held = rest, True
+
+    async def _resend(self, pose: RobotPose) -> None:
+        """Drive what is left of the present way, as the map is now."""
+        self._rest, self._held = self._left_parts(pose), False
+        self._correction = self.map.mapper.correction
+        await self._next_part()
+
+    def _left_parts(self, pose: RobotPose) -> list[_Part]:
+        """What is left of the present way."""
+        if self._held:
+            return self._rest
+        return [_Part(tuple(self.ahead(pose)), self._flippers), *self._rest]
+
+    async def _keep_in_map(self) -> None:
+        """Send the waypoints again if the map has moved in the local frame, in which the robot drives them."""
         moved = self.map.mapper.correction.relative_to(self._correction)
-        return math.hypot(moved.x, moved.y) > DRIFT or abs(moved.yaw) > DRIFT
+        if math.hypot(moved.x, moved.y) > DRIFT or abs(moved.yaw) > DRIFT:
+            await self._resend(await self._robot.pose())
 
     async def _follow(self, path: Path) -> None:
         assert self.terrain is not None
         self._correction = self.map.mapper.correction
+        self._held = False
+        self._choice.begin()
         flippers = flipper_joints(self._model)
         self._rest = _parts(path.points, self.terrain) if flippers else [_Part(path.points, None)]
         await self._next_part()
@@ -281,22 +343,42 @@ class Navigator:
             return False
         part = self._rest.pop(0)
         self._driven = list(part.points)
+        if course is not None and not course.done():
+            self._skip_near_corners()
         speed = self._speed
         if part.flippers is not None:
             speed = min(speed, STEP_SPEED)
         if part.flippers != self._flippers:
             await self._set_flippers(part.flippers)
-        points = [self._course_point(point) for point in part.points[1:]]
+        points = [self._course_point(point) for point in self._driven[1:]]
         if points:
             await self._begin_course(self._robot.drive_course(points, speed=speed, timeout=3600.0))
         return True
 
+    def _skip_near_corners(self) -> None:
+        """Leave out corners that a driving robot may have passed before it has the list, for which it would turn back.
+
+        They stay where the straight way past them is not free.
+        """
+        assert self.terrain is not None
+        points = self._driven
+        while (
+            len(points) > 2
+            and math.dist(points[0][:2], points[1][:2]) < LEAD
+            and points[1].backward == points[2].backward
+            and is_leg_free(self.terrain, points[0], points[2])
+        ):
+            del points[1]
+
     def _course_point(self, point: PathPoint) -> CoursePoint:
         x, y = self.map.to_local(point.x, point.y)
+        reverse = point.backward if self._backward else None
+        return CoursePoint(x, y, reverse=reverse, tolerance=self._tolerance(point))
+
+    def _tolerance(self, point: PathPoint) -> float:
+        """Metres within which a point of the way counts as reached."""
         assert self.terrain is not None
-        room = self.terrain.room(point.x, point.y)
-        tolerance = min(CORNER_TOLERANCE, max(NARROW_TOLERANCE, room))
-        return CoursePoint(x, y, reverse=point.backward if self._backward else None, tolerance=tolerance)
+        return min(CORNER_TOLERANCE, max(NARROW_TOLERANCE, self.terrain.room(point.x, point.y)))
 
     async def _begin_course(self, drive: Coroutine[Any, Any, RobotPose]) -> None:
         """Begin a new list of waypoints; the earlier one ends without a stop."""
@@ -307,9 +389,9 @@ class Navigator:
             await asyncio.wait({before})
 
     async def _end_course(self) -> None:
-        """Stop the robot if it drives a list of waypoints."""
+        """Stop the robot if it drives a list of waypoints, and forget the rest of its way."""
         course, self._course = self._course, None
-        self._rest = []
+        self._rest, self._held = [], False
         if course is not None:
             course.cancel()
             await asyncio.wait({course})
@@ -340,7 +422,14 @@ class Navigator:
             return [place]
         legs = list(itertools.pairwise(points))
         nearest = min(range(len(legs)), key=lambda number: (_distance(place, *legs[number]), -number))
+        while nearest < len(legs) - 1 and self._is_behind(place, *legs[nearest]):
+            nearest += 1  # a robot that is sent along the rest of its way must not turn back for a corner
         return [place, *points[nearest + 1 :]]
+
+    def _is_behind(self, place: PathPoint, start: PathPoint, end: PathPoint) -> bool:
+        """True if the robot has reached the end of a leg, or is past it."""
+        near = math.dist(place[:2], end[:2]) <= self._tolerance(end)
+        return near or (place.x - end.x) * (end.x - start.x) + (place.y - end.y) * (end.y - start.y) >= 0.0
 
     def _distance_to(self, pose: RobotPose, x: float, y: float) -> float:
         """Metres from the robot to a point of the map."""
@@ -348,8 +437,13 @@ class Navigator:
 
     def _left(self, pose: RobotPose) -> float:
         """Metres of the way that are left."""
-        legs = [self.ahead(pose), *(part.points for part in self._rest)]
-        return sum(math.dist(a[:2], b[:2]) for points in legs for a, b in itertools.pairwise(points))
+        parts = self._left_parts(pose)
+        return sum(math.dist(a[:2], b[:2]) for part in parts for a, b in itertools.pairwise(part.points))
+
+    def _cost_left(self, pose: RobotPose) -> float:
+        """Cost of what is left of the way, on the newest map."""
+        assert self.terrain is not None
+        return sum(way_cost(self.terrain, part.points) for part in self._left_parts(pose))
 
     async def _free_metres(self, pose: RobotPose) -> float:
         """Metres of the way ahead without an obstacle, at most `LOOK_AHEAD`."""

@@ -11,7 +11,7 @@ import heapq
 import itertools
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, NamedTuple
 
@@ -50,6 +50,11 @@ UPWARD: Final = math.cos(math.radians(50.0))
 and edges 45 degrees apart."""
 GOAL_TOLERANCE: Final = 0.15
 """Metres from the goal at which the search has arrived."""
+STANDING_REACH: Final = 1.0
+"""Metres around a goal at an edge within which a place to stand is sought, so that the refusal can name it."""
+MARGINS: Final = (MARGIN, 0.01, 0.0, -0.01)
+"""Metres beside the footprint that are free on a way: the first with which there is one. A cell of the map that noise
+occupied closes a door that the robot just passes, or keeps it from a turn that it needs."""
 
 
 class NoPath(RequestError):
@@ -110,8 +115,32 @@ def find_path(
     points, cost = _straightened(terrain, nodes)
     end = PathPoint(*goal, points[-1].backward)
     if len(points) > 1 and is_leg_free(terrain, points[-2], end):
-        points = (*points[:-1], end)
+        way = math.atan2(end.y - points[-2].y, end.x - points[-2].x)
+        if not terrain.is_astride(*goal, way):  # backward, the footprint is the same
+            points = (*points[:-1], end)
     return Path(points, cost, expanded, time.thread_time() - began)
+
+
+def find_widest_path(
+    terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float], *, backward: bool, end: float
+) -> Path:
+    """The way with the first of `MARGINS` that has one; `NoPath` of the first, or at `end`, in processor time.
+
+    Each search may take half of the time that is left: one that looks for a way through a door that is a cell too
+    narrow looks everywhere else first.
+    """
+    first: NoPath | None = None
+    for margin in MARGINS:
+        terrain.margin = margin
+        share = 1.0 if margin == MARGINS[-1] else 0.5
+        try:
+            return find_path(terrain, start, goal, backward=backward, seconds=share * (end - time.thread_time()))
+        except NoPath as reason:
+            first = first or reason
+        if time.thread_time() > end:
+            break
+    assert first is not None
+    raise first
 
 
 def is_leg_free(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> bool:
@@ -122,6 +151,11 @@ def is_leg_free(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> bool:
     return terrain.all_free(xs, ys, heading, backward=end.backward)
 
 
+def way_cost(terrain: TerrainCost, points: Sequence[PathPoint]) -> float:
+    """Cost of straight legs through points, metres, as that of a `Path`; whether they are free does not count."""
+    return sum(_leg_cost(terrain, a, b) for a, b in itertools.pairwise(points) if a[:2] != b[:2])
+
+
 def _check_ends(terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float]) -> None:
     if terrain.cell(*goal) is None:
         raise NoPath(f"({goal[0]:.2f}, {goal[1]:.2f}) is outside of the map; choose a nearer goal, or a larger map")
@@ -129,9 +163,35 @@ def _check_ends(terrain: TerrainCost, start: PlanarPose, goal: tuple[float, floa
         raise NoPath(f"the robot is at ({start.x:.2f}, {start.y:.2f}), outside of the map; use a larger map")
     if all(not terrain.is_free(*goal, number * TURN) for number in range(HEADINGS)):
         far = terrain.distance[terrain.cell(*goal)]
-        needed = terrain.mobility.half_width + MARGIN
+        needed = terrain.mobility.half_width + terrain.margin
         why = f"{far:.2f} m from an obstacle" if far < needed else "where the robot cannot stand with any heading"
         raise NoPath(f"({goal[0]:.2f}, {goal[1]:.2f}) is {why}; choose a goal {needed:.2f} m from obstacles")
+    _check_stand(terrain, goal)
+
+
+def _check_stand(terrain: TerrainCost, goal: tuple[float, float]) -> None:
+    """Refuse a goal at which the robot would end with its tracks on both sides of a step."""
+    if _can_stand(terrain, *goal):
+        return
+    side = terrain.resolution
+    reach = math.floor(STANDING_REACH / side)
+    steps = sorted(itertools.product(range(-reach, reach + 1), repeat=2), key=lambda step: math.hypot(*step))
+    places = ((goal[0] + side * right, goal[1] + side * up) for right, up in steps)
+    place = next((place for place in places if _can_stand(terrain, *place)), None)
+    if place is not None and math.dist(place, goal) <= GOAL_TOLERANCE:
+        return
+    advice = (
+        "choose a goal farther from the edge"
+        if place is None
+        else f"({place[0]:.2f}, {place[1]:.2f}) is the nearest place where it can stand"
+    )
+    raise NoPath(f"({goal[0]:.2f}, {goal[1]:.2f}) is at the edge of a step, astride of which no robot stops; {advice}")
+
+
+def _can_stand(terrain: TerrainCost, x: float, y: float) -> bool:
+    """True if the robot fits at a point with one heading at least, and is not astride of a step."""
+    headings = (number * TURN for number in range(HEADINGS))
+    return any(not terrain.is_astride(x, y, heading) and terrain.is_free(x, y, heading) for heading in headings)
 
 
 class _Remaining:
@@ -141,7 +201,7 @@ class _Remaining:
         factor = max(1, round(CELL / terrain.resolution))
         self._origin, self._side = terrain.origin, factor * terrain.resolution
         far, cost = _reduced(terrain.distance, factor, np.max), _reduced(terrain.cost, factor, np.min)
-        free = far >= terrain.mobility.half_width + MARGIN - terrain.resolution
+        free = far >= terrain.mobility.half_width + terrain.margin - terrain.resolution
         self._shape = free.shape
         for point in ((start.x, start.y), goal):
             free[self._cell(*point)] = True
@@ -282,7 +342,9 @@ def _search(
         if key in closed:
             continue
         closed.add(key)
-        if math.hypot(node.x - goal[0], node.y - goal[1]) <= GOAL_TOLERANCE:
+        if math.hypot(node.x - goal[0], node.y - goal[1]) <= GOAL_TOLERANCE and not terrain.is_astride(
+            node.x, node.y, angles[node.heading]
+        ):
             return _ancestors(node), len(closed)
         if not len(closed) % 256 and time.thread_time() > end:
             raise NoPath(

@@ -14,7 +14,8 @@ from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.robot import Robot
 from jauspy.planning.arm_planner import ArmPlanner
 from jauspy.planning.execution import PlannedArm, group_of
-from jauspy.planning.obstacles import Obstacles
+from jauspy.planning.held_object import HELD, box_around
+from jauspy.planning.obstacles import Obstacles, Primitive
 from jauspy.planning.perception import Perception
 from jauspy.planning.scene import Scene, SceneSetup, Unknown
 from jauspy.platform.description import RobotModel
@@ -107,12 +108,27 @@ async def planned_arm(
             robot, client, model, planner, scene.obstacles, obstruction=planner.obstruction, authority=authority
         )
         return
-    clouds = surroundings.clouds
+    clouds, tip = surroundings.clouds, model.groups[group].tip
+
+    def on_hold(held: Primitive | None) -> None:
+        assert scene.body is not None
+        if held is None:
+            scene.body.detach(HELD)
+        else:
+            scene.body.attach(tip, box_around(held))
+
     sight = Sight(scene, Perception(robot, scene, model, clouds=clouds, movers=surroundings.movers), clouds)
     try:
         await sight.first_look()
         yield PlannedArm(
-            robot, client, model, planner, sight.obstacles, obstruction=planner.obstruction, authority=authority
+            robot,
+            client,
+            model,
+            planner,
+            sight.obstacles,
+            obstruction=planner.obstruction,
+            authority=authority,
+            on_hold=on_hold,
         )
     finally:
         await sight.close()

@@ -16,11 +16,14 @@ from jauspy.logs import get_logger
 from jauspy.messages.planning import (
     ExecuteMotion,
     PlanMotion,
+    ReportHeldObject,
     ReportMotionPlan,
     ReportMotionPlannerSpecification,
     ReportMotionPlannerState,
+    SetHeldObject,
 )
 from jauspy.planning.execution import Aim, MotionFailed, MotionState, PlannedArm
+from jauspy.planning.held_object import WrongObjectError, read_held, report_of
 from jauspy.planning.motion import NoPlan, PoseGoal, Reason, RegionGoal
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
@@ -100,6 +103,15 @@ class MotionPlannerService(Service, urn="urn:jauspy:planning:MotionPlanner"):
         if self._state.phase == _Phase.PLANNED:
             self._state = MotionState()
 
+    def set_held_object(self, msg: SetHeldObject) -> None:
+        """Note what the gripper holds; planning or motion end, and a plan that was made without it is forgotten."""
+        self.cancel_motion()
+        try:
+            self._planned.hold(read_held(msg))
+        except WrongObjectError as error:
+            self.host.count("wrong_object", f"{msg}")
+            self._fail(Reason.WRONG_REQUEST, str(error))
+
     def end_motion(self) -> None:
         """End planning or motion, because a client says so, or Ready is left."""
         self._next = None
@@ -165,6 +177,10 @@ class MotionPlannerService(Service, urn="urn:jauspy:planning:MotionPlanner"):
             kind.PlannedArmRec(id.subsystem, id.node, id.component, sent_text(self._base), sent_text(self._tool)),
             [kind.PlannedJointRec(sent_text(name)) for name in self._joints],
         )
+
+    def report_held_object(self) -> ReportHeldObject:
+        """What the arm holds, as it was told last, by whichever client: the thing stays when control is lost."""
+        return report_of(self._planned.held)
 
     # --- inside -----------------------------------------------------------------------------------------------------
 

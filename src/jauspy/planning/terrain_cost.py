@@ -237,22 +237,31 @@ class TerrainCost:
         mobility = self.mobility
         return -math.tan(mobility.down) <= ahead <= math.tan(mobility.up) and abs(across) <= math.tan(mobility.side)
 
-    def _passes_steps(self, x: float, y: float, heading: float) -> bool:
-        """True if no part of the robot is at a step that needs flippers, or the robot heads straight up it."""
+    def is_astride(self, x: float, y: float, heading: float) -> bool:
+        """True if a part of the robot is at a step that needs flippers: it passes there, and does not stop."""
+        return self._step_below(x, y, heading) is not None
+
+    def _step_below(self, x: float, y: float, heading: float) -> NDArray[np.intp] | None:
+        """Row and column of the nearest step that needs flippers and is below the robot; None without one."""
         if self._to_step is None:
-            return True
+            return None
         far, nearest = self._to_step
         c, s = math.cos(heading), math.sin(heading)
         cells = [self.cell(x + centre * c, y + centre * s) for centre in self.centres]
         inside = [cell for cell in cells if cell is not None]
-        if not inside:
-            return False
-        closest = min(inside, key=lambda cell: far.item(*cell))
-        if far.item(*closest) >= self.radius:
+        closest = min(inside, key=lambda cell: far.item(*cell), default=None)
+        if closest is None or far.item(*closest) >= self.radius:
+            return None
+        return np.asarray(nearest[:, closest[0], closest[1]])
+
+    def _passes_steps(self, x: float, y: float, heading: float) -> bool:
+        """True if no part of the robot is at a step that needs flippers, or the robot heads straight up it."""
+        step = self._step_below(x, y, heading)
+        if step is None:
             return True
         assert self._gradient is not None
-        at = nearest[:, closest[0], closest[1]]
-        slope_x, slope_y = (float(slope[at[0], at[1]]) for slope in self._gradient)
+        slope_x, slope_y = (float(slope[step[0], step[1]]) for slope in self._gradient)
+        c, s = math.cos(heading), math.sin(heading)
         return _is_straight_up(slope_x * c + slope_y * s, slope_y * c - slope_x * s)
 
     # --- poses ------------------------------------------------------------------------------------------------------

@@ -1,8 +1,9 @@
 """Gateway: which packets cross from one network to another, and the rules that filter them.
 
 A gateway stands between the networks inside a subsystem (its capability modules) and those outside (operator control
-units, other robots). Only packets from or to ids of its subsystem cross, and none is sent back to its own network. The
-components of its own machine count as inside.
+units, other robots), or between the network of a site with several subsystems and a link to other sites. Only packets
+from or to ids of its subsystems cross, and none is sent back to its own network. The components of its own machine
+count as inside.
 """
 
 from __future__ import annotations
@@ -129,10 +130,12 @@ ANY_SUBSYSTEM = 0xFFFF
 
 
 class Gateway:
-    """`networks` are the names of all networks, `inside` those of the subsystem."""
+    """`subsystems` are what is inside, as ranges; `networks` the names of all networks, `inside` theirs."""
 
-    def __init__(self, subsystem: int, networks: Iterable[str], inside: Iterable[str], rules: GatewayRules) -> None:
-        self._subsystem = subsystem
+    def __init__(
+        self, subsystems: Sequence[range], networks: Iterable[str], inside: Iterable[str], rules: GatewayRules
+    ) -> None:
+        self._subsystems = tuple(subsystems)
         self._inside = tuple(inside)
         self._outside = tuple(name for name in networks if name not in self._inside)
         self._rules = rules
@@ -152,9 +155,9 @@ class Gateway:
 
     def _refusal(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
         if network in self._outside:
-            if raw.source >> 16 == self._subsystem:
+            if self._is_inside(raw.source >> 16):
                 return "own_id_outside"
-            if raw.destination >> 16 not in (self._subsystem, ANY_SUBSYSTEM):
+            if raw.destination >> 16 != ANY_SUBSYSTEM and not self._is_inside(raw.destination >> 16):
                 return "not_addressed_here"
         return self._rules.refusal(raw, data, network, now)
 
@@ -169,6 +172,10 @@ class Gateway:
     def reach(self, source: int, destination: int) -> tuple[str, ...]:
         """The networks for a packet from inside: own ids are inside, all others outside, wildcards both."""
         subsystem = destination >> 16
-        inside = self._inside if subsystem in (self._subsystem, ANY_SUBSYSTEM) else ()
-        leaves = subsystem != self._subsystem and source >> 16 == self._subsystem
+        stays = self._is_inside(subsystem)
+        inside = self._inside if stays or subsystem == ANY_SUBSYSTEM else ()
+        leaves = not stays and self._is_inside(source >> 16)
         return inside + (self._outside if leaves else ())
+
+    def _is_inside(self, subsystem: int) -> bool:
+        return any(subsystem in subsystems for subsystems in self._subsystems)

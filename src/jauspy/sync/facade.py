@@ -24,7 +24,7 @@ from jauspy.ocu.joints import JointTable
 from jauspy.ocu.lidar import MAX_WAITING, Scan
 from jauspy.ocu.lists import ELEMENT_TIMEOUT, Element
 from jauspy.ocu.motion_limits import MotionLimits
-from jauspy.ocu.planner import ANY_ATTITUDE, MotionPlan, PlannerState
+from jauspy.ocu.planner import ANY_ATTITUDE, HeldObject, MotionPlan, PlannerState
 from jauspy.ocu.robot import DEFAULT_SPEED
 from jauspy.ocu.sound import PACKET_SILENCE
 from jauspy.ocu.state import BatteryReport, ForceTorque, HealthReport, Joints, LinkHealth, RobotPose
@@ -1068,6 +1068,17 @@ class Planner(Facade[_Planner]):
         The attitude of the tool may differ from `rpy` by `angle`. Otherwise as `plan_pose`.
         """
         return self._portal.run(self._async.plan_region(position, rpy, size=size, angle=angle, frame=frame, time_limit=time_limit))
+
+    def hold(self, held: HeldObject | None) -> None:
+        """State what the gripper holds: from now on it is planned for as a part of the arm; None for nothing.
+
+        Planning and motion end, and the plan is forgotten. Raises `RequestError` with the reason if it is not taken.
+        """
+        self._portal.run(self._async.hold(held))
+
+    def held(self) -> HeldObject | None:
+        """What the planner takes the gripper to hold."""
+        return self._portal.run(self._async.held())
 
     def preview(self) -> MotionPlan | None:
         """The plan that can be carried out, or is; None if there is none."""

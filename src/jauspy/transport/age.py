@@ -1,4 +1,4 @@
-"""Drops received commands that waited while this process did not run (ADR 84)."""
+"""Drops received commands that waited while this process did not run (ADR 84), and detects old data in streams."""
 
 from __future__ import annotations
 
@@ -21,6 +21,10 @@ _SO_TIMESTAMPNS: Final = 35
 """Socket option of asm-generic/socket.h, which Python does not name."""
 _TIMESTAMP: Final = struct.Struct("@qq")
 _CONTROL_SPACE: Final = 64
+MAX_UNACKNOWLEDGED: Final = 2.0
+"""Seconds without any acknowledgement of TCP after which what was sent is too old to be sent again."""
+_TCP_INFO: Final = struct.Struct("@24xI28xI")
+"""Two fields of struct tcp_info of linux/tcp.h: tcpi_unacked, in packets, and tcpi_last_ack_recv, in ms."""
 
 Receive: TypeAlias = Callable[[int], tuple[bytes, Any]]
 
@@ -94,6 +98,30 @@ class StallDetector:
 
     def _tick(self) -> None:
         self._timer = self._loop.call_later(self._interval, self._tick)
+
+
+class AckWatch:
+    """Detects that a TCP peer acknowledges nothing of what was sent to it for `limit` seconds, as while a link is cut.
+
+    The kernel keeps such data, and sends it again for up to a quarter of an hour. To be asked twice a second or so. On
+    other systems than Linux nothing is detected.
+    """
+
+    def __init__(self, sock: socket.socket, now: float, limit: float = MAX_UNACKNOWLEDGED) -> None:
+        self._socket = sock
+        self._limit = limit
+        self._acknowledged_at = now
+
+    def is_overdue(self, now: float) -> bool:
+        """True when data has waited for so long; `now` is the time of a monotonic clock."""
+        try:
+            info = self._socket.getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, _TCP_INFO.size)
+        except (AttributeError, OSError):
+            return False
+        packets, last = _TCP_INFO.unpack(info) if len(info) == _TCP_INFO.size else (0, 0)
+        if not packets:
+            self._acknowledged_at = now
+        return now - self._acknowledged_at > self._limit and last > 1000 * self._limit
 
 
 def _age(control: list[tuple[int, int, bytes]]) -> float:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import socket
+import struct
 from collections.abc import Callable, Mapping
 from typing import Final, cast
 
@@ -13,14 +15,19 @@ from jauspy.logs import get_logger
 from jauspy.protocol import header, jtcp, judp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
-from jauspy.transport.age import MAX_AGE, StallDetector
+from jauspy.transport.age import MAX_AGE, AckWatch, StallDetector
 from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.send_queue import QueueMemory, SendQueue
 
 _LOG = get_logger(__name__)
 
-HIGH_WATER: Final = 64 * 1024
+HIGH_WATER: Final = 8 * 1024
 """Bytes in asyncio's write buffer above which packets wait in a bounded queue, by priority."""
+MAX_UNSENT: Final = 8 * 1024
+"""Bytes that the kernel takes beyond those under way: it has neither priorities nor ages, so what waits there delays
+a stop. Without it, Linux takes megabytes on a link of some delay."""
+ACK_CHECK_INTERVAL: Final = 0.5
+"""Seconds between two looks whether the peer acknowledges."""
 READ_SIZE: Final = 2048
 """Bytes read per turn of the event loop: about a hundred of the smallest packets, so that a flood delays nobody."""
 CONNECT_TIMEOUT: Final = 5.0
@@ -28,8 +35,10 @@ KEEP_ALIVE_IDLE: Final = 10
 KEEP_ALIVE_INTERVAL: Final = 5
 KEEP_ALIVE_PROBES: Final = 3
 """The kernel asks an idle peer after so many seconds, and closes the connection if it does not answer these."""
+_DISCARD: Final = struct.pack("@ii", 1, 0)
+"""Value of SO_LINGER with which closing resets the connection."""
 MIN_RETRY_INTERVAL: Final = 0.1
-MAX_RETRY_INTERVAL: Final = 10.0
+MAX_RETRY_INTERVAL: Final = 2.0
 
 
 class StreamLink(asyncio.BufferedProtocol):
@@ -38,7 +47,8 @@ class StreamLink(asyncio.BufferedProtocol):
     A stream that has lost the packet boundaries is closed, because nothing restores them. A connection has one version:
     the client sends the version byte of AS5669A; the server, which has the callback `accepted`, sends the version that
     it has received. It is closed, too, when the event loop was blocked for more than `max_age` seconds: the packets
-    under way are old, those that wait at the peer as well.
+    under way are old, those that wait at the peer as well. It is closed, and what the kernel has is discarded, when the
+    peer has acknowledged nothing for `age.MAX_UNACKNOWLEDGED` seconds.
     """
 
     def __init__(
@@ -66,7 +76,9 @@ class StreamLink(asyncio.BufferedProtocol):
         self._transport: asyncio.Transport | None = None
         self._paused = False
         self._waiting = SendQueue(max_age=max_age, memory=memory)
+        self._max_age = max_age
         self._stall = StallDetector(max_age)
+        self._ack_timer: asyncio.TimerHandle | None = None
 
     @property
     def waiting(self) -> int:
@@ -99,7 +111,11 @@ class StreamLink(asyncio.BufferedProtocol):
         self.peer = (transport.get_extra_info("peername") or self.peer)[:2]
         self._transport.set_write_buffer_limits(high=HIGH_WATER)
         self.active_at = asyncio.get_running_loop().time()
-        _detect_dead_peer(self._transport.get_extra_info("socket"))
+        sock = self._transport.get_extra_info("socket")
+        _detect_dead_peer(sock)
+        _limit_unsent(sock)
+        if self._max_age < math.inf:
+            self._check_acks(AckWatch(sock, self.active_at))
         if self._accepted is not None:
             self._accepted(self)
         else:
@@ -125,6 +141,19 @@ class StreamLink(asyncio.BufferedProtocol):
         if error is not None:
             self._counters.drop(f"malformed.{error.reason}", f"{self.peer}: {error}")
             self.close()
+
+    def _check_acks(self, watch: AckWatch) -> None:
+        """Close the connection, and have the kernel discard what it would send again, if the peer is silent."""
+        loop = asyncio.get_running_loop()
+        if self._transport is None or self._transport.is_closing():
+            return
+        if not watch.is_overdue(loop.time()):
+            self._ack_timer = loop.call_later(ACK_CHECK_INTERVAL, self._check_acks, watch)
+            return
+        self._counters["tcp.unacknowledged"] += 1
+        _LOG.info("JTCP connection with %s closed: it acknowledges nothing", self.peer)
+        self._transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, _DISCARD)
+        self.close()
 
     def _send_version(self, transport: asyncio.Transport) -> int:
         """Send the version byte once; returns the version."""
@@ -153,6 +182,8 @@ class StreamLink(asyncio.BufferedProtocol):
             self._counters.drop("tcp_closed", self.peer)
         self._transport = None
         self._stall.close()
+        if self._ack_timer is not None:
+            self._ack_timer.cancel()
         self._ended(self)
 
 
@@ -162,6 +193,12 @@ def _detect_dead_peer(sock: socket.socket) -> None:
     sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPIDLE, KEEP_ALIVE_IDLE)
     sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPINTVL, KEEP_ALIVE_INTERVAL)
     sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPCNT, KEEP_ALIVE_PROBES)
+
+
+def _limit_unsent(sock: socket.socket) -> None:
+    """Have packets wait here, by priority and age, instead of in the kernel."""
+    if hasattr(socket, "TCP_NOTSENT_LOWAT"):
+        sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NOTSENT_LOWAT, MAX_UNSENT)
 
 
 class Dialer:

@@ -30,8 +30,8 @@ MAX_AHEAD: Final = 512
 """Packets that wait at most; a larger gap is a new beginning."""
 KEPT: Final = 2 * WINDOW
 """Packets that are kept after they were handed out, for parity packets that combine them."""
-MAX_ROWS: Final = WINDOW
-"""Combinations of lost packets that are kept."""
+MAX_ROWS: Final = WINDOW // 2
+"""Combinations of lost packets that are kept; one of more lost packets is not used."""
 
 _HEAD: Final = struct.Struct("!IHBBH")
 """SSRC of the stream, sequence number of the first packet, how many, 0, and the key of the coefficients."""
@@ -221,19 +221,22 @@ class PacketRepair:
         if self._next < 0:
             return []
         off = (combination.first - self._next + 0x8000) % 0x10000 - 0x8000
-        if not -KEPT <= off <= MAX_AHEAD:
-            return self._hand_out(now)
-        row = _Row({}, combination.value)
-        for number in range(self._next + off, self._next + off + combination.length):
-            factor = coefficient(combination.key, number)
-            if (known := self._known.get(number)) is not None:
-                row.value ^= _product(known, factor)
-            else:
-                row.coefficients[number] = factor
-        if row.coefficients:
-            self._solve(row)
-            self._take_solved()
+        if -KEPT <= off <= MAX_AHEAD:
+            self._combine(combination, self._next + off)
         return self._hand_out(now)
+
+    def _combine(self, combination: _Combination, first: int) -> None:
+        """Use a combination of the packets from this number on, if one of them is missing."""
+        numbers = range(first, first + combination.length)
+        missing = [number for number in numbers if number not in self._known]
+        if not 0 < len(missing) <= MAX_ROWS:
+            return
+        row = _Row({number: coefficient(combination.key, number) for number in missing}, combination.value)
+        for number in numbers:
+            if (known := self._known.get(number)) is not None:
+                row.value ^= _product(known, coefficient(combination.key, number))
+        self._solve(row)
+        self._take_solved()
 
     def _restart(self, sequence: int) -> None:
         self._held.clear()
@@ -248,7 +251,8 @@ class PacketRepair:
         """Note a packet that has arrived, or was restored, and use it in the rows."""
         self._held[number] = packet
         if len(packet.payload) > MAX_SYMBOL - _SYMBOL.size:
-            return  # of a sender that makes no parity
+            self._parity_at = float("-inf")  # of a sender that makes no parity: none of its packets waits
+            return
         self._known[number] = packet
         for first in [first for first, row in self._rows.items() if number in row.coefficients]:
             row = self._rows[first]

@@ -172,6 +172,7 @@ def drives_again(robot: CanRobot) -> bool:
     return robot.drive.twist().vx > 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("moving", [False, pytest.param(True, marks=pytest.mark.slow)], ids=["standing", "driving"])
 @pytest.mark.parametrize("name", IGNORED)
 def test_frames_that_change_nothing(robot: CanRobot, name: str, moving: bool) -> None:
@@ -184,6 +185,7 @@ def test_frames_that_change_nothing(robot: CanRobot, name: str, moving: bool) ->
     assert robot.counters["ignored"] or name in {"emergencies", "NMT commands to other nodes"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("moving", [pytest.param(False, marks=pytest.mark.slow), True], ids=["standing", "driving"])
 @pytest.mark.parametrize("name", STOPPING)
 def test_frames_that_stop_the_robot_with_their_reason(robot: CanRobot, name: str, moving: bool) -> None:
@@ -199,6 +201,7 @@ def test_frames_that_stop_the_robot_with_their_reason(robot: CanRobot, name: str
     assert drives_again(robot)
 
 
+@pytest.mark.slow
 def test_reset_during_an_attack_fails_with_a_reason_and_succeeds_after_it(robot: CanRobot) -> None:
     set_in_motion(robot)
     frames = forever(frame(pdo.SYNC))(random.Random(1))
@@ -216,6 +219,7 @@ def test_reset_during_an_attack_fails_with_a_reason_and_succeeds_after_it(robot:
     assert drives_again(robot)
 
 
+@pytest.mark.slow
 def test_forged_answers_cannot_keep_a_robot_from_ending_its_start(open_can: OpenCan) -> None:
     robot = open_can()
     simulated(robot, "arm_2").boot()
@@ -285,6 +289,7 @@ def test_a_drive_that_is_said_to_have_no_power_gets_a_quick_stop(robot: CanRobot
     assert data[0] == 0x02
 
 
+@pytest.mark.slow
 def test_real_drives_that_send_frames_of_another_length_are_silent(robot: CanRobot) -> None:
     set_in_motion(robot)
     assert robot.virtual_bus is not None
@@ -301,6 +306,7 @@ def test_real_drives_that_send_frames_of_another_length_are_silent(robot: CanRob
     assert "has not answered SYNC" in reasons[0]
 
 
+@pytest.mark.slow
 async def test_the_counters_of_a_robot_contain_those_of_its_bus() -> None:
     async with VirtualNetwork() as network:
         runner = RobotRunner(robot_files.load("inc1"), network.transport, backend="can", realtime=VirtualTime)

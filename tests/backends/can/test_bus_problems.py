@@ -32,6 +32,7 @@ def refuse_frames(robot: CanRobot, error: Exception) -> None:
     robot.virtual_bus.near.send = send  # type: ignore[method-assign] - the adapter's driver
 
 
+@pytest.mark.slow
 def test_a_bus_that_takes_no_frames_is_too_full(robot: CanRobot) -> None:
     set_in_motion(robot)
     refuse_frames(robot, can.CanOperationError("No buffer space available"))
@@ -39,6 +40,7 @@ def test_a_bus_that_takes_no_frames_is_too_full(robot: CanRobot) -> None:
     assert "takes no more frames (No buffer space available): the bus is too full or nobody acknowledges" in text
 
 
+@pytest.mark.slow
 def test_bus_off(robot: CanRobot) -> None:
     set_in_motion(robot)
     robot.master.bus_failed("bus-off")
@@ -65,6 +67,7 @@ def test_a_cable_that_is_pulled(robot: CanRobot) -> None:
         robot.advance(CYCLE)
 
 
+@pytest.mark.slow
 def test_time_in_which_the_robot_sent_no_sync_is_not_the_drives(robot: CanRobot) -> None:
     set_in_motion(robot)
     robot._ticker._now += 0.09
@@ -83,6 +86,7 @@ def test_lost_sync_stops_the_drives_and_is_named(robot: CanRobot) -> None:
     assert robot.drives["left_track"].error_code == 0x8700
 
 
+@pytest.mark.slow
 def test_another_master_stops_the_robot(robot: CanRobot) -> None:
     set_in_motion(robot)
     assert robot.virtual_bus is not None
@@ -143,6 +147,7 @@ def test_too_many_drives_for_the_bit_rate(open_can: OpenCan) -> None:
         open_can(bit_rate=500_000)
 
 
+@pytest.mark.slow
 def test_an_encoder_that_wraps_drives_on(open_can: OpenCan) -> None:
     robot = open_can(left_track={"zero": 2**31 - 20_000})
     robot.drive.set_effort(0.5, 0.0)
@@ -162,6 +167,7 @@ def test_unwrapped(counts: int, before: int, after: int) -> None:
     assert unwrapped(counts, before) == after
 
 
+@pytest.mark.slow
 def test_scans_of_a_robot_behind_the_drives_have_its_time(open_can: OpenCan) -> None:
     robot = open_can(bus="virtual:kinematic")
     robot.advance(0.5)

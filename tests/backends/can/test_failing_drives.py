@@ -73,6 +73,7 @@ FAILURES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("fail", "said"), FAILURES.items(), ids=lambda each: getattr(each, "__name__", ""))
 def test_a_drive_that_fails_stops_the_others(robot: CanRobot, fail: Callable[[CanRobot], None], said: str) -> None:
     set_in_motion(robot)
@@ -87,6 +88,7 @@ def test_a_drive_that_fails_stops_the_others(robot: CanRobot, fail: Callable[[Ca
         assert drive.state in {DriveState.QUICK_STOP_ACTIVE, DriveState.FAULT, DriveState.SWITCH_ON_DISABLED}
 
 
+@pytest.mark.slow
 def test_the_quick_stop_is_on_the_bus_within_a_cycle(robot: CanRobot) -> None:
     set_in_motion(robot)
     overcurrent(robot)
@@ -94,6 +96,7 @@ def test_the_quick_stop_is_on_the_bus_within_a_cycle(robot: CanRobot) -> None:
     assert simulated(robot, "left_track").state is DriveState.QUICK_STOP_ACTIVE
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fail", [overcurrent, restart], ids=["overcurrent", "restart"])
 def test_the_next_advance_recovers_and_nothing_moves_unasked(robot: CanRobot, fail: Callable[[CanRobot], None]) -> None:
     set_in_motion(robot)
@@ -166,6 +169,7 @@ def test_a_restart_with_one_percent_of_lost_frames_moves_nothing_unasked(robot: 
     assert robot.groups["arm"].state().positions == pytest.approx(positions, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_one_percent_of_lost_frames_stops_nothing(open_can: OpenCan) -> None:
     robot = open_can()
     chance = random.Random(1)

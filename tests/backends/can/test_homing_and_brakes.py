@@ -147,6 +147,7 @@ def profile_position_only(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(SimulatedDrive, "_read", reported)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("profile_position_only")
 @pytest.mark.parametrize(
     ("target", "reached"),

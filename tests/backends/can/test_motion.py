@@ -27,6 +27,7 @@ def stretch(robot: CanRobot, positions: Sequence[float] = (0.0, 1.2, -1.5, 0.3, 
     robot.advance(seconds)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [-0.2, 0.3])
 def test_a_compensated_effort_moves_at_its_share_of_the_speed(robot: CanRobot, share: float) -> None:
     arm = stretched(robot).groups["arm"]
@@ -37,6 +38,7 @@ def test_a_compensated_effort_moves_at_its_share_of_the_speed(robot: CanRobot, s
     assert arm.state().velocities[WRIST] == pytest.approx(0.0, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_an_effort_that_is_not_compensated_is_that_of_the_motor(robot: CanRobot) -> None:
     arm = stretched(robot).groups["arm"]
     arm.command([None, Target(ControlMode.EFFORT, 5.0), None, None, None])
@@ -45,6 +47,7 @@ def test_an_effort_that_is_not_compensated_is_that_of_the_motor(robot: CanRobot)
     assert arm.state().velocities[SHOULDER] < -0.05  # less than the weight
 
 
+@pytest.mark.slow
 def test_a_joint_that_is_commanded_to_its_end_by_effort_stays_within_its_limits(robot: CanRobot) -> None:
     arm = robot.groups["arm"]
     arm.command([None, None, None, None, Target(ControlMode.EFFORT, 12.0)])

@@ -53,7 +53,7 @@ def has_multicast() -> bool:
 
 pytestmark = [
     pytest.mark.slow,
-    pytest.mark.quiet,
+    pytest.mark.alone,
     pytest.mark.skipif(not has_multicast(), reason="this machine has no route for multicast"),
 ]
 

@@ -76,6 +76,7 @@ def test_one_question_at_a_time_until_the_answer_is_late(readings):
     assert readings.ask(ANSWER_TIME + 0.001) is None
 
 
+@pytest.mark.slow
 @given(node=st.integers(1, 127), data=st.binary(min_size=8, max_size=8))
 def test_answers_that_were_not_asked_for_are_ignored(node, data):
     readings = DriveReadings({})

@@ -61,6 +61,7 @@ def loaded(cell: CellSetup, elements: Sequence[Element], mass: float) -> LoadedC
 # --- loads --------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_slow_loads_are_those_at_rest(cell: CellSetup) -> None:
     """A chain on its side: gravity about the elbow, and what its base's latch bears."""
     mass = 1.0
@@ -113,6 +114,7 @@ def test_effort_and_energy_are_cobras(cell: CellSetup) -> None:
 # --- surroundings -------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 async def test_obstacles_stand_in_the_simulation_where_the_task_has_them(wall: DesignTask) -> None:
     post = load_task(TASKS / "beside_a_post.json")
     tasks = [wall, post]

@@ -77,6 +77,7 @@ def test_the_search_finds_a_chain_that_the_checker_passes_and_again_with_the_sam
     assert again == found
 
 
+@pytest.mark.slow
 def test_the_checker_catches_mutants(cell: CellSetup, task: DesignTask, found: Design) -> None:
     def wrong(task: DesignTask = task, load: float = 0.2, **changes: Any) -> str:
         return "; ".join(check(cell, task, BASE, replace(found, **changes), load=load))

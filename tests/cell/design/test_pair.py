@@ -11,10 +11,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from jauspy.cell.design.chains import RADIUS, Element, posture
+from jauspy.cell.design.chains import LOAD_SIDE, RADIUS, Element, load_height, posture
 from jauspy.cell.design.choice import Chooser
 from jauspy.cell.design.pair import APART, Pair, build_pairs, with_two_arms
 from jauspy.cell.design.search import Design, Neighbour, Search, check, parse_costs
+from jauspy.cell.design.surroundings import LOAD, LOAD_ROOM, furnished
 from jauspy.cell.design.tasks import DesignTask, load_task, parse_task
 from jauspy.cell.scene import cell_of
 from jauspy.errors import ConfigError
@@ -25,6 +26,8 @@ from jauspy.robot import robot_files
 FILE = Path(__file__).parents[3] / "docs" / "tasks" / "two_arms.json"
 BASE = "platform_1"
 LEFT = ("x5_9_inline", "x8_9_elbow", "tube_long", "x5_9_elbow")
+MASS = 0.2
+"""Kilograms at the tip of each arm."""
 RIGHT = ("x5_4_inline", "x8_9_elbow", "tube_short", "x5_4_elbow")
 
 
@@ -39,9 +42,11 @@ def paired() -> RobotModel:
     return robot_files.robot_model(with_two_arms(robot_files.load("cell"), BASE))
 
 
-def designed(model: RobotModel, task: DesignTask, arm: str, types: tuple[str, ...], **given: Any) -> Design:
+def designed(
+    model: RobotModel, task: DesignTask, arm: str, types: tuple[str, ...], load: float = 0.0, **given: Any
+) -> Design:
     search = Search(
-        cell_of(model), task.of(arm), f"{BASE}/{arm}", load=0.0, weights=parse_costs("mass"), seed=0, **given
+        cell_of(model), task.of(arm), f"{BASE}/{arm}", load=load, weights=parse_costs("mass"), seed=0, **given
     )
     found = search._evaluate(tuple(Element(name) for name in types))
     assert isinstance(found, Design), found
@@ -103,6 +108,19 @@ def test_the_cell_gets_a_platform_for_two_and_a_second_arm() -> None:
         with_two_arms(config, "shelf")
 
 
+def test_a_load_lies_ready_for_each_arm(paired: RobotModel, task: DesignTask) -> None:
+    cell = furnished(cell_of(paired), [task], BASE, MASS)
+    loads = [part for part in cell.parts if part.type == LOAD]
+    assert [part.name for part in loads] == ["load", "load_2"]
+    first, second = (part.pose for part in loads)
+    assert second.y - first.y == pytest.approx(LOAD_SIDE + LOAD_ROOM)
+    platform = next(part.pose for part in cell.parts if part.name == "platform_2")
+    assert (first.y + second.y) / 2.0 == pytest.approx(platform.y)
+    alone = replace(task, goals=tuple(replace(goal, arm="") for goal in task.goals))
+    cell = furnished(cell_of(paired), [alone], BASE, MASS)
+    assert [part.name for part in cell.parts if part.type == LOAD] == ["load"]
+
+
 # --- designs ------------------------------------------------------------------------------------------------------
 
 
@@ -112,6 +130,10 @@ def test_distances_between_chains_are_those_of_their_surfaces(paired: RobotModel
     beside = np.array([[0.5, 0.0, 0.05]])
     assert chain.clearance_from(beside) == pytest.approx(np.hypot(0.5, 0.01) - 2.0 * RADIUS, abs=0.01)
     assert chain.clearance_from(np.empty((0, 3))) == np.inf
+    loaded = posture(Transform(), (Element("tube_long"),), types, [], 1.0)
+    above = np.array([[0.0, 0.0, loaded.tip.position[2] + load_height(1.0) + 0.2]])
+    assert loaded.clearance_from(above) == pytest.approx(0.2 - 2.0 * RADIUS)
+    assert chain.clearance_from(above) == pytest.approx(0.2 + load_height(1.0) - 2.0 * RADIUS)
 
 
 def test_the_second_arm_has_neither_the_parts_nor_the_place_of_the_first(paired: RobotModel, task: DesignTask) -> None:
@@ -131,15 +153,19 @@ def test_the_second_arm_has_neither_the_parts_nor_the_place_of_the_first(paired:
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-async def test_two_arms_are_built_beside_each_other_and_reach_their_goals(paired: RobotModel, task: DesignTask) -> None:
+async def test_two_arms_are_built_beside_each_other_and_carry_loads_to_their_goals(
+    paired: RobotModel, task: DesignTask
+) -> None:
     cell = cell_of(paired)
-    left = designed(paired, task, "left", LEFT)
-    right = designed(paired, task, "right", RIGHT, beside=Neighbour.of(cell, f"{BASE}/left", left))
-    found = await build_pairs([Pair(task, {"left": left, "right": right})], BASE, seed=0)
+    left = designed(paired, task, "left", LEFT, MASS)
+    beside = Neighbour.of(cell, f"{BASE}/left", left, MASS)
+    right = designed(paired, task, "right", RIGHT, MASS, beside=beside)
+    found = await build_pairs([Pair(task, {"left": left, "right": right})], BASE, load=MASS, seed=0)
     assert [one.task for one in found] == ["two_arms/left", "two_arms/right"]
     for one in found:
         values = one.values
         assert one.success, one.failure
+        assert one.rows[len(LEFT)]["slot"] == LOAD, "the last part that was joined"
         assert values["goals_reached"] == values["goals"] == 2.0
         assert values["largest_error"] < 2e-3 * 3.0**0.5
         assert values["contacts"] == 0.0
@@ -147,4 +173,5 @@ async def test_two_arms_are_built_beside_each_other_and_reach_their_goals(paired
         assert values["rounds_together"] == values["rounds"] == 2.0
         assert values["planned_apart"] > APART
         assert values["put_down"] == 0.0
+    assert {one.rows[len(LEFT)]["part"] for one in found} == {"load", "load_2"}
     assert values["time_of_both"] < sum(one.values["cyc"] for one in found), "with a rest at each goal, too"

@@ -89,6 +89,7 @@ def visible(app: MonitorApp) -> list[str]:
     return ["".join(segment.text for segment in strip) for strip in app.screen._compositor.render_strips()]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 async def test_what_is_known_is_shown_at_both_sizes(size: tuple[int, int]) -> None:
     async with screen(size) as (app, _):
@@ -108,6 +109,7 @@ async def test_what_is_known_is_shown_at_both_sizes(size: tuple[int, int]) -> No
         assert all(line.isprintable() for line in lines)
 
 
+@pytest.mark.slow
 async def test_names_of_peers_are_no_markup() -> None:
     async with screen() as (app, _):
         tree: Tree[str] = app.query_one("#tree", Tree)
@@ -149,6 +151,7 @@ def test_playing_ends_at_the_end_and_begins_again() -> None:
     assert (source.position, source.playing) == (100.0, True)
 
 
+@pytest.mark.slow
 async def test_a_filter_is_typed() -> None:
     async with screen() as (app, pilot):
         await pilot.press("slash")
@@ -187,6 +190,7 @@ async def test_a_message_is_opened() -> None:
         assert "inferred" in str(app.screen.query_one(".dialog Static", Static).content)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 async def test_a_field_is_plotted(size: tuple[int, int]) -> None:
     async with screen(size) as (app, pilot):
@@ -203,6 +207,7 @@ async def test_a_field_is_plotted(size: tuple[int, int]) -> None:
         await wait(pilot, lambda: app.source.series is None)
 
 
+@pytest.mark.slow
 async def test_messages_are_sorted() -> None:
     async with screen() as (app, pilot):
         await pilot.press("s")
@@ -224,6 +229,7 @@ async def test_the_chosen_message_stays_chosen_when_rows_move() -> None:
             assert shown_rows(app)[table.cursor_row][0] == "ReportStatus"
 
 
+@pytest.mark.slow
 async def test_components_come_in_order_and_do_not_move_what_is_chosen() -> None:
     async with screen() as (app, pilot):
         tree: Tree[str] = app.query_one("#tree", Tree)
@@ -239,6 +245,7 @@ async def test_components_come_in_order_and_do_not_move_what_is_chosen() -> None
         assert tree.cursor_node.data == "101.1.102"
 
 
+@pytest.mark.slow
 async def test_a_capture_has_no_queries() -> None:
     async with screen() as (app, pilot):
         await pilot.press("a")
@@ -255,6 +262,7 @@ async def node(tmp_path: Path) -> AsyncIterator[NodeManager]:
         await manager.close()
 
 
+@pytest.mark.slow
 async def test_a_running_node_manager(node: NodeManager, tmp_path: Path) -> None:
     """A query is asked, seen, and its answer tells the state; standing still hides what comes."""
     source = await asyncio.to_thread(LiveSource, tmp_path, registry)
@@ -330,6 +338,7 @@ def test_short_forms() -> None:
     assert texts.bars([0, 1, 8]) == " ▁█"
 
 
+@pytest.mark.slow
 async def test_what_is_known_of_an_implementation_is_said_of_its_components_and_subsystem() -> None:
     priority_0 = bytes.fromhex("02001200ff0101650009016400000102030100")  # of the JAUS Toolset, 100.1.9 to 101.1.1
     other = said(100.5, ROBOT, OCU, "QueryHeartbeatPulse", 1, {})._replace(source=("10.0.0.7", 3794))

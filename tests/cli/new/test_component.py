@@ -99,6 +99,7 @@ def test_package_of_a_service_with_commands_and_states():
     assert '"QueryWinch" has no attribute "tension"' in done.stdout
 
 
+@pytest.mark.slow
 def test_the_only_service_of_a_file_needs_no_name():
     assert run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"]).exit_code == 0
     result = new("battery", "--schemas", "battery.xml")

@@ -43,6 +43,7 @@ def test_all_services_of_the_profile_are_here():
     assert {"SeismicSensor", "MagneticSensor", "AcousticSensor"} <= names
 
 
+@pytest.mark.slow
 @pytest.mark.asyncio
 @pytest.mark.parametrize("definition", sampled(PROFILE, fast=14), ids=lambda one: f"{one.name}-{one.version}")
 async def test_each_query_is_answered_or_counted(tmp_path, monkeypatch, virtual_network, definition):

@@ -63,10 +63,10 @@ class Switch:
             run("ip", "-n", host, "route", "add", "default", "dev", "eth0")
             run("ip", "netns", "exec", host, sys.executable, "-c", CHECKSUMS, "eth0")
 
-    def relay(self) -> None:
-        """Frames pass through a program."""
-        reported = json.dumps(json.loads(RELAY) | {"ports": self.ports})
-        self._stack.enter_context(started(self.name, str(PROGRAMS / "relay.py"), reported))
+    def relay(self, **settings: float) -> subprocess.Popen[str]:
+        """Frames pass through a program, which takes these settings and the words on its input of relay.py."""
+        reported = json.dumps(json.loads(RELAY) | settings | {"ports": self.ports})
+        return self._stack.enter_context(started(self.name, str(PROGRAMS / "relay.py"), reported))
 
     def bridge(self) -> None:
         """Nothing is lost."""

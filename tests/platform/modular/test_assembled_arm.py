@@ -42,6 +42,7 @@ def largest_jump(torques: list[list[float]]) -> float:
 
 
 class TestAnyNumberOfJoints:
+    @pytest.mark.slow
     @pytest.mark.parametrize("controller", ArmController)
     @pytest.mark.parametrize("count", sampled(range(10), 3))
     def test_moves_all_joints(self, count: int, controller: ArmController) -> None:
@@ -118,6 +119,7 @@ class TestMotions:
         plant.run(arm, 1.5)
         assert arm.state().positions == pytest.approx((*START[:3], 0.1, 0.9), abs=3e-3)
 
+    @pytest.mark.slow
     def test_turns_without_limit(self, plant: ServoPlant, arm: AssembledArm) -> None:
         turns = 3.0 * math.tau
         arm.move((NAN, NAN, NAN, NAN, turns), 0.0)
@@ -280,6 +282,7 @@ class TestSilence:
 
 
 class TestAttachments:
+    @pytest.mark.slow
     @pytest.mark.parametrize("controller", ArmController)
     def test_no_jump_of_torque_when_modules_come_and_go(self, controller: ArmController) -> None:
         plant = ServoPlant()
@@ -299,6 +302,7 @@ class TestAttachments:
         assert largest_jump(last + [torque[:3] for torque in torques[:3]]) < 0.03
         assert largest_jump(torques) < 0.5
 
+    @pytest.mark.slow
     def test_no_jump_of_torque_when_the_controller_changes(self, plant: ServoPlant, arm: AssembledArm) -> None:
         torques = plant.run(arm, 0.2)
         arm.set_controller(ArmController.PID)
@@ -307,6 +311,7 @@ class TestAttachments:
         torques += plant.run(arm, 1.0)
         assert largest_jump(torques) < 0.05
 
+    @pytest.mark.slow
     def test_no_jump_of_torque_when_a_box_is_released_in_a_motion(self, plant: ServoPlant, arm: AssembledArm) -> None:
         plant.connectors["servo_5/output"].attach("box_1")
         plant.run(arm, 1.5)
@@ -380,6 +385,7 @@ class TestPayload:
             found.append(arm.state().payload)
         assert found == pytest.approx([0.5] * 20, rel=0.03, abs=0.02)
 
+    @pytest.mark.slow
     def test_the_arm_does_not_sag_under_it(self, plant: ServoPlant, arm: AssembledArm) -> None:
         plant.connectors["servo_5/output"].attach("box_1")
         plant.run(arm, 2.0)

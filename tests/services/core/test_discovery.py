@@ -259,6 +259,7 @@ def test_empty_registration_or_unreachable_component_is_removed(rig) -> None:
     assert set(listed(rig.ask(A, services((255, 255))))) == {(1, 1)}
 
 
+@pytest.mark.slow
 def test_a_query_with_tens_of_thousands_of_wildcards_looks_each_component_up_once(rig, monkeypatch) -> None:
     flood(rig, MAX_COMPONENTS)
     looked_up = 0

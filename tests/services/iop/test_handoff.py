@@ -133,6 +133,7 @@ def test_first_of_several_grants_counts_and_the_others_are_shown_to_the_next_cli
     assert (C, ConfirmHandoffRequest(second, Code.GRANTED)) in sent
 
 
+@pytest.mark.slow
 def test_insufficient_authority_is_refused(make):
     rig = make(AccessControl(default_authority=20, timeout=0), Management(), EnhancedAccessControl())
     rig.tell(A, RequestControl(100))

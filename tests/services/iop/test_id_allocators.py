@@ -79,6 +79,7 @@ def test_queries_list_by_kind_and_by_address():
     assert [listed(0), listed(1), listed(2), listed(3), listed(3, key(1))] == [[100, 101], [101], [100], [100], []]
 
 
+@pytest.mark.slow
 def test_a_flood_of_invented_keys_is_slowed_counted_and_ends_at_the_bound():
     tested = Allocating(SubsystemIDAllocator())
     number = 0

@@ -63,6 +63,7 @@ LINES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("robot", "start", "moving"), LINES)
 def test_the_tool_moves_on_a_straight_line_at_the_commanded_velocity(robot: str, start, moving: Vector) -> None:
     run = Run(arm_of(robot, start))
@@ -113,6 +114,7 @@ def test_motion_profile_is_respected() -> None:
     assert run.motion.is_finished
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "moving", sampled([(0.1, 0.0, 0.0), (0.3, 0.2, 0.1), (0.0, 0.0, 0.1), (1.0, 0.0, 0.0)], fast=1)
 )
@@ -143,6 +145,7 @@ def test_joint_at_its_limit_stops_the_tool_and_permits_the_way_back() -> None:
     assert arm.joints.state().positions[0] < high - 0.08
 
 
+@pytest.mark.slow
 def test_limits_are_respected() -> None:
     arm = arm_of("inc1", OUT_THERE)
 

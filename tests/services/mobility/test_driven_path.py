@@ -44,6 +44,7 @@ def test_vehicle_that_stands_adds_nothing_for_hours_even_if_its_joints_move() ->
     assert len(path) <= 6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("points", "hour"), [(512, 4_500), pytest.param(MAX_POINTS, 36_000, marks=pytest.mark.slow)])
 def test_memory_is_bounded_for_hours_and_the_newest_part_is_kept(points: int, hour: int) -> None:
     """`hour` is the number of positions in an hour, at most ten a second; a shorter path is full sooner."""

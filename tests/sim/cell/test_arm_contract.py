@@ -105,6 +105,7 @@ def shifted(arm: Ur10 | Modular) -> list[float]:
     return [position + 0.2 - 0.05 * at for at, position in enumerate(arm.positions)]
 
 
+@pytest.mark.slow
 def test_reaches_its_targets_and_stays(arm: Ur10 | Modular) -> None:
     targets = shifted(arm)
     arm.move(targets)

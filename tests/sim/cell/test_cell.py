@@ -24,6 +24,7 @@ from jauspy_sim.cell.start import wait_attached
 FIVE_DEGREES = math.radians(5.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_parts_rest_in_their_bins(seed: int) -> None:
     """With errors of 10 mm and 5 degrees: they have slid to the lower edge, and nothing moves or overlaps."""
@@ -40,6 +41,7 @@ def test_parts_rest_in_their_bins(seed: int) -> None:
     assert {"bin_1", "bin_2", "bin_3", "bin_4", "bin_5"} <= at_edge or cell.data.ncon < 20  # sleeping parts have none
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 def test_scattered_parts_come_to_rest_in_their_bins(seed: int) -> None:
     cell = open_cell(scatter=True, seed=seed)
@@ -64,6 +66,7 @@ def test_scattered_parts_are_turned_by_the_seed() -> None:
     assert abs(first.roll - other.roll) > 0.05  # its x axis is along the normal of the floor
 
 
+@pytest.mark.slow
 def test_scattered_parts_lie_on_other_sides_if_they_are_turned_over() -> None:
     cell = open_cell(scatter=True, turned_over=1.0)
     upward = []
@@ -77,6 +80,7 @@ def test_scattered_parts_lie_on_other_sides_if_they_are_turned_over() -> None:
     assert set(upward) == {1, 2, 3}
 
 
+@pytest.mark.slow
 def test_errors_of_the_start_differ_by_seed() -> None:
     one, other = (open_cell(pose_error=(0.01, FIVE_DEGREES), seed=seed) for seed in (1, 2))
     assert one.truth.pose("tube_1") != other.truth.pose("tube_1")
@@ -98,10 +102,12 @@ def run(seed: int) -> bytes:
     return bytes(cell.data.qpos.tobytes()) + repr(sensor.state()).encode()
 
 
+@pytest.mark.slow
 def test_same_seed_same_bits() -> None:
     assert run(3) == run(3)
 
 
+@pytest.mark.slow
 def test_steps_may_be_divided_at_will() -> None:
     one, other = open_cell(), open_cell()
     for cell in (one, other):
@@ -112,6 +118,7 @@ def test_steps_may_be_divided_at_will() -> None:
     assert one.data.qpos.tobytes() == other.data.qpos.tobytes()
 
 
+@pytest.mark.slow
 def test_the_conveyor_carries_a_box_at_its_speed() -> None:
     cell = small_cell(["platform_1", "box_1"], conveyor=open_cell().setup.conveyor)
     conveyor = Conveyor.of(cell)
@@ -131,6 +138,7 @@ def test_the_conveyor_carries_a_box_at_its_speed() -> None:
     assert conveyor.state().speed == pytest.approx(0.0, abs=1e-4)
 
 
+@pytest.mark.slow
 def test_the_sensor_has_noise_and_a_rate() -> None:
     cell = small_cell(["platform_1", "box_1"], sensor=PartSensorSetup(5.0, 0.001, 0.01, 4))
     sensor = PartSensor.of(cell)
@@ -148,6 +156,7 @@ def test_the_sensor_has_noise_and_a_rate() -> None:
     assert spread == pytest.approx(0.001, rel=0.3)
 
 
+@pytest.mark.slow
 def test_the_robot_holds_still_with_a_load() -> None:
     """Its controllers bear what the gripper holds."""
     cell = small_cell(["platform_1", "car"])
@@ -163,6 +172,7 @@ def test_the_robot_holds_still_with_a_load() -> None:
     assert cell.connectors["gripper"].state().force == pytest.approx(3.5 * 9.81, rel=0.03)
 
 
+@pytest.mark.slow
 def test_the_assembled_arm_moves_as_its_model_says() -> None:
     cell = small_cell([*ARM, "platform_1"])
     build_arm(cell)
@@ -179,6 +189,7 @@ def test_the_assembled_arm_moves_as_its_model_says() -> None:
     assert not any(each.state().broken_off for each in cell.connectors.values())
 
 
+@pytest.mark.slow
 def test_the_car_drives_once_it_has_wheels() -> None:
     names = ["car", *(f"servo_{number}" for number in range(6, 10)), *(f"wheel_{number}" for number in range(1, 5))]
     cell = small_cell(["platform_1", *names], car="car", arm="")
@@ -224,6 +235,7 @@ def test_a_window_needs_a_display(monkeypatch: pytest.MonkeyPatch) -> None:
     cell.close()
 
 
+@pytest.mark.slow
 def test_what_is_seen_neither_collides_nor_weighs() -> None:
     cell = build_cell(cell_model(), "cell")
     model, drawn = cell.model, cell.drawn

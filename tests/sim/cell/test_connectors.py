@@ -78,6 +78,7 @@ def test_a_part_out_of_line_does_not_attach(error: Pose, reason: str, error_code
     assert "tube_1" in state.last_error
 
 
+@pytest.mark.slow
 def test_limits_are_those_of_the_cell() -> None:
     wide = ConnectorLimits(max_distance=0.01, max_angle=math.radians(10.0), cup=Cup(0.03, stroke=0.004))
     assert attempt(Pose(x=0.007), limits=wide).attached_to == "tube_1"
@@ -104,6 +105,7 @@ def test_a_disabled_connector_holds_nothing() -> None:
     assert cell.connectors[TOP].state().attached_to == ""
 
 
+@pytest.mark.slow
 def test_what_hangs_falls_when_it_is_released() -> None:
     """Also after it has come to rest and sleeps."""
     cell = small_cell(["tube_1", "platform_1"])
@@ -225,6 +227,7 @@ LOADS = {
 fraction of both that breaks it, computed by hand."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("latched", [False, True], ids=["cup", "latch"])
 @pytest.mark.parametrize("name", LOADS)
 def test_a_growing_load_breaks_it_off_at_its_strength(name: str, latched: bool) -> None:
@@ -241,6 +244,7 @@ def test_a_growing_load_breaks_it_off_at_its_strength(name: str, latched: bool) 
     assert f"({force:.0f} N, " in state.last_error
 
 
+@pytest.mark.slow
 def test_pressing_it_on_does_not_break_it_off() -> None:
     cell = held_tube(latched=False)
     assert math.isnan(broken_at(cell, np.array([0.0, 0.0, -3000.0, 0.0, 0.0, 0.0])))
@@ -285,6 +289,7 @@ def test_the_latch_of_a_box_thrown_by_short_steps_is_checked_in_each_of_them(mon
     assert calls == [TIMESTEP, *[TIMESTEP / SHORT_STEPS] * SHORT_STEPS]
 
 
+@pytest.mark.slow
 def test_the_probe_measures_the_same_load_from_outside() -> None:
     cell = held_tube(latched=True)
     probe = cell.probe()
@@ -353,6 +358,7 @@ def test_a_plate_that_leaks_too_much_does_not_hold() -> None:
     assert state.last_error.startswith("the cup leaks on tube_1:")
 
 
+@pytest.mark.slow
 def test_a_latch_locks_after_the_vacuum_and_only_what_is_in_line() -> None:
     cell = two_parts()
     put_on(cell, TOP, "tube_1")

@@ -86,6 +86,7 @@ def meet(duration: float, reaction: ContactReaction = ContactReaction.STOP) -> M
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("duration", "speed"), [(0.0, 0.6), (1.6, 0.4), (3.0, 0.1)])
 def test_contact_is_found_within_50_ms_and_the_torque_falls(duration: float, speed: float) -> None:
     met = meet(duration)
@@ -98,6 +99,7 @@ def test_contact_is_found_within_50_ms_and_the_torque_falls(duration: float, spe
     assert met.error.endswith(" rad short; the arm holds where it is")
 
 
+@pytest.mark.slow
 def test_an_arm_that_gives_way_leaves_the_contact() -> None:
     met = meet(1.6, ContactReaction.YIELD)
     assert met.delay <= 0.05, met
@@ -105,6 +107,7 @@ def test_an_arm_that_gives_way_leaves_the_contact() -> None:
     assert met.error.endswith("; the arm gives way")
 
 
+@pytest.mark.slow
 def test_without_an_observer_the_arm_presses_with_all_its_torque(monkeypatch: pytest.MonkeyPatch) -> None:
     """Until a connector gives way, which holds less than that."""
     monkeypatch.setattr(contact, "GAIN", 0.0)

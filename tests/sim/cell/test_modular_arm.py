@@ -33,6 +33,7 @@ def arm_of(cell: SimulatedCell) -> ModularArm:
     return arm
 
 
+@pytest.mark.slow
 def test_moves_and_knows_where_its_tip_is(cell: SimulatedCell) -> None:
     arm = arm_of(cell)
     arm.move(TARGET, 0.0)
@@ -64,6 +65,7 @@ def test_estimates_a_box_and_lets_it_go_without_a_jump(cell: SimulatedCell) -> N
     assert arm.state().positions == pytest.approx(TARGET, abs=0.01)
 
 
+@pytest.mark.slow
 def test_hold_stops_within_200_ms_and_all_stay_attached(cell: SimulatedCell) -> None:
     arm = arm_of(cell)
     arm.move((1.4, 0.9, 0.8, 0.9, 1.5), 0.0)
@@ -77,6 +79,7 @@ def test_hold_stops_within_200_ms_and_all_stay_attached(cell: SimulatedCell) -> 
     assert len(arm.state().joints) == 5
 
 
+@pytest.mark.slow
 def test_a_module_without_power_stops_the_others(cell: SimulatedCell) -> None:
     arm = arm_of(cell)
     arm.move((1.4, NAN, NAN, NAN, 3.0), 0.0)

@@ -75,6 +75,7 @@ def test_what_is_outside_the_view_is_not_seen(place: tuple[float, float]) -> Non
     assert "box_1" not in seen(boxes([camera(2.0, *place)]))
 
 
+@pytest.mark.slow
 def test_what_is_too_far_is_not_seen() -> None:
     assert "box_1" in seen(boxes([camera(3.9)]))
     assert "box_1" not in seen(boxes([camera(4.3)]))
@@ -102,6 +103,7 @@ def test_errors_grow_with_the_distance() -> None:
     assert 6.0 < far[1] / near[1] < 14.0
 
 
+@pytest.mark.slow
 def test_equal_seeds_see_the_same() -> None:
     first, same, other = (seen(boxes([camera(2.0)], seed))["box_1"].pose for seed in (1, 1, 2))
     assert first == same

@@ -92,6 +92,7 @@ def test_a_payload_that_is_not_fed_forward_is_found(monkeypatch: pytest.MonkeyPa
     assert largest_end_error(probe.joints) > MILLIRADIAN
 
 
+@pytest.mark.slow
 def test_what_was_released_is_forgotten() -> None:
     cell = holding("servo_1")
     move(cell, ASIDE, seconds=2.0)
@@ -102,6 +103,7 @@ def test_what_was_released_is_forgotten() -> None:
     assert (gripper(cell).mass, gripper(cell).mass_deviation) == (0.0, float("inf"))
 
 
+@pytest.mark.slow
 def test_a_load_that_stands_counts_by_what_the_gripper_measures(monkeypatch: pytest.MonkeyPatch) -> None:
     carried: list[float] = []
     cell = holding("servo_1")
@@ -113,6 +115,7 @@ def test_a_load_that_stands_counts_by_what_the_gripper_measures(monkeypatch: pyt
     assert carried[-1] == pytest.approx(0.1, abs=0.01)
 
 
+@pytest.mark.slow
 def test_nothing_is_learned_at_rest_and_in_touches(monkeypatch: pytest.MonkeyPatch) -> None:
     cell = holding("servo_1")
     move(cell, ASIDE, seconds=2.0)
@@ -121,6 +124,7 @@ def test_nothing_is_learned_at_rest_and_in_touches(monkeypatch: pytest.MonkeyPat
     move(cell, (ASIDE[0], ASIDE[1] + 0.02, *ASIDE[2:]), speed=0.02, seconds=1.0)
 
 
+@pytest.mark.slow
 def test_rows_are_the_efforts_of_a_load() -> None:
     model = cell_model()
     cell = open_cell()
@@ -142,6 +146,7 @@ def test_rows_are_the_efforts_of_a_load() -> None:
     assert not np.allclose(gravity, held)
 
 
+@pytest.mark.slow
 def test_joints_are_measured_by_encoders_and_currents() -> None:
     cell = open_cell(seed=3)
     cell.advance(0.2)

@@ -106,6 +106,7 @@ def potential(cell: SimulatedCell) -> float:
 CHECKS: tuple[Callable[[], None], ...] = (check_constant_torque, check_lift, check_lowering)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("check", CHECKS)
 def test_energy_agrees_with_mechanics(check: Callable[[], None]) -> None:
     check()
@@ -130,6 +131,7 @@ def _with_recovery(servo: SimulatedServo) -> None:
     servo._worked_at = angle
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("mutant", "check"),
     [(_without_heat, check_constant_torque), (_without_work, check_lift), (_with_recovery, check_lowering)],
@@ -169,6 +171,7 @@ def car_cell(charge: float) -> SimulatedCell:
     return cell
 
 
+@pytest.mark.slow
 def test_the_car_runs_on_its_battery() -> None:
     cell = car_cell(0.5)
     for name in WHEELS:
@@ -185,6 +188,7 @@ def test_the_car_runs_on_its_battery() -> None:
     assert 30.0 < after.batteries["car"].voltage < 36.0
 
 
+@pytest.mark.slow
 def test_an_empty_battery_ends_the_power_as_if_detached() -> None:
     joules = 40.0  # attaching takes a part of it
     cell = car_cell(joules / (241.2 * 3600.0))
@@ -200,6 +204,7 @@ def test_an_empty_battery_ends_the_power_as_if_detached() -> None:
     assert not cell.connectors["car/top"].enabled, "its own connectors have no power either"
 
 
+@pytest.mark.slow
 def test_a_battery_module_powers_what_is_on_it_unless_the_mains_do() -> None:
     setup = cell_model().cell
     assert setup is not None
@@ -226,6 +231,7 @@ def test_a_battery_module_powers_what_is_on_it_unless_the_mains_do() -> None:
     assert math.isclose(power_of(cell).consumption["servo_5"].power, 2.4, rel_tol=0.01)
 
 
+@pytest.mark.slow
 def test_the_judge_tells_what_modules_and_their_battery_gave() -> None:
     cell = small_cell(["platform_1", "car", "servo_6"], car="car")
     put_on(cell, "car/front_left", "servo_6")

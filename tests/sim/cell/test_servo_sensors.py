@@ -70,6 +70,7 @@ def test_exact_sensors_read_the_truth() -> None:
     assert pstdev(rate) < 1e-12
 
 
+@pytest.mark.slow
 def test_equal_seeds_measure_the_same_and_others_do_not() -> None:
     first, same, other = (upright(seed).servos["servo_5"].state() for seed in (3, 3, 4))
     assert first == same

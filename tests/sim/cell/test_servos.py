@@ -67,6 +67,7 @@ def test_gear_friction_holds_a_small_torque() -> None:
     assert servo.state().position > 0.05
 
 
+@pytest.mark.slow
 def test_the_spring_is_as_stiff_as_its_data() -> None:
     """The motor holds its position; a torque at the output winds up the spring."""
     cell, servo = one_servo()
@@ -79,6 +80,7 @@ def test_the_spring_is_as_stiff_as_its_data() -> None:
     assert servo.state().torque == pytest.approx(-3.0, rel=0.01)
 
 
+@pytest.mark.slow
 def test_it_follows_positions_beyond_a_turn() -> None:
     cell, servo = one_servo("servo_6")
     servo.command(Target(ControlMode.POSITION, 20.0))
@@ -87,6 +89,7 @@ def test_it_follows_positions_beyond_a_turn() -> None:
     assert abs(servo.state().velocity) < 0.02
 
 
+@pytest.mark.slow
 def test_it_follows_velocities() -> None:
     cell, servo = one_servo()
     servo.command(Target(ControlMode.VELOCITY, -1.5))
@@ -117,6 +120,7 @@ def test_windings_warm_up_under_load() -> None:
     assert state.voltage < 48.0
 
 
+@pytest.mark.slow
 def test_the_imu_measures_gravity_and_attitude() -> None:
     cell = small_cell(["platform_1", "servo_5", "bracket_1", "bracket_3"], arm="")
     build_arm(cell, ["bracket_1", "bracket_3", "servo_5"])
@@ -159,6 +163,7 @@ def test_power_comes_through_attachments_and_switches() -> None:
     assert cell.connectors["bracket_1/output"].state().attached_to == "servo_5"  # what is held stays held
 
 
+@pytest.mark.slow
 def test_a_module_that_falls_silent_reports_its_last_state() -> None:
     cell, servo = one_servo()
     servo.command(Target(ControlMode.VELOCITY, 2.0))
@@ -175,6 +180,7 @@ def test_a_module_that_falls_silent_reports_its_last_state() -> None:
     assert abs(cell.truth.servo("servo_5")[1]) < 0.1  # until friction stopped it
 
 
+@pytest.mark.slow
 def test_an_elbow_bears_its_load() -> None:
     """Horizontal, against gravity: the spring's torque is the moment of what the output carries."""
     cell = small_cell(["platform_1", "servo_2", "tube_1"], arm="")

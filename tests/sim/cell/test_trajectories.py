@@ -61,6 +61,7 @@ def test_joints_follow_a_spline_and_do_not_stop_at_its_points(cell: SimulatedCel
     assert np.abs(at_points).max(axis=1).min() > 0.5
 
 
+@pytest.mark.slow
 def test_a_motion_that_is_too_fast_is_refused_before_it_begins(cell: SimulatedCell) -> None:
     arm = arm_of(cell)
     names, before = arm.state().joints, arm.state().positions
@@ -73,6 +74,7 @@ def test_a_motion_that_is_too_fast_is_refused_before_it_begins(cell: SimulatedCe
     assert arm.state().positions == pytest.approx(before, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_a_trajectory_takes_over_from_a_motion_without_a_jump(cell: SimulatedCell) -> None:
     arm = arm_of(cell)
     names = arm.state().joints

@@ -90,6 +90,7 @@ def meet(target: Target, others: Target | None = None, reaction: ContactReaction
     raise AssertionError("the arm has not met the post")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("target", "others"),
     [
@@ -108,6 +109,7 @@ def test_contact_is_found_within_50_ms_and_the_force_falls(target: Target, other
     assert max(force for since, force in met.forces.items() if since >= 0.2) < 5.0
 
 
+@pytest.mark.slow
 def test_an_arm_that_gives_way_leaves_the_post() -> None:
     met = meet(Target(ControlMode.POSITION, 0.9, speed=0.3), reaction=ContactReaction.YIELD)
     assert met.delay <= 0.05
@@ -116,17 +118,20 @@ def test_an_arm_that_gives_way_leaves_the_post() -> None:
     assert max(force for since, force in met.forces.items() if since >= 0.2) == 0.0
 
 
+@pytest.mark.slow
 def test_without_a_watch_it_presses_with_all_its_effort() -> None:
     met = meet(Target(ControlMode.POSITION, 0.9, speed=0.3), reaction=ContactReaction.IGNORE)
     assert met.contact is None
     assert met.forces[0.5] > 200.0
 
 
+@pytest.mark.slow
 def test_efforts_are_meant_to_push() -> None:
     met = meet(Target(ControlMode.EFFORT, 60.0, compensated=True), Target(ControlMode.EFFORT, 0.0, compensated=True))
     assert met.contact is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("known", [False, True])
 def test_a_load_that_is_not_known_yet_is_no_contact(monkeypatch: pytest.MonkeyPatch, known: bool) -> None:
     """4 kg bend the elbow with more than a tenth of its effort, until the arm has found their mass out."""
@@ -148,6 +153,7 @@ def test_a_load_that_is_not_known_yet_is_no_contact(monkeypatch: pytest.MonkeyPa
     assert (arm.state().contact is not None) == known
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("allowed", [contact_guard.BEHIND, 0.0])
 def test_a_motor_that_is_too_weak_for_its_setpoint_is_no_contact(
     monkeypatch: pytest.MonkeyPatch, allowed: float

@@ -15,6 +15,7 @@ from jauspy.platform.modular.arm import ModularArm
 from jauspy.platform.modular.cell import Conveyor
 
 
+@pytest.mark.slow
 def test_what_moves_by_itself_was_not_written() -> None:
     """The UR10, the belt with a box that it carries, and the bodies that come to rest."""
     cell = open_cell(pose_error=(0.01, 0.09), seed=4)
@@ -29,6 +30,7 @@ def test_what_moves_by_itself_was_not_written() -> None:
     assert cell.truth.written == ()
 
 
+@pytest.mark.slow
 def test_parts_that_are_put_in_place_are_named_in_order() -> None:
     cell = small_cell([*ARM, "platform_1"])
     build_arm(cell, ARM[:3])

@@ -57,6 +57,7 @@ def test_all_textures_are_used(model: mujoco.MjModel) -> None:
 # --- robots
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["inc1", "inc1_pprm"])
 def test_every_moving_link_of_the_robots_has_a_mesh(name: str) -> None:
     model = build(robot_model(load(name)), "empty")
@@ -115,6 +116,7 @@ def bounds(model: mujoco.MjModel, data: mujoco.MjData, geoms: list[int]) -> tupl
     return every.min(axis=0), every.max(axis=0)
 
 
+@pytest.mark.slow
 def test_treads_run_as_far_as_the_robot_drives() -> None:
     """What cameras draw: treads below stand on the ground, those above run ahead, and the sprocket turns."""
     robot = replace(robot_model(load("inc1")), lidars=(), cameras=())

@@ -97,6 +97,7 @@ def test_efforts_without_compensation_keep_to_the_speed_limits() -> None:
             assert abs(velocity) < 1.3 * joint.velocity, joint.name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "share", [-0.2, pytest.param(-0.5, marks=pytest.mark.slow), pytest.param(-1.0, marks=pytest.mark.slow)]
 )

@@ -57,6 +57,7 @@ def test_grasps_a_can_of_a_kilogram_and_lifts_it() -> None:
     assert on_the_hand() - empty == pytest.approx(9.81, rel=0.05)
 
 
+@pytest.mark.slow
 def test_climbs_the_stairs_of_the_yard() -> None:
     robot = SimulatedRobot.open(INC1, "yard")
     put(robot, 0.2, -3.2, math.pi)
@@ -70,6 +71,7 @@ def test_climbs_the_stairs_of_the_yard() -> None:
     assert pose.z == pytest.approx(0.72, abs=0.01)
 
 
+@pytest.mark.slow
 def test_the_same_commands_give_the_same_trajectory() -> None:
     ends = []
     for _ in range(2):

@@ -29,6 +29,7 @@ def scan_of(robot: SimulatedRobot) -> RangeScan:
     return scan
 
 
+@pytest.mark.slow
 def test_the_horizontal_layer_is_what_a_planar_lidar_measures() -> None:
     planar, layered = scan_of(opened(replace(LAYERED, layers=1))), scan_of(opened(LAYERED))
     assert layered.ranges == pytest.approx(planar.ranges, abs=1e-4)
@@ -52,6 +53,7 @@ def test_of_two_layers_as_near_the_upper_one_is_reported() -> None:
     assert set(scan.ranges) == {math.inf}
 
 
+@pytest.mark.slow
 def test_a_scan_in_parts_is_as_from_where_it_began() -> None:
     """3600 rays take several steps, in which the robot turns; a planar lidar measures at once."""
     many = replace(LAYERED, rays=720)
@@ -67,6 +69,7 @@ def test_a_scan_in_parts_is_as_from_where_it_began() -> None:
     assert scan_of(layered).ranges == pytest.approx(scan_of(planar).ranges, abs=1e-4)
 
 
+@pytest.mark.slow
 def test_is_the_same_however_time_is_divided() -> None:
     noisy = replace(LAYERED, noise=0.02, rays=720)
     first, again = opened(noisy), opened(noisy)

@@ -42,6 +42,7 @@ def test_own_robot_is_not_measured() -> None:
     assert set(scan_of(SimulatedRobot.open(EXACT, "empty")).ranges) == {math.inf}
 
 
+@pytest.mark.slow
 def test_turns_with_the_robot() -> None:
     robot = SimulatedRobot.open(EXACT, "yard")
     robot.drive.set_effort(0.0, 0.4)
@@ -55,6 +56,7 @@ def test_turns_with_the_robot() -> None:
     assert at(scan, 45) == pytest.approx((4.0 - y) / math.sin(beam), abs=0.02), f"from {x}, {y}"
 
 
+@pytest.mark.slow
 def test_noise_has_the_given_deviation_and_is_repeatable() -> None:
     first, again = (SimulatedRobot.open(INC1, "yard") for _ in range(2))
     other = SimulatedRobot.open(replace(INC1, lidars=(replace(LIDAR, seed=7),)), "yard")
@@ -66,6 +68,7 @@ def test_noise_has_the_given_deviation_and_is_repeatable() -> None:
     assert math.sqrt(sum(e * e for e in errors) / len(errors)) == pytest.approx(LIDAR.noise, rel=0.3)
 
 
+@pytest.mark.slow
 def test_scans_do_not_depend_on_the_division_of_time() -> None:
     one, other = (SimulatedRobot.open(INC1, "yard") for _ in range(2))
     for robot in (one, other):
@@ -77,6 +80,7 @@ def test_scans_do_not_depend_on_the_division_of_time() -> None:
     assert scan_of(one).time == pytest.approx(1.2)
 
 
+@pytest.mark.slow
 def test_a_lidar_does_not_change_the_trajectory() -> None:
     blind, seeing = (SimulatedRobot.open(model, "yard") for model in (replace(INC1, lidars=()), INC1))
     for robot in (blind, seeing):

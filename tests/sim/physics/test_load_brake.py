@@ -40,6 +40,7 @@ def fastest(robot: SimulatedRobot, seconds: float) -> float:
     return found
 
 
+@pytest.mark.slow
 def test_too_heavy_a_load_is_held_and_reported() -> None:
     robot = outstretched()
     arm = robot.groups["arm"]

@@ -32,6 +32,7 @@ def drive(seed: int, seconds: float, step: float) -> tuple[SimulatedRobot, Local
     return robot, state
 
 
+@pytest.mark.slow
 def test_drifts_within_what_it_reports() -> None:
     robot, state = drive(3, 9.0, 0.1)
     true, local, globe = robot.drive.pose(), state.local.pose, state.globe.pose
@@ -48,6 +49,7 @@ def test_is_the_same_however_time_is_divided() -> None:
     assert first.drive.pose() == again.drive.pose()
 
 
+@pytest.mark.slow
 def test_odometry_assumes_the_point_about_which_tracks_turn() -> None:
     """It is ahead of the middle of the tracks: the front carries more, and skids less."""
     exact = replace(INC1, localization=EXACT)

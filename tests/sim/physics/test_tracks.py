@@ -112,6 +112,7 @@ def assert_climbs(robot: SimulatedRobot, effort: float, height: float) -> None:
 KERBS = [(height, effort) for height in (0.03, 0.05, 0.075) for effort in (0.2, 0.3, 0.4)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("height", "effort"),
     [pytest.param(*each, marks=[] if each == (0.075, 0.2) else pytest.mark.slow) for each in KERBS],
@@ -120,6 +121,7 @@ def test_climbs_kerbs_without_flippers(height: float, effort: float) -> None:
     assert_climbs(put(kerb(height)), effort, height)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("effort", [pytest.param(0.3, marks=pytest.mark.slow), 0.4])
 def test_climbs_20_cm_with_its_flippers(effort: float) -> None:
     robot = put(kerb(0.2), x=0.1)
@@ -137,6 +139,7 @@ def test_climbs_20_cm_with_its_flippers(effort: float) -> None:
     assert tilt(robot.drive.pose()) < 0.02
 
 
+@pytest.mark.slow
 def test_does_not_climb_20_cm_without() -> None:
     robot = put(kerb(0.2))
     assert max(pose.z for pose in driving(robot, 0.3, 4.0)) < 0.1
@@ -145,6 +148,7 @@ def test_does_not_climb_20_cm_without() -> None:
 SEEDS = [pytest.param(seed, marks=[] if seed == 0 else pytest.mark.slow) for seed in range(20)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_climbs_a_flight_of_stairs_and_comes_down_again(seed: int) -> None:
     random = np.random.default_rng(seed)
@@ -194,6 +198,7 @@ def test_slides_down_a_side_slope_where_friction_ends() -> None:
     assert robot.drive.pose().y < before.y - 0.3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("left", "turret", "load", "tips"),
     [
@@ -221,6 +226,7 @@ def test_tips_sideways_with_a_load_on_its_arm(left: float, turret: float, load: 
     assert tips or max(tilts) < math.radians(1.0)
 
 
+@pytest.mark.slow
 def test_crosses_a_gap_of_25_cm() -> None:
     spec = mujoco.MjSpec()
     add_box(spec, (-2.0, 0.8), (-0.5, 0.0))
@@ -231,6 +237,7 @@ def test_crosses_a_gap_of_25_cm() -> None:
     assert pose.x > 1.9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("friction", [0.5, pytest.param(1.0, marks=pytest.mark.slow)])
 def test_a_wall_stops_it(friction: float) -> None:
     """At full effort it neither sinks into the wall nor shakes."""
@@ -253,6 +260,7 @@ def test_a_wall_stops_it(friction: float) -> None:
 GROUNDS = {"rubber mat": 1.0, "wet concrete": 0.5, "mud": 0.35, "ice": 0.1}
 
 
+@pytest.mark.slow
 def test_turns_on_the_spot_on_four_grounds() -> None:
     """Less friction, less resistance of the belts that slide sideways: a faster turn, around the same place."""
     rates = []
@@ -294,6 +302,7 @@ def test_the_motors_force_falls_with_speed() -> None:
     assert robot.drive.twist().vx == pytest.approx(0.3 * SPEED, rel=0.1)
 
 
+@pytest.mark.slow
 def test_falls_on_its_back_on_stairs_with_the_arm_stretched_out_behind() -> None:
     robot = put(stairs(), x=0.25)
     turn_joints(robot, "flippers", FLIPPERS_OUT)
@@ -315,6 +324,7 @@ def test_the_same_commands_climb_alike_bit_for_bit() -> None:
 DENSE, SPARSE = mujoco.mjtJacobian.mjJAC_DENSE, mujoco.mjtJacobian.mjJAC_SPARSE
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("jacobian", "condim"),
     [(SPARSE, 3), *(pytest.param(*each, marks=pytest.mark.slow) for each in ((DENSE, 4), (SPARSE, 4)))],

@@ -62,6 +62,7 @@ def expected(robot, position, width, height):
     return width / 2.0 - focal * x / z, height / 2.0 + focal * y / z
 
 
+@pytest.mark.slow
 def test_object_appears_at_its_position(robot, eye):
     image = eye.look(640, 480).image
     assert image.shape == (480, 640, 3)
@@ -72,6 +73,7 @@ def test_object_appears_at_its_position(robot, eye):
     assert rows.mean() == pytest.approx(row, abs=12.0)
 
 
+@pytest.mark.slow
 def test_depths_match_floor_and_objects(robot, eye):
     frame = eye.measure(160, 120)
     assert frame.image.shape == (120, 160, 3)
@@ -88,6 +90,7 @@ def test_depths_match_floor_and_objects(robot, eye):
     assert np.isinf(frame.distances[0]).any(), "the sky is nowhere"
 
 
+@pytest.mark.slow
 def test_image_shows_the_state_after_the_last_step(robot, eye):
     before = eye.look(160, 120)
     robot.drive.set_effort(0.0, 0.5)
@@ -97,6 +100,7 @@ def test_image_shows_the_state_after_the_last_step(robot, eye):
     assert (after.image != before.image).mean() > 0.1
 
 
+@pytest.mark.slow
 def test_sizes_change_from_picture_to_picture(eye):
     for width, height in ((128, 96), (1280, 720), (640, 350)):
         image = eye.look(width, height).image
@@ -104,6 +108,7 @@ def test_sizes_change_from_picture_to_picture(eye):
         assert image.std() > 10.0
 
 
+@pytest.mark.slow
 def test_rays_are_fewer_than_the_pixels_of_a_large_picture(robot, monkeypatch):
     painter = RayRenderer(robot.model, robot.cameras["front"].number, FRONT.fov)
     cast = []
@@ -118,6 +123,7 @@ def test_rays_are_fewer_than_the_pixels_of_a_large_picture(robot, monkeypatch):
     assert MAX_RAYS < cast[2] <= MAX_RAYS_OF_STILL * 1.02
 
 
+@pytest.mark.slow
 def test_failing_gl_falls_back_to_ray_casting_with_a_warning(robot, monkeypatch, caplog):
     monkeypatch.setattr(cameras, "choose_gl", lambda: "no_such_way")
     eye = robot.cameras["arm"].open()
@@ -135,6 +141,7 @@ def test_mujoco_gl_selects_the_library(monkeypatch, set_to, chosen):
     assert choose_gl() == chosen
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", [pytest.param("egl", marks=pytest.mark.slow), "osmesa"])
 def test_each_gl_library_renders(way):
     """In a process of its own: one process has one way, and the other tests here have EGL where there is one."""
@@ -154,6 +161,7 @@ def test_each_gl_library_renders(way):
     assert run.stdout.startswith(f"True renders with {way.upper()}\n"), run.stdout
 
 
+@pytest.mark.slow
 def test_rendering_does_not_change_the_trajectory():
     def trajectory(*cameras):
         robot = SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=cameras), "yard")

@@ -66,6 +66,7 @@ def lamp_position(robot):
     return body.xpos + turn @ np.array(LAMP.position), turn @ down
 
 
+@pytest.mark.slow
 def test_without_lamps_only_the_sky_gives_light(robot, eye):
     dark = light(robot, eye, 0.0)
     assert dark == pytest.approx(np.full((240, 320), TimeOfDay.NIGHT.sky))

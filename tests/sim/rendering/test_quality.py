@@ -88,6 +88,7 @@ def test_a_camera_that_is_too_slow_leaves_shadows_out_and_says_so(robots):
         assert abs(seen(robots[Quality.MEDIUM], eye) - shaded).mean() < 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("quality", "count"), [(Quality.LOW, 0), (Quality.HIGH, 2)])
 def test_the_number_of_lower_qualities(robots, quality, count):
     with opened(robots[quality]) as eye:
@@ -96,6 +97,7 @@ def test_the_number_of_lower_qualities(robots, quality, count):
         assert eye.description.endswith("without shadows: better pictures take too long here") is (count > 0)
 
 
+@pytest.mark.slow
 def test_a_camera_goes_from_one_thread_to_the_next(robots):
     """The context of GL is current in one thread only."""
     robot = robots[Quality.MEDIUM]

@@ -45,6 +45,7 @@ def written(folder: Path, name: str, text: str) -> Path:
 # MJCF
 
 
+@pytest.mark.slow
 def test_mjcf_with_include_and_a_robot(tmp_path: Path) -> None:
     written(tmp_path, "things/box.xml", '<mujoco><asset><material name="red" rgba="1 0 0 1"/></asset></mujoco>')
     path = written(

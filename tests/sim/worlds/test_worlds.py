@@ -58,6 +58,7 @@ def test_the_same_commands_give_the_same_world(world: str) -> None:
     assert (ends[0] == ends[1]).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("opened", ["street"], indirect=True)
 def test_things_of_the_street_can_be_lifted_opened_and_tipped(opened: SimulatedRobot) -> None:
     data = opened.data
@@ -77,6 +78,7 @@ def test_things_of_the_street_can_be_lifted_opened_and_tipped(opened: SimulatedR
     assert abs(data.body("bin").xmat[8]) < 0.5, "it lies"
 
 
+@pytest.mark.slow
 def test_the_joints_of_the_kerb_are_filled() -> None:
     """Through open ones, cameras see the sky below the ground."""
     model = build(BLIND, "street")
@@ -106,6 +108,7 @@ def test_drives_over_the_kerb(opened: SimulatedRobot) -> None:
     assert max(abs(pose.roll), abs(pose.pitch)) < 0.03
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("opened", ["house"], indirect=True)
 def test_the_door_of_the_house_opens_by_its_handle_only_and_closes_itself(opened: SimulatedRobot) -> None:
     data, model = opened.data, opened.model

@@ -21,7 +21,7 @@ from jauspy.cell.design.kinematics import ChainKinematics
 from jauspy.cell.design.loads import LoadedChain, TimedMotion
 from jauspy.cell.design.rehearsal import slots_of
 from jauspy.cell.design.search import Design
-from jauspy.cell.design.surroundings import LOAD, furnished, set_up
+from jauspy.cell.design.surroundings import furnished, set_up
 from jauspy.cell.design.tasks import DesignTask, Goal, projections
 from jauspy.cell.disassembly import Disassembler
 from jauspy.cell.frames import Array, se3, transform
@@ -67,7 +67,7 @@ async def build_all(
 
     async with simulated(seed, film=film, camera=CAMERA, view=view, robot=robot, change=change) as session:
         for number, (task, design) in enumerate(designs):
-            begun, start = time.perf_counter(), session.cell.now()
+            begun, start = time.process_time(), session.cell.now()
             if number:
                 set_up(session, tasks, number)
             found = Measured(seed, task.name)
@@ -77,7 +77,7 @@ async def build_all(
             except JausError as error:
                 found.failure = found.failure or str(error)
             found.success = not found.failure
-            found.duration, found.wall = session.cell.now() - start, time.perf_counter() - begun
+            found.duration, found.cpu = session.cell.now() - start, time.process_time() - begun
             if not found.success:
                 break
     if session.film is not None:
@@ -103,6 +103,7 @@ class DesignRun:
         self._task, self._design, self._base, self._load = task, design, base, load
         self._found = found
         self._ur10 = ur10 or Assembler(session.cell, session.layout, seed=found.seed)
+        self._carried = ""
         values = found.values
         values |= {"mass": design.costs["mass"], "numJ": design.costs["numJ"], "designed_cyc": design.costs["cyc"]}
         values |= {f"designed_{name}": design.costs[name] for name in ("effort", "mechEnergy")}
@@ -134,12 +135,15 @@ class DesignRun:
         found.values |= {"build_time": built.duration, "build_energy": self._judge.power().energy - drawn}
         if built.failure:
             raise TaskFailed(f"not built: {built.failure}")
+        if self._load:
+            self._carried = built.parts[-1].part
 
     async def use(self) -> Use:
         """The arm that was built, ready to go to its goals."""
         arm = await ArmOperator.found(self._cell, self._session.layout, self._base)
         await arm.ready()
-        return Use(self._session, self._task, self._design, arm, load=self._load, found=self._found)
+        carried = (self._carried, self._load)
+        return Use(self._session, self._task, self._design, arm, carried=carried, found=self._found)
 
     async def take_apart(self) -> None:
         """Put the modules back into their bins. Raises `TaskFailed`."""
@@ -164,12 +168,21 @@ class Use:
     """An arm that was built, on its way to the goals of its task; figures go to `found`."""
 
     def __init__(
-        self, session: Session, task: DesignTask, design: Design, arm: ArmOperator, *, load: float, found: Measured
+        self,
+        session: Session,
+        task: DesignTask,
+        design: Design,
+        arm: ArmOperator,
+        *,
+        carried: tuple[str, float],
+        found: Measured,
     ) -> None:
+        """`carried` is the part at the tip, and its mass in kilograms; an empty name and zero without one."""
         self._session, self._cell, self._judge = session, session.cell, session.true
         self.arm = arm
-        self._task, self._load, self._found = task, load, found
-        self.parts = (*arm.parts, *[LOAD] * bool(load))
+        self._task, self._found = task, found
+        self._carried, self.load = carried
+        self.parts = (*arm.parts, *[self._carried] * bool(self._carried))
         """What moves."""
         self._moving = 0.0
         parts = [(transform(member.offset), member.type) for member in arm.members]
@@ -186,15 +199,16 @@ class Use:
         """
         self._watched = watched
         self._begun, self._drawn = self._cell.now(), self._judge.power().energy
-        await self.arm.look(LOAD)
+        await self.arm.look(*self.parts)
         limits = self._session.layout.setup.limits
-        if not self._load:
+        if not self._carried:
             self._chain = LoadedChain(self.arm.base, self.arm.chain, limits)
             return
-        type = self._session.layout.type_of(LOAD)
-        self.arm.scene.hold(LOAD, pieces_of_part(type), se3((await self._cell.connector(self.arm.tip)).offset))
+        type = self._session.layout.type_of(self._carried)
+        offset = se3((await self._cell.connector(self.arm.tip)).offset)
+        self.arm.scene.hold(self._carried, pieces_of_part(type), offset)
         height = type.solids[0].size[2] / 2.0
-        self._chain = LoadedChain(self.arm.base, self.arm.chain, limits, self._load, height)
+        self._chain = LoadedChain(self.arm.base, self.arm.chain, limits, self.load, height)
 
     async def plan(self, goal: Goal) -> Way:
         """A free path to a goal, each piece of it as fast as modules and connectors bear. Raises `JausError`."""
@@ -236,7 +250,7 @@ class Use:
         }
         if self._missed:
             raise TaskFailed(f"outside of the tolerance: {', '.join(self._missed)}")
-        if self._load and (held := self._judge.attached().get(self.arm.tip)) != LOAD:
+        if self._carried and (held := self._judge.attached().get(self.arm.tip)) != self._carried:
             raise TaskFailed(f"the load was lost: {self.arm.tip} holds {held or 'nothing'}")
         await self.arm.go(np.zeros(self.arm.chain.model.nq), margin=0.0)
         found.values["contacts"] = float(self._watched.contacts)

@@ -19,6 +19,15 @@ RADIUS: Final = 0.045
 """Metres around the middle line: half the diagonal of the largest housing, 68 mm x 56 mm."""
 SPACING: Final = 0.03
 """Metres between the points of a middle line."""
+LOAD_SIDE: Final = 0.07
+"""Metres: side of a load's square base, so that a plate of 30 mm radius lies on it."""
+LOAD_DENSITY: Final = 2700.0
+"""kg/m^3 of a load: aluminium."""
+
+
+def load_height(mass: float) -> float:
+    """Metres by which a load of this mass, in kilograms, stands out of the tip."""
+    return mass / LOAD_DENSITY / LOAD_SIDE**2
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +126,10 @@ def posture(
     positions: Sequence[float],
     load: float = 0.0,
 ) -> ChainPosture:
-    """The chain on a connector at `mount`; `load` is a mass in the middle of the tip's connector."""
+    """The chain on a connector at `mount`; `load` is a mass in the middle of the tip's connector.
+
+    Its points go on through the load, which stands out of the tip.
+    """
     frame, joint = mount, 0
     axes: list[tuple[Vector, Vector]] = []
     masses: list[tuple[Vector, float, int]] = []
@@ -144,6 +156,7 @@ def posture(
     connectors.append((frame, len(masses)))
     if load:
         masses.append((frame.position, load, joint))
+        points += _line(frame.position, frame.apply((0.0, 0.0, load_height(load))), len(elements))
     return ChainPosture(frame, tuple(axes), tuple(masses), tuple(connectors), tuple(points))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 from jauspy.cell.design.rehearsal import first_buildable
 from jauspy.cell.design.search import ALONE, Design, Found, Neighbour, Search, check
@@ -40,15 +41,15 @@ class Chooser:
     weights: Mapping[str, float]
     seed: int
     load: float
-    """Kilograms at the tip."""
+    """Kilograms at the tip of each arm."""
     candidates: int
     """Chains that are tried for each arm."""
     seconds: float
-    """Of each search."""
+    """CPU time of each search at most."""
     buildable: bool
     """Only designs of which a plan shows how the UR10 builds them."""
     note: Callable[[str], None]
-    """Told of improvements, and of designs that cannot be built."""
+    """Told of improvements, and of designs that cannot be built; of two arms with the name of the arm."""
 
     def choose(self, task: DesignTask, base: str) -> list[Choice]:
         """A choice for each arm of the task, up to the first that has no valid design. Raises `ConfigError`.
@@ -60,17 +61,23 @@ class Chooser:
         for arm in task.arms or ("",):
             part, connector = (task.of(arm), f"{base}/{arm}") if arm else (task, base)
             search = Search(cell, part, connector, load=self.load, weights=self.weights, seed=self.seed, beside=beside)
-            found = search.run(self.candidates, self.seconds, self.note)
-            design = self._buildable(found, task, connector, chosen) if self.buildable else found.best
+            note = partial(self._note, arm)
+            found = search.run(self.candidates, self.seconds, note)
+            design = self._buildable(found, task, connector, chosen, note) if self.buildable else found.best
             wrong = check(cell, part, connector, design, load=self.load, beside=beside) if design is not None else []
             chosen.append(Choice(part, connector, found, design, tuple(wrong)))
             if design is None or wrong:
                 break
-            beside = Neighbour.of(cell, connector, design)
+            beside = Neighbour.of(cell, connector, design, self.load)
         return chosen
 
-    def _buildable(self, found: Found, task: DesignTask, connector: str, before: list[Choice]) -> Design | None:
+    def _note(self, arm: str, text: str) -> None:
+        self.note(f"{arm}: {text}" if arm else text)
+
+    def _buildable(
+        self, found: Found, task: DesignTask, connector: str, before: list[Choice], note: Callable[[str], None]
+    ) -> Design | None:
         furniture = furnished(cell_of(self.model), [task], connector, self.load)
         standing = [(choice.design, choice.base) for choice in before if choice.design is not None]
         layout = Layout(replace(self.model, cell=furniture))
-        return first_buildable(layout, found, connector, self.load, self.note, before=standing)
+        return first_buildable(layout, found, connector, self.load, note, before=standing)

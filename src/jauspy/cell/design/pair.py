@@ -73,36 +73,44 @@ def with_two_arms(config: RobotConfig, base: str) -> RobotConfig:
 
 
 async def build_pairs(
-    pairs: Sequence[Pair], base: str, robot: str = ROBOT, *, seed: int, film: Path | None = None, view: bool = False
+    pairs: Sequence[Pair],
+    base: str,
+    robot: str = ROBOT,
+    *,
+    load: float = 0.0,
+    seed: int,
+    film: Path | None = None,
+    view: bool = False,
 ) -> list[Measured]:
     """Build, use and take apart the arms of each task, one task after the other; the results are those of each arm.
 
-    It ends with the first task that fails, since its parts are then not in their bins.
+    `load` in kilograms at the tip of each arm. It ends with the first task that fails, since its parts are then not in
+    their bins.
     """
     tasks, results = [pair.task for pair in pairs], list[Measured]()
 
     def change(model: RobotModel) -> RobotModel:
-        return replace(model, cell=furnished(cell_of(model), tasks, base, 0.0))
+        return replace(model, cell=furnished(cell_of(model), tasks, base, load))
 
     configure = partial(with_two_arms, base=base)
     async with simulated(
         seed, film=film, camera=CAMERA, view=view, robot=robot, change=change, configure=configure
     ) as session:
         for number, pair in enumerate(pairs):
-            begun, start = time.perf_counter(), session.cell.now()
+            begun, start = time.process_time(), session.cell.now()
             if number:
                 set_up(session, tasks, number)
             found = [Measured(seed, pair.task.of(arm).name) for arm in pair.designs]
             results += found
             failure = ""
             try:
-                await PairRun(session, pair, base, found).run()
+                await PairRun(session, pair, base, found, load).run()
             except JausError as error:
                 failure = str(error)
             for one in found:
                 one.failure = one.failure or failure
                 one.success = not one.failure
-                one.duration, one.wall = session.cell.now() - start, time.perf_counter() - begun
+                one.duration, one.cpu = session.cell.now() - start, time.process_time() - begun
             if failure:
                 break
     if session.film is not None:
@@ -113,13 +121,13 @@ async def build_pairs(
 class PairRun:
     """Two designs on one base: built, used and taken apart. Figures go to `found`, one for each arm."""
 
-    def __init__(self, session: Session, pair: Pair, base: str, found: Sequence[Measured]) -> None:
+    def __init__(self, session: Session, pair: Pair, base: str, found: Sequence[Measured], load: float) -> None:
         self._session, self._cell = session, session.cell
         self._tasks = [pair.task.of(arm) for arm in pair.designs]
         self._found = found
         self._ur10 = Assembler(session.cell, session.layout, seed=found[0].seed)
         self._runs = [
-            DesignRun(session, task, design, f"{base}/{arm}", load=0.0, found=one, ur10=self._ur10)
+            DesignRun(session, task, design, f"{base}/{arm}", load=load, found=one, ur10=self._ur10)
             for task, (arm, design), one in zip(self._tasks, pair.designs.items(), found, strict=True)
         ]
 
@@ -178,17 +186,18 @@ class PairRun:
         frames = await all_frames(self._cell, self._session.layout)
         for use in uses:
             for name, frame in frames.items():
-                if name not in use.arm.parts:
+                if name not in use.parts:
                     use.arm.scene.put(name, pieces_of_part(self._session.layout.type_of(name)), frame)
 
     def _apart(self, uses: Sequence[Use], ways: Sequence[Way]) -> float:
         """Smallest distance between any postures on two ways, metres."""
         cell = self._session.layout.setup
         (first, way), (second, other) = zip(uses, ways, strict=True)
-        passed = middle_lines(transform(second.arm.base), _elements(second), cell, postures_between(other.path.points))
+        rows = postures_between(other.path.points)
+        passed = middle_lines(transform(second.arm.base), _elements(second), cell, rows, second.load)
         mount, elements = transform(first.arm.base), _elements(first)
         rows = postures_between(way.path.points)
-        return min(posture(mount, elements, cell.types, q.tolist()).clearance_from(passed) for q in rows)
+        return min(posture(mount, elements, cell.types, q.tolist(), first.load).clearance_from(passed) for q in rows)
 
 
 def _elements(use: Use) -> list[Element]:

@@ -20,7 +20,7 @@ NODES: Final = 60
 
 
 def slots_of(elements: Sequence[Element], types: Mapping[str, PartType], load: float) -> tuple[Slot, ...]:
-    """The places of a design, base to tip, and of its load."""
+    """The places of a design, base to tip, and of its load, in kilograms; none of a load of zero."""
     found, joints = [], 0
     for number, element in enumerate(elements):
         kind = types[element.type]
@@ -43,7 +43,7 @@ def first_buildable(
 ) -> Design | None:
     """The cheapest design that a search has found and that can be built; `note` is told why others cannot.
 
-    `before` are the arms without a load that stand there already, each with its connector.
+    `before` are the arms that stand there already, each with its connector, and with the same load.
     """
     for design in reversed(found.designs):
         why = why_not_buildable(layout, design, base, load, before)
@@ -59,11 +59,11 @@ def why_not_buildable(
 ) -> str:
     """Why the UR10 could not join the parts of a design where the file has them; empty if a plan was found.
 
-    `before` are the arms without a load that it builds first, each with its connector.
+    `before` are the arms that it builds first, each with its connector, and with the same load.
     """
     ur10 = Rehearsal(layout)
     for other, connector in before:
-        if why := _why_not_joined(ur10, layout, other, connector, 0.0):
+        if why := _why_not_joined(ur10, layout, other, connector, load):
             return why
     return _why_not_joined(ur10, layout, design, base, load)
 

@@ -79,11 +79,11 @@ class Neighbour:
     """Points of its middle lines in all postures on its way; shape (points, 3), metres."""
 
     @classmethod
-    def of(cls, cell: CellSetup, base: str, design: Design) -> Neighbour:
-        """The arm of a design on its way from upright to all goals, and back."""
+    def of(cls, cell: CellSetup, base: str, design: Design, load: float = 0.0) -> Neighbour:
+        """The arm of a design, with a load in kilograms, on its way from upright to all goals, and back."""
         upright = np.zeros(len(servos(design.elements, cell.types)))
         rows = [upright, *(np.array(row) for row in design.positions), upright]
-        passed = middle_lines(mount_of(cell, base), design.elements, cell, postures_between(rows))
+        passed = middle_lines(mount_of(cell, base), design.elements, cell, postures_between(rows), load)
         return cls(Counter(element.type for element in design.elements), passed)
 
 
@@ -94,9 +94,12 @@ def postures_between(rows: Iterable[Array]) -> Iterator[Array]:
             yield start + share * (goal - start)
 
 
-def middle_lines(mount: Transform, elements: Sequence[Element], cell: CellSetup, rows: Iterable[Array]) -> Array:
-    """Points of a chain's middle lines in all these postures; shape (points, 3), metres."""
-    return np.array([point for q in rows for point, _ in posture(mount, elements, cell.types, q.tolist()).points])
+def middle_lines(
+    mount: Transform, elements: Sequence[Element], cell: CellSetup, rows: Iterable[Array], load: float = 0.0
+) -> Array:
+    """Points of the middle lines of a chain and its load, in all these postures; shape (points, 3), metres."""
+    postures = (posture(mount, elements, cell.types, q.tolist(), load) for q in rows)
+    return np.array([point for found in postures for point, _ in found.points])
 
 
 ALONE: Final = Neighbour()
@@ -173,9 +176,9 @@ class Search:
         self.found = Found()
 
     def run(self, candidates: int, seconds: float, note: Callable[[str], None] = lambda _: None) -> Found:
-        """Try chains; `note` is told of each improvement."""
-        end = time.monotonic() + seconds
-        while self.found.tried < candidates and time.monotonic() < end:
+        """Try chains, for `seconds` of CPU time at most; `note` is told of each improvement."""
+        end = time.process_time() + seconds
+        while self.found.tried < candidates and time.process_time() < end:
             self.found.tried += 1
             elements = self._draw()
             result = self._evaluate(elements)

@@ -1,4 +1,4 @@
-"""What a task has around the arm: its obstacles as fixtures of the cell, and a load that lies ready."""
+"""What a task has around its arms: obstacles as fixtures of the cell, and a load for each arm that lies ready."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
+from jauspy.cell.design.chains import LOAD_SIDE, load_height
 from jauspy.cell.design.tasks import DesignTask, Obstacle
 from jauspy.cell.session import Session
 from jauspy.errors import ConfigError
@@ -13,33 +14,36 @@ from jauspy.geometry.poses import Transform
 from jauspy.platform.modular.parts import CellSetup, Fixture, PartKind, PartSolid, PartType, PlacedPart, Shape
 
 LOAD: Final = "load"
-"""The part, and its type, that the arm carries."""
-LOAD_SIDE: Final = 0.07
-"""Metres: side of its square base, so that a plate of 30 mm radius lies on it."""
-LOAD_DENSITY: Final = 2700.0
-"""kg/m^3: aluminium."""
+"""The type of what an arm carries, and the name of the first part of that type."""
+LOAD_ROOM: Final = 0.03
+"""Metres between two loads that lie side by side."""
 ASIDE: Final = 50.0
 """Metres beside the cell, where obstacles of other tasks are."""
 
 
 def furnished(cell: CellSetup, tasks: Sequence[DesignTask], base: str, load: float) -> CellSetup:
-    """The cell with the obstacles of all tasks, those of the first in place, and with a load on another base."""
+    """The cell with the obstacles of all tasks, those of the first in place, and with loads on another base.
+
+    `load` in kilograms; there is one for each arm of the tasks.
+    """
     fixtures = [
         _fixture(name, box, aside=number > 0) for number, task in enumerate(tasks) for name, box in _named(number, task)
     ]
     cell = replace(cell, fixtures=(*cell.fixtures, *fixtures))
     if not load:
         return cell
-    size = (LOAD_SIDE, LOAD_SIDE, load / LOAD_DENSITY / LOAD_SIDE**2)
+    size = (LOAD_SIDE, LOAD_SIDE, load_height(load))
     middle = Transform(position=(0.0, 0.0, size[2] / 2.0))
     solid = PartSolid(Shape.CUBOID, size, load, middle)
     top = Transform(((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)), (0.0, 0.0, size[2]))
     type = PartType(LOAD, PartKind.BOX, (solid,), grasp=top)
-    return replace(
-        cell,
-        types={**cell.types, LOAD: type},
-        parts=(*cell.parts, PlacedPart(LOAD, LOAD, _shelf(cell, base.partition("/")[0]).to_pose())),
-    )
+    count = max(len(task.arms) for task in tasks) or 1
+    shelf, pitch = _shelf(cell, base.partition("/")[0]), LOAD_SIDE + LOAD_ROOM
+    loads = []
+    for number in range(count):
+        place = shelf @ Transform(position=(0.0, pitch * (number - (count - 1) / 2.0), 0.0))
+        loads.append(PlacedPart(LOAD if number == 0 else f"{LOAD}_{number + 1}", LOAD, place.to_pose()))
+    return replace(cell, types={**cell.types, LOAD: type}, parts=(*cell.parts, *loads))
 
 
 def set_up(session: Session, tasks: Sequence[DesignTask], active: int) -> None:
@@ -63,7 +67,7 @@ def _fixture(name: str, box: Obstacle, *, aside: bool) -> Fixture:
 
 
 def _shelf(cell: CellSetup, base: str) -> Transform:
-    """Where the load is at first: on the first platform that carries no arm."""
+    """Where the loads are at first: on the first platform that carries no arm."""
     for part in cell.parts:
         if part.fixed and part.name != base:
             kind = cell.types[part.type]

@@ -31,7 +31,9 @@ def design(
     base: Annotated[
         str, typer.Option("--base", metavar="CONNECTOR", help="The connector that carries the arm.")
     ] = "platform_1/top",
-    load: Annotated[float, typer.Option("--load", min=0.0, max=100.0, metavar="KG", help="Mass at the tip.")] = 0.0,
+    load: Annotated[
+        float, typer.Option("--load", min=0.0, max=100.0, metavar="KG", help="Mass at the tip of each arm.")
+    ] = 0.0,
     cost: Annotated[
         str,
         typer.Option(
@@ -39,7 +41,9 @@ def design(
         ),
     ] = "mass,numJ_0.2,cyc_0.1",
     candidates: Annotated[int, typer.Option("--candidates", min=1, metavar="N", help="Chains to try.")] = 2000,
-    limit: Annotated[float, typer.Option("--limit", min=0.1, metavar="S", help="Seconds to search.")] = 60.0,
+    limit: Annotated[
+        float, typer.Option("--limit", min=0.1, metavar="S", help="Seconds of CPU time to search.")
+    ] = 60.0,
     build: Annotated[bool, typer.Option("--build", help="Build and use each arm in the simulation.")] = False,
     seed: Seed = 0,
     record: Record = None,
@@ -77,8 +81,6 @@ def design(
     if any(bool(task.arms) != paired for task in wanted):
         raise ConfigError("tasks for one arm and for two need different bases; run a command for each")
     if paired:
-        if load:
-            raise ConfigError("--load is for a single arm; leave it out for two arms on one base")
         base = base.partition("/")[0]
         config = with_two_arms(config, base)
     chooser = Chooser(
@@ -145,7 +147,7 @@ def _build(
 
     if able[0][0].arms:
         pairs = [Pair(task, dict(zip(task.arms, designs, strict=True))) for task, designs in able]
-        return build_pairs(pairs, base, robot, seed=seed, film=film, view=view)
+        return build_pairs(pairs, base, robot, load=load, seed=seed, film=film, view=view)
     single = [(task, design) for task, (design,) in able]
     return build_all(single, base, robot, load=load, seed=seed, film=film, view=view)
 

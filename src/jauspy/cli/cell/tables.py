@@ -62,9 +62,9 @@ def values_table(found: Measured) -> Table:
     table.add_column()
     table.add_column()
     table.add_row("result", "[green]success[/]" if found.success else "[red]failure[/]")
-    speed = f", {found.duration / found.wall:.1f} times real time" if found.wall else ""
+    cpu = f", {found.cpu:.0f} s of CPU time" if found.cpu else ""
     if found.duration:
-        table.add_row("time of the cell", f"{found.duration:.1f} s{speed}")
+        table.add_row("time of the cell", f"{found.duration:.1f} s{cpu}")
     for name, value in found.values.items():
         table.add_row(name.replace("_", " "), figure_text(name, value))
     if found.written:
@@ -98,7 +98,7 @@ def trials_table(summary: Summary, results: Sequence[Measured]) -> Table:
         f"{summary.successes} of {summary.runs} (95 %: {100 * summary.low:.0f} to {100 * summary.high:.0f} %)",
     )
     table.add_row("time of a run", f"median {summary.duration:.1f} s, longest {summary.longest:.1f} s")
-    table.add_row("simulated time", f"{summary.speed:.1f} times real time in each process")
+    table.add_row("CPU time of a run", f"mean {summary.cpu:.0f} s: {summary.speed:.1f} times real time")
     for name in sorted({name for result in results for name in result.values}):
         values = [result.values[name] for result in results if name in result.values]
         mean, most = figure_text(name, mean_of(results, name)), figure_text(name, max(values))

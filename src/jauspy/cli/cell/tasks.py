@@ -210,9 +210,9 @@ def demo(
 
     found = options.carry_out("demo", story)
     if found is not None and not json:
-        speed = f", {found.duration / found.wall:.1f} times real time" if found.wall else ""
+        cpu = f", {found.cpu:.0f} s of CPU time" if found.cpu else ""
         verdict = "the whole story succeeded" if found.success else "the story failed"
-        console.print_lines(f"{verdict}: {found.duration:.1f} s of the cell's time{speed}")
+        console.print_lines(f"{verdict}: {found.duration:.1f} s of the cell's time{cpu}")
         if found.failure:
             console.error(f"demo: {found.failure}")
         if found.film_problem:
@@ -252,9 +252,9 @@ def assemble(
 
         console.stdout(140).print(assembly_table(found))
         values = found.values
-        speed = f", {found.duration / found.wall:.1f} times real time" if found.wall else ""
+        cpu = f", {found.cpu:.0f} s of CPU time" if found.cpu else ""
         console.print_lines(
-            f"{values.get('parts', 0):.0f} parts in {found.duration:.1f} s{speed}; smallest distance "
+            f"{values.get('parts', 0):.0f} parts in {found.duration:.1f} s{cpu}; smallest distance "
             f"{millimetres(values.get('clearance', 0.0))} mm; {values.get('retries', 0):.0f} retries"
         )
         if not found.success:

@@ -195,11 +195,13 @@ class StatusBar:
     def _show_alarms(self) -> None:
         shown = self._alarms.shown
         self._place.set_visibility(bool(shown))
+        texts = [
+            _("{alarm} (is over)", alarm=alarm.text) if alarm.has_ended else translated(alarm.text) for alarm in shown
+        ]
+        self._text.set_text("; ".join(texts))
         if not shown:
             return
         first = shown[0]
-        texts = [_("{alarm} (is over)", alarm=each.text) if each.has_ended else translated(each.text) for each in shown]
-        self._text.set_text("; ".join(texts))
         attributes(
             self._place,
             data_level="known" if first.is_acknowledged else "urgent" if first.is_urgent else "warning",

@@ -9,12 +9,13 @@ from jauspy.codec.registry import lazy
 if TYPE_CHECKING:
     from jauspy.messages.planning.v1_0.motion_planner import (
         CancelMotion as CancelMotion, ExecuteMotion as ExecuteMotion, PlanMotion as PlanMotion,
-        QueryMotionPlan as QueryMotionPlan, QueryMotionPlannerSpecification as QueryMotionPlannerSpecification,
-        QueryMotionPlannerState as QueryMotionPlannerState, ReportMotionPlan as ReportMotionPlan,
-        ReportMotionPlannerSpecification as ReportMotionPlannerSpecification,
-        ReportMotionPlannerState as ReportMotionPlannerState,
+        QueryHeldObject as QueryHeldObject, QueryMotionPlan as QueryMotionPlan,
+        QueryMotionPlannerSpecification as QueryMotionPlannerSpecification,
+        QueryMotionPlannerState as QueryMotionPlannerState, ReportHeldObject as ReportHeldObject,
+        ReportMotionPlan as ReportMotionPlan, ReportMotionPlannerSpecification as ReportMotionPlannerSpecification,
+        ReportMotionPlannerState as ReportMotionPlannerState, SetHeldObject as SetHeldObject,
     )
 
 __all__, __getattr__, __dir__ = lazy(__name__, {
-    "jauspy.messages.planning.v1_0.motion_planner": "CancelMotion ExecuteMotion PlanMotion QueryMotionPlan QueryMotionPlannerSpecification QueryMotionPlannerState ReportMotionPlan ReportMotionPlannerSpecification ReportMotionPlannerState",
+    "jauspy.messages.planning.v1_0.motion_planner": "CancelMotion ExecuteMotion PlanMotion QueryHeldObject QueryMotionPlan QueryMotionPlannerSpecification QueryMotionPlannerState ReportHeldObject ReportMotionPlan ReportMotionPlannerSpecification ReportMotionPlannerState SetHeldObject",
 })

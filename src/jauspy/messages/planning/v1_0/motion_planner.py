@@ -273,3 +273,81 @@ class ReportMotionPlannerSpecification(jd.Message):
 class QueryMotionPlannerSpecification(jd.Message):
     """QueryMotionPlannerSpecification (0xEA42): Asks for which arm it plans."""
     REPORT = ReportMotionPlannerSpecification
+
+
+@jd.message(_SERVICE, 0xDA43, command=True)
+class SetHeldObject(jd.Message):
+    """SetHeldObject (0xDA43): States what the gripper holds: plans that are made from now on move it along.
+
+    shape: Shape. The shape that encloses it
+    object_name: up to 255 characters. Its name in reasons, such as what it would touch
+    x: in meter. X of its middle, in metres, in the frame of the tool
+    y: in meter. Y of its middle, in metres
+    z: in meter. Z of its middle, in metres
+    roll: in radian. Roll of its axes about those of the tool, in radians
+    pitch: in radian. Pitch of its axes, in radians
+    yaw: in radian. Yaw of its axes, in radians
+    size_x: in meter. Side along its x axis, in metres; the diameter of a sphere and of a cylinder
+    size_y: in meter. Side along y, in metres; only for a box
+    size_z: in meter. Side along z, in metres; the length of a cylinder; not for a sphere
+    """
+
+    class Shape(IntEnum):
+        NOTHING = 0
+        BOX = 1
+        SPHERE = 2
+        CYLINDER = 3
+
+    shape: SetHeldObject.Shape | int = jd.field("Shape", lambda: jd.Number("B", jd.Values(SetHeldObject.Shape)))
+    object_name: str = jd.field("ObjectName", jd.Text(count=jd.Count("B", 0, 255)))
+    x: float = jd.field("X", jd.Number("d", jd.ANY, "meter"))
+    y: float = jd.field("Y", jd.Number("d", jd.ANY, "meter"))
+    z: float = jd.field("Z", jd.Number("d", jd.ANY, "meter"))
+    roll: float = jd.field("Roll", jd.Number("d", jd.ANY, "radian"))
+    pitch: float = jd.field("Pitch", jd.Number("d", jd.ANY, "radian"))
+    yaw: float = jd.field("Yaw", jd.Number("d", jd.ANY, "radian"))
+    size_x: float = jd.field("SizeX", jd.Number("d", jd.ANY, "meter"))
+    size_y: float = jd.field("SizeY", jd.Number("d", jd.ANY, "meter"))
+    size_z: float = jd.field("SizeZ", jd.Number("d", jd.ANY, "meter"))
+
+
+@jd.message(_SERVICE, 0xFA43)
+class ReportHeldObject(jd.Message):
+    """ReportHeldObject (0xFA43): What the planner takes the gripper to hold.
+
+    shape: Shape. The shape that encloses it
+    object_name: up to 255 characters. Its name in reasons, such as what it would touch
+    x: in meter. X of its middle, in metres, in the frame of the tool
+    y: in meter. Y of its middle, in metres
+    z: in meter. Z of its middle, in metres
+    roll: in radian. Roll of its axes about those of the tool, in radians
+    pitch: in radian. Pitch of its axes, in radians
+    yaw: in radian. Yaw of its axes, in radians
+    size_x: in meter. Side along its x axis, in metres; the diameter of a sphere and of a cylinder
+    size_y: in meter. Side along y, in metres; only for a box
+    size_z: in meter. Side along z, in metres; the length of a cylinder; not for a sphere
+    """
+
+    class Shape(IntEnum):
+        NOTHING = 0
+        BOX = 1
+        SPHERE = 2
+        CYLINDER = 3
+
+    shape: ReportHeldObject.Shape | int = jd.field("Shape", lambda: jd.Number("B", jd.Values(ReportHeldObject.Shape)))
+    object_name: str = jd.field("ObjectName", jd.Text(count=jd.Count("B", 0, 255)))
+    x: float = jd.field("X", jd.Number("d", jd.ANY, "meter"))
+    y: float = jd.field("Y", jd.Number("d", jd.ANY, "meter"))
+    z: float = jd.field("Z", jd.Number("d", jd.ANY, "meter"))
+    roll: float = jd.field("Roll", jd.Number("d", jd.ANY, "radian"))
+    pitch: float = jd.field("Pitch", jd.Number("d", jd.ANY, "radian"))
+    yaw: float = jd.field("Yaw", jd.Number("d", jd.ANY, "radian"))
+    size_x: float = jd.field("SizeX", jd.Number("d", jd.ANY, "meter"))
+    size_y: float = jd.field("SizeY", jd.Number("d", jd.ANY, "meter"))
+    size_z: float = jd.field("SizeZ", jd.Number("d", jd.ANY, "meter"))
+
+
+@jd.message(_SERVICE, 0xEA43, query=True)
+class QueryHeldObject(jd.Message):
+    """QueryHeldObject (0xEA43): Asks for what is moved along."""
+    REPORT = ReportHeldObject
