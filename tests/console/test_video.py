@@ -15,6 +15,7 @@ pytest.importorskip("fastapi", reason="needs the extra 'console'")
 
 from jauspy.console import video as module
 from jauspy.console.video import MAX_BYTES, MAX_QUEUED, Attitude, SharedCamera, Watcher, camera_state
+from jauspy.console.video_quality import LinkQualityMeter
 from jauspy.errors import RequestError
 from jauspy.video.h264_payload import IDR, SPS, Picture
 
@@ -35,6 +36,7 @@ class FakeCamera:
     note = ""
 
     def __init__(self) -> None:
+        self.counters: dict[str, int] = {}
         self.queue: asyncio.Queue[Picture | Exception] = asyncio.Queue()
         self.receiving = 0
         self.refreshed = 0
@@ -148,6 +150,29 @@ async def test_a_picture_carries_when_it_was_taken(monkeypatch: pytest.MonkeyPat
     browser.asked.put_nowait(None)
     await serving
     await until(lambda: camera.receiving == 0)
+
+
+async def test_the_browser_is_told_what_the_link_does() -> None:
+    camera, browser = FakeCamera(), Browser()
+    camera.counters = {"packets": 1000, "missing": 10}
+    shared = SharedCamera(camera, "101.1.106", lambda _: None)  # type: ignore[arg-type] - what it uses of a camera
+    serving = asyncio.create_task(shared.serve(browser, refuse))  # type: ignore[arg-type] - what it uses of a socket
+    await asyncio.sleep(0.6)  # the first look
+    camera.counters = {"packets": 1190, "missing": 20, "lost": 10}
+    await until(lambda: browser.said("link") is not None)
+    assert browser.said("link") == {"missing": 0.05, "lost": 0.05}
+    browser.asked.put_nowait(None)
+    await serving
+
+
+def test_the_links_quality_is_that_of_the_last_ten_seconds() -> None:
+    meter = LinkQualityMeter()
+    assert meter.add(0.0, {}) == (0.0, 0.0)
+    assert meter.add(1.0, {"packets": 100, "missing": 5}) == (0.05, 0.0)
+    assert meter.add(2.0, {"packets": 198, "missing": 10, "lost": 2}) == (0.05, 0.01)
+    assert meter.add(12.5, {"packets": 298, "missing": 10, "lost": 2}) == (0.0, 0.0)
+    assert meter.add(13.0, {"packets": 3}) == (0.0, 0.0), "another receiver counts from 0"
+    assert meter.add(14.0, {"packets": 53, "missing": 1}) == (0.02, 0.0)
 
 
 async def test_one_that_does_not_read_holds_nobody_up() -> None:

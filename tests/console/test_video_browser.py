@@ -207,3 +207,17 @@ def test_a_tab_that_is_hidden_gets_no_video(url: str) -> None:
         page.get_by_role("tab", name="Video").click()
         before = page.evaluate("Math.max(...[...jauspy.video.views.values()].map((view) => view.shown))")
         wait_for_pictures(page, before + 1)
+
+
+def test_each_picture_says_its_age_and_what_the_link_does(url: str) -> None:
+    view = "[...jauspy.video.views.values()][0]"
+    with page_at(url) as page:
+        wait_for_pictures(page)
+        ages = page.locator(".video-facts").filter(has_text=re.compile(r"/s {2}·.* \d+ ms|/s {2}·.* \d+ s"))
+        ages.first.wait_for()
+        page.evaluate(f"{view}.news({{ link: {{ missing: 0.05, lost: 0 }} }})")
+        page.get_by_text("5.0 % lost, all restored").wait_for()
+        page.evaluate(
+            f"{view}.news({{ link: {{ missing: 0.12, lost: 0.004 }} }}); {view}.freezes.push([performance.now(), 1240])"
+        )
+        page.get_by_text(re.compile(r"12 % lost, 0\.4 % for good\s+·\s+stood still for 1\.2 s")).wait_for()

@@ -19,6 +19,7 @@ from jauspy.codec.message import Message
 from jauspy.console.browser_messages import Refuse, messages, video_request
 from jauspy.console.languages import ENGLISH, joined, sentence, translated
 from jauspy.console.reports import reports_of
+from jauspy.console.video_quality import LinkQuality, LinkQualityMeter
 from jauspy.console.video_recording import VideoRecording
 from jauspy.errors import JausError
 from jauspy.ids import JausID
@@ -148,6 +149,7 @@ class Watcher:
         self._news: dict[str, Any] = {}
         self._codec = ""
         self._note = ""
+        self._quality = LinkQuality()
         self._waits_for_idr = True
         self._ready = asyncio.Event()
 
@@ -164,6 +166,12 @@ class Watcher:
         if note != self._note:
             self._note = note
             self.tell(note=note)
+
+    def tell_quality(self, quality: LinkQuality) -> None:
+        """Send what the link does to the stream, if it is something else than before."""
+        if quality != self._quality:
+            self._quality = quality
+            self.tell(link=quality._asdict())
 
     def choose(self, choice: str) -> bool:
         """Send these pictures (`all`, `keys` or `nothing`) from now on; returns True if a key picture is waited for."""
@@ -324,7 +332,8 @@ class SharedCamera:
             await asyncio.sleep(RETRY_INTERVAL)
 
     async def _explain(self) -> None:
-        """Send browsers the reason while there is no picture, and request key pictures."""
+        """Send browsers the reason while there is no picture, and the link's quality, and request key pictures."""
+        meter = LinkQualityMeter()
         while True:
             await asyncio.sleep(0.5)
             reason, note = self.why_no_picture(), self.camera.note
@@ -333,8 +342,10 @@ class SharedCamera:
                     sentence("video of {name}: {note}", name=self.name, note=note or sentence("all that is set again"))
                 )
                 self._note = note
+            quality = meter.add(asyncio.get_running_loop().time(), self.camera.counters)
             for watcher in self._watchers:
                 watcher.tell_note(note)
+                watcher.tell_quality(quality)
                 if reason:
                     watcher.tell(reason=translated(reason, watcher.language))
             now = asyncio.get_running_loop().time()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Final, NamedTuple
 
@@ -186,6 +186,11 @@ def level_suffices(level: Level, size: tuple[int, int], rate: int, bit_rate: int
         and columns * rows * rate <= level.macroblocks_per_second
         and bit_rate <= bits
     )
+
+
+def with_parity(settings: VideoSettings, share: float) -> VideoSettings:
+    """The settings of an encoder that leaves room in the bit rate for `share` parity packets with each packet."""
+    return replace(settings, bit_rate=max(MIN_BIT_RATE, int(settings.bit_rate / (1.0 + share))))
 
 
 class StillFormat(Enum):

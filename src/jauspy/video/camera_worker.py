@@ -15,6 +15,7 @@ import cv2
 import numpy as np
 
 from jauspy.errors import JausError
+from jauspy.platform.video_settings import VideoSettings, with_parity
 from jauspy.video.camera_protocol import (
     AddReceiver,
     ChangeImaging,
@@ -33,7 +34,6 @@ from jauspy.worker_process import CountersReport, Parent, WorkerReady
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import Image
-    from jauspy.platform.video_settings import VideoSettings
 
 T = TypeVar("T")
 
@@ -118,6 +118,7 @@ class CameraWorker:
         self._camera = start.camera.open()
         self._imaging = Imaging(start.camera.setup)
         self._imaging.settings = start.imaging
+        self._settings = start.settings
         self._encoder = H264Encoder(start.settings)
         self._sender = RtpSender(self._name)
         self._number = 0
@@ -190,7 +191,7 @@ class CameraWorker:
         (self._sender.play if playing else self._sender.pause)(address)
 
     def _send_frame(self, now: float) -> None:
-        settings, divisor, utc = self._encoder.settings, self._pace.effort.divisor, time.time()
+        settings, divisor, utc = self._settings, self._pace.effort.divisor, time.time()
         frame = self._imaging.take(self._camera, settings.width // divisor, settings.height // divisor)
         image = frame.image
         if divisor > 1:  # the stream keeps its size, which recordings and descriptions have at their beginning
@@ -198,7 +199,9 @@ class CameraWorker:
         if self._stamped:
             draw_numbers(image, self._number, round(frame.taken * 1e6))
         self._number += 1
-        nals = self._encoder.encode(image, idr=self._sender.needs_idr(now))
+        idr = self._sender.needs_idr(now)  # hears what receivers ask for
+        self._encoder.settings = with_parity(settings, self._sender.share)
+        nals = self._encoder.encode(image, idr=idr)
         self._sender.send(nals, now, utc)
 
     def _adapt(self, began: float, skipped: int) -> None:
@@ -211,10 +214,10 @@ class CameraWorker:
             self._apply_effort()
 
     def _make_pace(self) -> Pace:
-        return Pace(efforts(self._encoder.settings, self._camera.simplifications))
+        return Pace(efforts(self._settings, self._camera.simplifications))
 
     def _change(self, settings: VideoSettings) -> None:
-        before, self._encoder.settings = self._encoder.settings, settings
+        before, self._settings = self._settings, settings
         if (before.width, before.height, before.rate) != (settings.width, settings.height, settings.rate):
             self._pace = self._make_pace()
             self._apply_effort()
@@ -223,7 +226,7 @@ class CameraWorker:
         effort = self._pace.effort
         self._due = self._clock() + 1.0 / effort.rate
         self._camera.simplify(effort.simplified)
-        text = reduced_text(self._name, self._encoder.settings, effort)
+        text = reduced_text(self._name, self._settings, effort)
         if text != self._sender.note:
             self._sender.note = text
             self._report(StreamReduced(text))

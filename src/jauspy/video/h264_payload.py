@@ -20,7 +20,9 @@ START_CODE: Final = b"\x00\x00\x00\x01"
 
 MAX_PACKET: Final = 1400
 """Bytes of an RTP packet with its header; with UDP, IP and a tunnel it fits into an Ethernet frame of 1500 bytes."""
-MAX_PAYLOAD: Final = MAX_PACKET - 12
+PARITY_OVERHEAD: Final = 17
+"""Bytes by which a parity packet is longer than the longest packet that it protects."""
+MAX_PAYLOAD: Final = MAX_PACKET - 12 - PARITY_OVERHEAD
 STAP_A: Final = 24
 FU_A: Final = 28
 """Types of payloads that are not a single NAL unit: an aggregation packet and a fragmentation unit."""

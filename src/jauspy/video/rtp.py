@@ -17,6 +17,9 @@ CLOCK_RATE: Final = 90_000
 PAYLOAD_TYPE: Final = 96
 """The first dynamic payload type; the session description defines its meaning."""
 
+PARITY_TYPE: Final = 97
+"""Payload type of parity packets, which are sent to receivers that ask for them alone (`jauspy.video.parity`)."""
+
 HEADER: Final = struct.Struct("!BBHII")
 
 _VERSION: Final = 0x80
@@ -68,8 +71,8 @@ def _payload(data: bytes, first: int) -> tuple[int, int]:
     return begin, end
 
 
-REPORT_INTERVAL: Final = 5.0
-"""Seconds between two sender reports to a receiver."""
+REPORT_INTERVAL: Final = 1.0
+"""Seconds between two sender reports to a receiver, which knows from them where to send its requests."""
 
 _SENDER: Final = struct.Struct("!BBHIIIIII")
 _NTP_EPOCH: Final = 2_208_988_800
@@ -80,6 +83,8 @@ _SOURCE_DESCRIPTION: Final = 202
 _FEEDBACK: Final = 206
 _PICTURE_LOSS, _FULL_INTRA = 1, 4
 _RECEIVER_REPORT: Final = 201
+_APPLICATION: Final = 204
+_PARITY: Final = b"PRTY"
 _CNAME, _NOTE = 1, 7
 MAX_TEXT: Final = 255
 """Bytes of a text in a source description."""
@@ -165,6 +170,40 @@ def requests_picture(data: bytes) -> bool:
             return True
         data = data[length:]
     return False
+
+
+class ParityRequest(NamedTuple):
+    """A receiver understands parity packets, and wants so many for each packet of this source."""
+
+    source: int
+    share: float
+
+
+MAX_SHARE: Final = 1.0
+"""Parity packets for each packet of a stream, at most."""
+_REQUEST: Final = struct.Struct("!BBHI4sII")
+
+
+def parity_request(receiver: int, source: int, share: float) -> bytes:
+    """The request of a receiver for parity packets: an application packet (APP, RFC 3550 6.7) after an empty report.
+
+    Senders that do not know it ignore it, and those that do send parity to nobody else.
+    """
+    empty = struct.pack("!BBHI", 0x80, _RECEIVER_REPORT, 1, receiver)
+    percent = round(100.0 * min(MAX_SHARE, max(0.0, share)))
+    return empty + _REQUEST.pack(0x80, _APPLICATION, 4, receiver, _PARITY, source, percent)
+
+
+def requested_parity(data: bytes) -> ParityRequest | None:
+    """The request for parity in RTCP packets of a receiver; None for other data."""
+    while len(data) >= 4 and data[0] & 0xC0 == 0x80:
+        length = 4 * (1 + int.from_bytes(data[2:4], "big"))
+        if data[1] == _APPLICATION and _REQUEST.size <= length <= len(data):
+            _, _, _, _, name, source, percent = _REQUEST.unpack_from(data)
+            if name == _PARITY:
+                return ParityRequest(source, min(MAX_SHARE, percent / 100.0))
+        data = data[length:]
+    return None
 
 
 def session_description(name: str, address: str, port: int, parameter_sets: Sequence[bytes] = ()) -> str:

@@ -13,7 +13,16 @@ from jauspy.errors import ConfigError
 from jauspy.video import h264_payload
 from jauspy.video.camera_protocol import Address
 from jauspy.video.h264_payload import packetise
-from jauspy.video.rtp import CLOCK_RATE, REPORT_INTERVAL, RtpPacket, requests_picture, sender_report, source_note
+from jauspy.video.parity import ParityEncoder
+from jauspy.video.rtp import (
+    CLOCK_RATE,
+    REPORT_INTERVAL,
+    RtpPacket,
+    requested_parity,
+    requests_picture,
+    sender_report,
+    source_note,
+)
 from jauspy.video.rtp_sockets import RtpSockets, numeric_address
 
 _NEVER: Final = float("-inf")
@@ -24,7 +33,10 @@ class RtpStream:
 
     def __init__(self, name: str) -> None:
         self._name = name
-        self._ssrc = secrets.randbits(32)
+        self.ssrc: Final = secrets.randbits(32)
+        self.share = 0.0
+        """Parity packets for each packet."""
+        self._parity = ParityEncoder(self.ssrc ^ secrets.randbits(31) + 1, secrets.randbits(16))
         self._sequence = secrets.randbits(16)
         self._epoch = secrets.randbits(32)
         self._packets = self._octets = 0
@@ -48,11 +60,13 @@ class RtpStream:
         self._waiting = False
         timestamp = self._timestamp(now)
         for number, payload in enumerate(payloads, start=1):
-            packet = RtpPacket(self._sequence, timestamp, self._ssrc, payload, marker=number == len(payloads))
+            packet = RtpPacket(self._sequence, timestamp, self.ssrc, payload, marker=number == len(payloads))
             self._sequence = (self._sequence + 1) & 0xFFFF
             self._packets += 1
             self._octets += len(payload)
             yield packet.encode()
+            if self.share:
+                yield from self._parity.add(packet, self.share, now)
 
     def report(self, now: float, utc: float, note: str) -> bytes | None:
         """The sender report, if one is due, or has another note; `utc` is `now` in seconds since 1970."""
@@ -61,7 +75,7 @@ class RtpStream:
             return None
         self._reported, self._note = now, note
         return sender_report(
-            self._ssrc,
+            self.ssrc,
             self._name,
             note,
             utc=utc,
@@ -72,7 +86,7 @@ class RtpStream:
 
     def notice(self, note: str) -> bytes:
         """A note before the first picture."""
-        return source_note(self._ssrc, self._name, note)
+        return source_note(self.ssrc, self._name, note)
 
     def _timestamp(self, now: float) -> int:
         return (self._epoch + round(now * CLOCK_RATE)) & 0xFFFFFFFF
@@ -89,6 +103,9 @@ SEND_BUFFER: Final = 1 << 20
 MAX_FEEDBACK_PACKETS: Final = 64
 """RTCP packets of receivers that are read after each picture."""
 
+REQUEST_TIMEOUT: Final = 10.0
+"""Seconds after which a request for parity ends, unless it is repeated."""
+
 
 @dataclass(slots=True)
 class _Receiver:
@@ -96,6 +113,8 @@ class _Receiver:
     rtcp: tuple[object, ...]
     stream: RtpStream
     playing: bool = True
+    requested_at: float = _NEVER
+    """When it asked for parity."""
 
 
 @dataclass(slots=True)
@@ -128,6 +147,11 @@ class RtpSender:
         """True when a receiver plays."""
         return any(receiver.playing for receiver in self._receivers.values())
 
+    @property
+    def share(self) -> float:
+        """The most parity packets for each packet that a receiver gets."""
+        return max((receiver.stream.share for receiver in self._receivers.values() if receiver.playing), default=0.0)
+
     def add(self, address: Address) -> None:
         """Send to this address from the next IDR picture on; a known receiver starts again.
 
@@ -157,7 +181,7 @@ class RtpSender:
 
     def needs_idr(self, now: float) -> bool:
         """True when the next picture should be an IDR: a receiver starts, or has requested it."""
-        self._listen()
+        self._listen(now)
         begins = any(receiver.playing and receiver.stream.waiting for receiver in self._receivers.values())
         return begins or (self._asked and now - self._last_idr >= MIN_IDR_INTERVAL)
 
@@ -197,8 +221,11 @@ class RtpSender:
         if (report := receiver.stream.report(now, utc, self.note)) is not None:
             self._sockets.send(report, receiver.rtcp)
 
-    def _listen(self) -> None:
+    def _listen(self, now: float) -> None:
         """Read the feedback of receivers; requests of others are ignored."""
+        for receiver in self._receivers.values():
+            if now - receiver.requested_at >= REQUEST_TIMEOUT:
+                receiver.stream.share = 0.0
         hosts = {receiver.rtcp[0] for receiver in self._receivers.values()}
         for opened in self._sockets:
             for _ in range(MAX_FEEDBACK_PACKETS):
@@ -208,6 +235,17 @@ class RtpSender:
                     break
                 except OSError:  # an ICMP error for an earlier packet
                     continue
-                if source[0] in hosts and requests_picture(heard):
+                if source[0] not in hosts:
+                    continue
+                if requests_picture(heard):
                     self._asked = True
                     self.counters["idr_asked"] += 1
+                self._protect(heard, source[0], now)
+
+    def _protect(self, heard: bytes, host: object, now: float) -> None:
+        """Send the parity that a receiver asks for, which names its stream by a number that it alone knows."""
+        if (request := requested_parity(heard)) is None:
+            return
+        for receiver in self._receivers.values():
+            if receiver.stream.ssrc == request.source and receiver.rtcp[0] == host:
+                receiver.stream.share, receiver.requested_at = request.share, now

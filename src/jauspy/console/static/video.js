@@ -4,6 +4,7 @@
 jauspy.video = {
   QUIET_TIME: 3000, // ms without a picture after which the page says why
   STALE_TIME: 1500, // ms after which a picture that is shown is marked as old
+  FREEZE_TIME: 500, // ms without a new picture that are told when it comes
   MAX_DECODING: 6, // pictures in the decoder; more are left out until the next key picture
   MAX_LATE: 300, // ms by which a picture may be drawn later than the quickest one of its camera, before fewer are asked for
   MAX_LATE_LARGE: 1000, // the same of the large camera alone: its key pictures, one in 2 s, are 1 s old on average
@@ -87,6 +88,8 @@ jauspy.video = {
     jauspy.video.wasOld = old;
   },
 
+  ageText: (age) => (age < 10_000 ? `${Math.round(age)} ms` : `${Math.round(age / 1000)} s`),
+
   save(component, name) {
     const canvas = document.querySelector(`canvas[data-component="${component}"]`);
     canvas?.toBlob((content) => {
@@ -113,6 +116,8 @@ jauspy.View = class {
     this.leftOutNow = this.lateNow = 0; // pictures, and ms of the latest one, since the page was last judged
     this.quickest = Infinity; // ms from when a picture was taken, by the robot's clock, until it was drawn
     this.times = [];
+    this.freezes = []; // when a picture came after a long time without one, and this time, both in ms
+    this.link = { missing: 0, lost: 0 }; // parts of the packets that did not arrive, and that were not restored either
     this.reason = this.cameraNote = "";
     this.began = performance.now();
     this.wanted = "all";
@@ -129,6 +134,7 @@ jauspy.View = class {
     this.leftOutByServer = 0;
     this.quickest = Infinity;
     this.cameraNote = "";
+    this.link = { missing: 0, lost: 0 };
     socket.onmessage = (event) => (typeof event.data === "string" ? this.news(JSON.parse(event.data)) : this.decode(event.data));
     socket.onclose = (event) => {
       this.stopDecoding();
@@ -156,6 +162,7 @@ jauspy.View = class {
       this.leftOutNow += news.left_out - this.leftOutByServer;
       this.leftOutByServer = news.left_out;
     }
+    if (news.link) this.link = news.link;
     if (news.attitude) this.overlay.show(news.attitude);
     if (news.codec) this.configure(news.codec);
   }
@@ -206,7 +213,9 @@ jauspy.View = class {
     this.shown += 1;
     this.takenAt = this.taken.get(Math.round(timestamp));
     this.taken.delete(Math.round(timestamp));
+    const before = this.drawnAt;
     this.drawnAt = performance.now();
+    if (before > this.allSince && this.drawnAt - before > jauspy.video.FREEZE_TIME) this.freezes.push([this.drawnAt, this.drawnAt - before]);
     this.measure();
     this.times.push(this.drawnAt);
     if (this.times.length > 200) this.times.shift();
@@ -238,6 +247,8 @@ jauspy.View = class {
     const visible = !document.hidden && this.canvas.offsetParent !== null;
     const few = video.level > (large ? 1 : 0);
     this.wanted = visible ? (few ? "keys" : "all") : "nothing";
+    if (this.wanted !== "all") this.allSince = Infinity;
+    else if (!(this.allSince < Infinity)) this.allSince = performance.now();
     if (!visible) this.began = performance.now();
     const ask = JSON.stringify({ want: this.wanted, attitude: visible && large && !this.figure.closest(".plain") });
     if (this.socket?.readyState === WebSocket.OPEN && ask !== this.told) {
@@ -265,9 +276,25 @@ jauspy.View = class {
     const facts = [];
     if (this.takenAt > 0 && jauspy.isLarge(this.figure)) facts.push(new Date(this.takenAt).toTimeString().slice(0, 8));
     if (this.drawnAt !== undefined) facts.push(`${Math.round(this.times.length / 2)}/s`);
+    if (this.drawnAt !== undefined && this.takenAt > 0) facts.push(jauspy.video.ageText(this.age()));
+    facts.push(...this.linkTexts(now));
     const leftOut = this.leftOut + this.leftOutByServer;
     if (leftOut) facts.push(jauspy._("{count} left out", { count: leftOut }));
     this.facts.textContent = facts.join("  ·  ");
+    this.facts.toggleAttribute("data-poor", this.link.lost > 0 || this.freezes.length > 0);
+  }
+
+  // What the link has done to the video in the last 10 s.
+  linkTexts(now) {
+    while (this.freezes.length && this.freezes[0][0] < now - 10_000) this.freezes.shift();
+    const { missing, lost } = this.link;
+    const percent = (part) => (100 * part).toFixed(part < 0.0995 ? 1 : 0);
+    const texts = [];
+    if (lost > 0) texts.push(jauspy._("{missing} % lost, {lost} % for good", { missing: percent(missing), lost: percent(lost) }));
+    else if (missing > 0) texts.push(jauspy._("{missing} % lost, all restored", { missing: percent(missing) }));
+    const longest = Math.max(0, ...this.freezes.map(([, time]) => time));
+    if (longest) texts.push(jauspy._("stood still for {seconds} s", { seconds: (longest / 1000).toFixed(1) }));
+    return texts;
   }
 };
 
