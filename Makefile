@@ -20,11 +20,11 @@ ATTACK_ARGS ?=
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo cell test test-slow test-together test-alone coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
+.PHONY: help setup dev demo cell test test-slow test-together test-alone test-long coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: test-slow coverage lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean (see CONTRIBUTING.md)"
+	@echo "others: test-slow test-long coverage lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
@@ -59,11 +59,16 @@ test-slow: dev
 	$(MAKE) --no-print-directory test-alone
 
 test-together: dev
-	$(PYTEST) -m 'slow and not alone' $(PYTEST_ARGS)
+	$(PYTEST) -m 'slow and not alone and not long' $(PYTEST_ARGS)
 
 # only the files that have such tests: to read all others takes longer than many a test
 test-alone: dev
-	$(BIN)/pytest -m 'slow and alone' $(PYTEST_ARGS) $(shell grep -rlE --include='test_*.py' 'mark\.alone|helpers\.browser' tests)
+	$(BIN)/pytest -m 'slow and alone and not long' $(PYTEST_ARGS) $(shell grep -rlE --include='test_*.py' 'mark\.alone|helpers\.browser' tests)
+
+# what CI has no time for: about an hour and a half; before a release
+test-long: dev
+	$(PYTEST) -m 'long and not alone' $(PYTEST_ARGS)
+	$(BIN)/pytest -m 'long and alone' $(PYTEST_ARGS)
 
 check: types docs lint imports security
 

@@ -1,6 +1,7 @@
 """What many tests share: short socket folders, free ports, two hosts on one cable, time limits for slow machines."""
 
 import contextlib
+import gc
 import os
 import shutil
 import socket
@@ -57,6 +58,38 @@ def _reading_once() -> None:
 
 
 _reading_once()
+
+gc.disable()  # until all tests are collected: nothing of that is garbage, and searching it takes a third of the time
+
+
+MANY = 6
+"""Slow cases of one test of which `make test-slow` runs every third; the others are `long`."""
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark two of three cases as long, where a slow test has many."""
+    cases: dict[str, list[pytest.Item]] = {}
+    for item in items:
+        if item.get_closest_marker("slow") is not None:
+            cases.setdefault(item.nodeid.partition("[")[0], []).append(item)
+    for ones in cases.values():
+        if len(ones) >= MANY:
+            for number, item in enumerate(ones):
+                if number % 3:
+                    item.add_marker("long")
+
+
+def pytest_collection_finish() -> None:
+    """Do not search again and again what has been collected, some million objects."""
+    gc.enable()
+    gc.freeze()
+
+
+def pytest_unconfigure() -> None:
+    """Search them once more, or libraries in C report what is left at exit as leaked."""
+    gc.unfreeze()
+
 
 camera_process.NICENESS = 0
 """Processes of cameras do not wait until other tests leave them the processor, which took up to 25 s for a picture."""

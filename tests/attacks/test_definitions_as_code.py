@@ -68,6 +68,7 @@ def test_texts_of_a_definition_never_run() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_texts_of_a_definition_never_run_in_any_single_place() -> None:
     made = [name for way in WAYS for hole in HOLES for name in _used(way, [hole])]
     assert len(made) > len(WAYS) * len(HOLES)

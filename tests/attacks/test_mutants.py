@@ -14,7 +14,6 @@ pytestmark = pytest.mark.alone
 ROOT = Path(__file__).parents[2]
 SECONDS = {"every-plan": 10}
 """For attacks that notice a mutant by how long work takes: enough of it, on a fast machine too."""
-ALL_MUTANTS = "JAUSPY_MUTANTS" in os.environ
 NAMES = sorted({name for mutant in MUTANTS.values() for name in mutant.noticed_by})
 
 
@@ -47,7 +46,7 @@ def test_each_mutant_can_be_applied() -> None:
 
 @pytest.mark.slow
 @pytest.mark.timeout(600)  # above that of the process, which would leave its victims behind
-@pytest.mark.parametrize("name", sorted(MUTANTS)[:: 1 if ALL_MUTANTS else 2])
+@pytest.mark.parametrize("name", sorted(MUTANTS))
 def test_the_attack_notices(name: str) -> None:
     done = attacked("--seconds", str(SECONDS.get(name, 6)), "--mutant", name)
     assert done.returncode == 0, done.stdout + done.stderr

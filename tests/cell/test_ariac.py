@@ -127,7 +127,14 @@ def test_a_gripper_that_vents_lets_its_part_fall_and_reports_why(trial: Callable
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-@pytest.mark.parametrize("name", ["02_flipped_parts", "05_sensor_blackout", "09_moving_belt"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param("02_flipped_parts", marks=pytest.mark.long),
+        pytest.param("05_sensor_blackout", marks=pytest.mark.long),
+        "09_moving_belt",
+    ],
+)
 def test_each_trial_reaches_all_points_that_can_be_had(name: str) -> None:
     found = run(load(name))
     assert found.success, found.failure

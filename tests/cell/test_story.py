@@ -157,6 +157,7 @@ def test_one_client_takes_apart_what_another_one_has_built() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.timeout(1800)
 def test_the_whole_story_succeeds_and_nothing_is_written() -> None:
     found = asyncio.run(run_one("demo", 0))

@@ -134,7 +134,7 @@ def test_a_flight_is_that_of_a_point_mass(planner: ThrowPlanner, plan: ThrowPlan
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.long)])
 def test_the_simulation_sees_the_planned_clearance_and_no_contact(seed: int) -> None:
     found = asyncio.run(run_one("lift", seed))
     assert found.success, found.failure
@@ -169,6 +169,7 @@ def test_the_simulation_measures_the_planned_loads() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.timeout(900)
 def test_throws_miss_by_less_than_two_centimetres_in_the_mean_once_the_first_ones_have_taught_the_aim(
     monkeypatch: pytest.MonkeyPatch,

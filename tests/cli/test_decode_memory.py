@@ -95,7 +95,7 @@ def peak(path: Path, *options: str) -> int:
 @pytest.mark.parametrize(
     ("write", "options"),
     [
-        (write_pcap, ["--json"]),
+        pytest.param(write_pcap, ["--json"], marks=pytest.mark.long),
         (write_pcapng, ["--format", "csv", "--filter", "msg == ReportLocalPose"]),
         (write_mcap, ["--json"]),
     ],

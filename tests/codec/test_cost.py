@@ -94,7 +94,9 @@ def test_cost_inputs_cover_all_kinds(inputs: Any) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(4))
+@pytest.mark.parametrize(
+    "number", [pytest.param(number, marks=pytest.mark.long if number else []) for number in range(4)]
+)
 def test_decoding_64_kb_is_bounded_in_time(number: int, inputs: Any) -> None:
     most = 100 * work(lambda: ReportServices.decode(normal()))
     for cls, data in inputs[number::4]:

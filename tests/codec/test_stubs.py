@@ -45,6 +45,7 @@ def test_stub_agrees_with_the_classes(tmp_path: Path, files: list[Path]) -> None
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_stubs_of_all_public_definitions(tmp_path: Path) -> None:
     """By our comparison, by mypy's stubtest, which sees aliases of classes as variables, by mypy and ruff."""
     stubs = written(tmp_path, "public_messages", *builtin_paths())

@@ -19,7 +19,12 @@ PROFILES = ("core-1.1", "mobility-1.1", "manipulator-2.0", "sensing-2.0", "ugv-1
 @pytest.mark.slow
 @pytest.mark.timeout(900)
 @pytest.mark.parametrize(
-    "component", [each.component for each in robot_files.load("inc1").modules if each.type in DRIVEN]
+    "component",
+    [
+        pytest.param(module.component, marks=[] if module.type == "CM-EEF" else pytest.mark.long)
+        for module in robot_files.load("inc1").modules
+        if module.type in DRIVEN
+    ],
 )
 def test_every_module_conforms(component: int) -> None:
     steps = 0

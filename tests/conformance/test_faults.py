@@ -57,6 +57,7 @@ def test_sampled_faults_are_detected(profile):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize("profile", HAND_WRITTEN)
 def test_every_fault_is_detected_and_every_check_detects_one(profile):

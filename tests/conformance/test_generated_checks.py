@@ -117,7 +117,10 @@ def test_our_robots_pass(profile, module):
 
 @pytest.mark.slow
 @pytest.mark.timeout(300)
-@pytest.mark.parametrize("profile", MODULES)
+@pytest.mark.parametrize(
+    "profile",
+    [pytest.param(profile, marks=pytest.mark.long if number % 3 else []) for number, profile in enumerate(MODULES)],
+)
 def test_every_kind_of_check_can_fail(profile):
     known: set[tuple[str, str]] = set()
     for module in MODULES[profile]:

@@ -84,6 +84,7 @@ def test_planted_fault_is_found_minimised_and_replayed(  # noqa: PLR0917 - param
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_fault_in_both_paths_is_found_by_the_reference(hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     layout: Any = RegisterServices.layout()
     item = layout.slots[0].item

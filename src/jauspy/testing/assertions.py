@@ -33,7 +33,9 @@ async def no_leftovers() -> AsyncIterator[None]:
     loop, before = asyncio.get_running_loop(), asyncio.all_tasks()
     errors: list[dict[str, Any]] = []
     handler = loop.get_exception_handler()
-    gc.freeze()  # existing objects need not be searched for such errors, which would take long
+    freezes = not gc.get_freeze_count()
+    if freezes:
+        gc.freeze()  # existing objects need not be searched for such errors, which would take long
     loop.set_exception_handler(lambda _, context: errors.append(context))
     try:
         yield
@@ -41,7 +43,8 @@ async def no_leftovers() -> AsyncIterator[None]:
             await asyncio.sleep(0)
         gc.collect()  # an error of a task or future that nobody retrieved is reported when it is deleted
     finally:
-        gc.unfreeze()
+        if freezes:
+            gc.unfreeze()
         loop.set_exception_handler(handler)
     left = asyncio.all_tasks() - before - {asyncio.current_task()}
     if left:

@@ -152,6 +152,7 @@ def test_the_second_arm_has_neither_the_parts_nor_the_place_of_the_first(paired:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.timeout(900)
 async def test_two_arms_are_built_beside_each_other_and_carry_loads_to_their_goals(
     paired: RobotModel, task: DesignTask
