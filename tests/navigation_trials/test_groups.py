@@ -44,7 +44,7 @@ def test_a_goal_in_a_room_is_reached(tmp_path: Path) -> None:
     assert 2.0 < drive.shortest < 9.0
     assert 0.8 < drive.way / drive.shortest < 1.5
     assert drive.plans >= 1
-    assert 0.0 < drive.planning
+    assert drive.planning > 0.0
     assert drive.seconds > 2.0
     assert (drive.thing, drive.new_way, drive.new_way_planning) == ("", None, None)
 
