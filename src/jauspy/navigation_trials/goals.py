@@ -41,13 +41,14 @@ class TrueMap:
     def __init__(self, heights: Heights, mobility: Mobility) -> None:
         known = ~np.isnan(heights.heights)
         self._heights = heights.heights
-        self._terrain = TerrainCost(
+        self.terrain = TerrainCost(
             mobility, ~known, known, heights.origin, heights.resolution, elevation=heights, allow_unknown=False
         )
+        """The cost of driving there."""
 
     def draw_goal(self, here: PlanarPose, rng: np.random.Generator) -> Goal | None:
         """A random goal that the robot can reach from a pose; None if `TRIES` cannot be reached."""
-        terrain = self._terrain
+        terrain = self.terrain
         terrain.start_at(here)
         ways = self.shortest(here)
         rows, columns = np.nonzero(np.isfinite(ways) & (ways > NEAR) & (ways < FAR) & (terrain.distance > ROOM))
@@ -66,7 +67,7 @@ class TrueMap:
 
         It goes to 8 neighbours, half the robot's width away from obstacles, over no step that the robot does not climb.
         """
-        terrain, mobility = self._terrain, self._terrain.mobility
+        terrain, mobility = self.terrain, self.terrain.mobility
         begin = terrain.cell(start.x, start.y)
         if begin is None:  # the robot has left the map
             return np.full(terrain.shape, np.inf)

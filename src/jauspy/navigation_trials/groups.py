@@ -65,7 +65,7 @@ def drive_group(plan: TrialPlan, group: GoalGroup) -> list[Drive]:
 async def _drive_from_start(plan: TrialPlan, group: GoalGroup, drives: list[Drive]) -> None:
     """Add drives of a robot that begins anew, until one has failed or there are enough."""
     rng = np.random.default_rng((plan.seed, group.number, len(drives)))
-    config = _configured(int(rng.integers(1 << 30)))
+    config = with_other_errors(robot_without_media(), int(rng.integers(1 << 30)))
     model, first = robot_model(config), len(drives)
     mobility = mobility_of(model)
     backend = PlacingBackend(STARTS.get(group.world, Pose()))
@@ -104,12 +104,11 @@ async def _drive_from_start(plan: TrialPlan, group: GoalGroup, drives: list[Driv
                 break
 
 
-def _configured(errors: int) -> RobotConfig:
-    """The robot without cameras and sound; its sensors have the errors of a number."""
+def robot_without_media() -> RobotConfig:
+    """The robot without cameras and sound."""
     config = robot_files.load(ROBOT)
     modules = tuple(module for module in config.modules if module.type not in WITHOUT)
-    less = config.model_copy(update={"modules": modules, "cameras": (), "microphones": (), "loudspeakers": ()})
-    return with_other_errors(less, errors)
+    return config.model_copy(update={"modules": modules, "cameras": (), "microphones": (), "loudspeakers": ()})
 
 
 @asynccontextmanager

@@ -86,8 +86,16 @@ class PlacingBackend:
         self._robot = backend.open_several([PlacedRobot(robot, self._start)], world)[0]
         return self._robot
 
+    @property
+    def robot(self) -> Robot:
+        """The robot, once it is open."""
+        if self._robot is None:
+            raise ConfigError("the robot is not open yet")
+        return self._robot
+
     def truth(self, step: float) -> DrivingTruth:
         """The truth about the robot that was opened; `step` metres is the highest that it climbs."""
-        if not isinstance(self._robot, KnowsDriving):
+        robot: object = self.robot
+        if not isinstance(robot, KnowsDriving):
             raise ConfigError(f"the backend {self.name!r} does not know the truth of drives; install jauspy[sim] again")
-        return self._robot.driving_truth(step)
+        return robot.driving_truth(step)
