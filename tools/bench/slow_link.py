@@ -14,8 +14,8 @@ that a search has found in the true map, slower on slower links.
     key          from a press while the robot stands until it moves with 0.02 m/s: link and robot, without the browser,
                  whose part `tools/bench/console.py` measures
 
-Pictures need cameras' processes and real time, and are not part of this. A search for a goal has three seconds of processor
-time: on a slow machine fewer goals are found, and the row says how many.
+Pictures need cameras' processes and real time, and are not part of this. A search for a goal has three seconds of
+processor time: on a slow machine fewer goals are found, and the row says how many.
 """
 
 from __future__ import annotations

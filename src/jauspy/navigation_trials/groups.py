@@ -99,9 +99,13 @@ async def _drive_from_start(plan: TrialPlan, group: GoalGroup, drives: list[Driv
                 break
             place = Place(group.world, group.number, len(drives))
             navigator = Navigator(robot, model, surroundings)
-            drives.append(await drive_to(navigator, truth, goal, to_local, place, moved=plan.moved))
-            if not drives[-1].reached:
+            drive = await drive_to(navigator, truth, goal, to_local, place, moved=plan.moved)
+            drives.append(drive)
+            if not drive.reached:
                 break
+            if drive.thing or drive.contacts:
+                truth.measure_heights()
+                true_map = TrueMap(truth.heights, mobility)
 
 
 def robot_without_media() -> RobotConfig:

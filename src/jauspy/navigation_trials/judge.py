@@ -47,6 +47,10 @@ class DrivingTruth(Protocol):
         """Pose of the base in the world."""
         ...
 
+    def measure_heights(self) -> None:
+        """Measure the heights again, after things were moved."""
+        ...
+
     def begin(self) -> None:
         """Measure contacts and way from now on."""
         ...

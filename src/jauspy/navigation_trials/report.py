@@ -22,7 +22,7 @@ LONGER: Final = 1.2
 """Ratio of the way driven to the shortest one above which it counts as too long."""
 MAX_PLOTTED: Final = 24
 """Failures that the plot names; the table has all."""
-MAX_REASON: Final = 110
+MAX_REASON: Final = 200
 """Characters of a reason in the plot."""
 
 

@@ -38,12 +38,14 @@ class ContactWatch:
         step: float,
     ) -> None:
         self.contacts: Counter[str] = Counter()
-        """Samples of the physics with a contact, by the name of the body, which is `world` for walls."""
+        """Samples of the physics with a contact, by the name of the body; `wall` for what does not move."""
         self.way = 0.0
         """Metres."""
-        self._data, self._pose, self._ground, self._step = data, pose, ground, step
+        self.ground = ground
+        """The heights of the world."""
+        self._data, self._pose, self._step = data, pose, step
         names = [model.body(number).name for number in range(model.nbody)]
-        self._names = [names[body] or "a body without a name" for body in model.geom_bodyid.tolist()]
+        self._names = [(names[body] if body else "") or "wall" for body in model.geom_bodyid.tolist()]
         own = np.array([name.startswith(name_prefix) for name in names])
         self._own = own[model.geom_bodyid]
         moves = model.body_dofnum[model.body_rootid] > 0
@@ -81,5 +83,5 @@ class ContactWatch:
 
     def _is_wall(self, place: NDArray[np.float64]) -> bool:
         """False for the face of a step that the robot climbs from where it is."""
-        highest = self._ground.highest_around(float(place[0]), float(place[1]))
+        highest = self.ground.highest_around(float(place[0]), float(place[1]))
         return math.isnan(highest) or highest > self._pose().z + self._step

@@ -27,11 +27,15 @@ class DrivingTruth:
         self, model: mujoco.MjModel, data: mujoco.MjData, name_prefix: str, pose: Callable[[], Pose], step: float
     ) -> None:
         self._model, self._data, self._prefix = model, data, name_prefix
-        self._pose = pose
+        self._pose, self._step = pose, step
         self.heights: TrueHeights = true_heights(model, data, name_prefix, step)
         """The heights of the world without the robot."""
         self.watch = ContactWatch(model, data, name_prefix, pose, ground=self.heights, step=step)
         """Measures contacts and way."""
+
+    def measure_heights(self) -> None:
+        """Measure the heights again, after things were moved."""
+        self.heights = self.watch.ground = true_heights(self._model, self._data, self._prefix, self._step)
 
     def pose(self) -> Pose:
         """Pose of the base in the world."""

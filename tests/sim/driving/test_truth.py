@@ -122,13 +122,16 @@ def test_a_wall_and_a_thing_are_touched_and_the_face_of_a_step_is_not() -> None:
     box = Box(CRATE)
     box.truth.begin()
     box.slide(1.0, 0.0, 2.0)
-    assert set(box.truth.contacts) == {"world"}
+    assert set(box.truth.contacts) == {"wall"}
     box.slide(-1.0, 0.0, 0.5)
     box.truth.begin()
     box.slide(-1.0, 0.0, 0.2)
     assert box.truth.contacts == {}, "it has left the wall"
     here = box.pose()
     assert box.truth.put_thing(here.x, here.y + 0.5) == "crate"
+    assert height(box, here.x, here.y + 0.5) == 0.0
+    box.truth.measure_heights()
+    assert height(box, here.x, here.y + 0.5) == pytest.approx(0.4, abs=1e-3)
     box.truth.begin()
     box.slide(0.0, 1.0, 0.5)
     assert box.truth.contacts["crate"] > 10
