@@ -143,8 +143,8 @@ def _by_world(results: TrialResults) -> Iterator[tuple[str, list[Drive]]]:
 
 
 HEADINGS: Final = (
-    *("goals", "reached", "95 %", "touched", "way / shortest, median", "p95", "most", f"> {LONGER}", "longest search, CPU s"),
-    *("things put", "new way after, s, median", "p95", "most"),
+    *("goals", "reached", "95 %", "touched", "way / shortest, median", "p95", "most", f"> {LONGER}"),
+    *("longest search, CPU s", "things put", "new way after, s, median", "p95", "most"),
 )
 
 
