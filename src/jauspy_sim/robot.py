@@ -30,6 +30,7 @@ from jauspy_sim.assembly import (
     prefix,
     redirect_warnings,
 )
+from jauspy_sim.driving.truth import DrivingTruth
 from jauspy_sim.physics.contacts import SimulatedContacts
 from jauspy_sim.physics.dynamics import dynamics_of
 from jauspy_sim.physics.joints import SimulatedJoints
@@ -148,6 +149,12 @@ class SimulatedRobot:
     def data(self) -> mujoco.MjData:
         """MuJoCo's state; writing to it moves the world."""
         return self._data
+
+    def driving_truth(self, step: float) -> DrivingTruth:
+        """The truth about its drives from now on; takes seconds. `step` metres is the highest that the robot climbs."""
+        truth = DrivingTruth(self._model, self._data, self.name_prefix, self.drive.pose, step)
+        self._physics.sensors = (*self._physics.sensors, truth.watch)
+        return truth
 
     @property
     def cameras(self) -> Mapping[str, SimulatedCamera]:

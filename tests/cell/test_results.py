@@ -11,6 +11,7 @@ import pytest
 
 pytest.importorskip("scipy", reason="the extra 'cell-measurements' is not installed")
 
+from jauspy import plots
 from jauspy.cell import report
 from jauspy.cell.calibration import Parameters
 from jauspy.cell.iso9283.bench import Plan
@@ -18,11 +19,12 @@ from jauspy.cell.iso9283.characteristics import Accuracy, Arrival, Drift, DriftP
 from jauspy.cell.iso9283.page import write_report
 from jauspy.cell.iso9283.results import Report, Run
 from jauspy.cell.measurements import Measured
-from jauspy.cell.report import Plot, Promise, Section, Table, figure, page, plot_trials
+from jauspy.cell.report import Plot, Promise, Section, Table, page, plot_trials
 from jauspy.cell.swing import AT_REST, Swing, SwingComparison
 from jauspy.cell.trials import summarised
 from jauspy.errors import ConfigError
 from jauspy.platform.modular.arm import ArmController
+from jauspy.plots import figure
 
 
 def run(name: str, *accuracies: float) -> Run:
@@ -225,6 +227,6 @@ def test_without_matplotlib_it_says_what_to_install(tmp_path: Path, monkeypatch:
     def missing(name: str) -> object:
         raise ImportError(name)
 
-    monkeypatch.setattr(report, "import_module", missing)
+    monkeypatch.setattr(plots, "import_module", missing)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[plot\]'"), figure(tmp_path / "plot.svg"):
         pass

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from jauspy.campaigns import wilson
 from jauspy.cell.kitting import MAX_ANGLE, MAX_DISTANCE, drawn_order, score
 from jauspy.cell.measurements import Measured, figure_text
 from jauspy.cell.report import Plot, Promise, Section, Table, page
-from jauspy.cell.trials import summarised, wilson
+from jauspy.cell.trials import summarised
 
 GOOD = (0.001, 0.01)
 

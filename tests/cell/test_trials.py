@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 from hypothesis import given, strategies as st
 
+from jauspy.campaigns import wilson
 from jauspy.cell import trials
 from jauspy.cell.measurements import Measured, figure_text
 from jauspy.cell.session import Disturbances
-from jauspy.cell.trials import mean_of, read_results, run_trials, summarised, wilson, write_results
+from jauspy.cell.trials import mean_of, read_results, run_trials, summarised, write_results
 
 COUNTS = st.integers(1, 400).flatmap(lambda runs: st.tuples(st.integers(0, runs), st.just(runs)))
 

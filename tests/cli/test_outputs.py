@@ -65,6 +65,7 @@ WRITE_FILES = {
     "cell kitting",
     "cell all",
     "cell trials",
+    "navigate-trials",
     "fuzz codec",
     "fuzz target",
     "fuzz python",

@@ -14,8 +14,8 @@ that a search has found in the true map, slower on slower links.
     key          from a press while the robot stands until it moves with 0.02 m/s: link and robot, without the browser,
                  whose part `tools/bench/console.py` measures
 
-Pictures need cameras' processes and real time, and are not part of this. A search for a goal has a second of real time:
-on a loaded machine fewer goals are found, and the row says how many.
+Pictures need cameras' processes and real time, and are not part of this. A search for a goal has three seconds of
+processor time: on a slow machine fewer goals are found, and the row says how many.
 """
 
 from __future__ import annotations
@@ -31,17 +31,18 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from navigation import STARTS, Watched, a_goal, true_heights, true_terrain
 
 from jauspy.console.operation import MAX_TURN_RATE, Operation
 from jauspy.errors import JausError
 from jauspy.geometry.poses import PlanarPose
+from jauspy.navigation_trials.goals import TrueMap
+from jauspy.navigation_trials.groups import STARTS, robot_without_media
+from jauspy.navigation_trials.judge import DrivingTruth, PlacingBackend
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
 from jauspy.planning.mobility import mobility_of
 from jauspy.planning.path_search import find_path
-from jauspy.platform.description import RobotModel
-from jauspy.robot import robot_files
+from jauspy.platform.contract import Robot as SimulatedRobot
 from jauspy.robot.robot_files import robot_model
 from jauspy.robot.runner import RobotRunner
 from jauspy.testing import VirtualNetwork
@@ -59,7 +60,7 @@ LIMIT: Final = 240.0
 MOVES: Final = 0.02
 """m/s with which a robot counts as moving."""
 SEARCHES: Final = 5
-"""Times that a goal is looked for: on a loaded machine a search may not end in its second."""
+"""Times that a goal is looked for: on a slow machine a search may not end in its time."""
 PAGE: Final = "operator"
 """Stands for the token of a page."""
 
@@ -72,8 +73,8 @@ def speed_for(delay: float) -> float:
 class Operator:
     """Sees what the robot reports, and deflects the stick."""
 
-    def __init__(self, robot: Robot, operation: Operation, watched: Watched) -> None:
-        self.operation, self.robot, self.watched = operation, robot, watched
+    def __init__(self, robot: Robot, operation: Operation, simulated: SimulatedRobot) -> None:
+        self.operation, self.robot, self.simulated = operation, robot, simulated
         self.pose = PlanarPose()
         self.problems: list[str] = []
         self._deflected = self._stood = 0.0
@@ -94,7 +95,7 @@ class Operator:
         if why_not := self.operation.drive(PAGE, forward, left):
             self.problems.append(why_not)
         await asyncio.sleep(PERIOD)
-        moving = speed_of(self.watched)
+        moving = speed_of(self.simulated)
         self._deflected = self._deflected + PERIOD if max(abs(forward), abs(left)) > 0.3 else 0.0
         self._stood = self._stood + PERIOD if self._deflected > 1.0 and moving < MOVES else 0.0
         if self._stood > 0.3 and not self._stands:
@@ -123,10 +124,9 @@ class Operator:
         await asyncio.sleep(seconds)
 
 
-def speed_of(watched: Watched) -> float:
+def speed_of(simulated: SimulatedRobot) -> float:
     """The true speed: metres, and half metres of a turn, per second."""
-    assert watched.robot is not None
-    twist = watched.robot.drive.twist()
+    twist = simulated.drive.twist()
     return math.hypot(twist.vx, twist.vy) + 0.5 * abs(twist.wz)
 
 
@@ -143,13 +143,12 @@ def dense(points: Sequence[PlanarPose]) -> list[PlanarPose]:
 
 async def measure(delay: float, arguments: argparse.Namespace) -> dict[str, Any]:
     """The row of one delay, in seconds each way."""
-    config = robot_files.load("inc1")
-    modules = tuple(module for module in config.modules if module.type not in ("CM-VIS", "CM-AUD"))
-    config = config.model_copy(update={"modules": modules, "cameras": (), "microphones": (), "loudspeakers": ()})
-    watched = Watched(STARTS.get(WORLD))
+    config = robot_without_media()
+    mobility = mobility_of(robot_model(config))
+    backend = PlacingBackend(STARTS[WORLD])
     async with (
         VirtualNetwork(seed=arguments.seed) as network,
-        RobotRunner(config, network.transport, backend=watched, world=WORLD, realtime=VirtualTime),
+        RobotRunner(config, network.transport, backend=backend, world=WORLD, realtime=VirtualTime),
         OCU("42.1.1", transport=network.transport("42.1.1")) as ocu,
     ):
         robot = await ocu.robot(101)
@@ -159,21 +158,23 @@ async def measure(delay: float, arguments: argparse.Namespace) -> dict[str, Any]
         if problem := await operation.take(PAGE, 127):
             raise SystemExit(problem)
         network.delay, network.loss = delay, arguments.loss
-        operator = Operator(robot, operation, watched)
+        truth = backend.truth(mobility.flipper_step)
+        true_map = TrueMap(truth.heights, mobility)
+        operator = Operator(robot, operation, backend.robot)
         looking = asyncio.create_task(operator.look())
         await operator.stand(3.0)
         clock = asyncio.get_running_loop().time
-        watched.contacts.clear()
+        course = ways(truth, true_map, operator.pose, arguments)
+        truth.begin()
         began, reached = clock(), 0
-        course = ways(watched, operator.pose, robot_model(config), arguments)
         for way in course:
             reached += await operator.follow(way)
             await operator.stand(2.0)
-        seconds, contacts = clock() - began, dict(watched.contacts)
+        seconds, contacts = clock() - began, dict(truth.contacts)
         presses = []
         for number in range(arguments.presses):
             began, forward = clock(), 1.0 if number % 2 else -1.0
-            while speed_of(watched) < MOVES and clock() - began < 5.0:
+            while speed_of(backend.robot) < MOVES and clock() - began < 5.0:
                 operation.drive(PAGE, forward, 0.0)
                 await asyncio.sleep(0.005)
             presses.append(1000.0 * (clock() - began))
@@ -198,27 +199,20 @@ async def measure(delay: float, arguments: argparse.Namespace) -> dict[str, Any]
 
 
 def ways(
-    watched: Watched, reported: PlanarPose, model: RobotModel, arguments: argparse.Namespace
+    truth: DrivingTruth, true_map: TrueMap, reported: PlanarPose, arguments: argparse.Namespace
 ) -> list[list[PlanarPose]]:
     """Ways to the goals, each from the goal before, in the local frame of the robot."""
-    assert watched.robot is not None
-    pose = watched.robot.drive.pose()
+    pose = truth.pose()
     here = PlanarPose(pose.x, pose.y, pose.yaw)
     to_local = reported @ here.inverse()
-    mobility = mobility_of(model)
-    heights = true_heights(watched.robot, mobility.flipper_step)
-    terrain = true_terrain(heights, mobility)
     rng, ways_found = np.random.default_rng(arguments.seed), list[list[PlanarPose]]()
     for _ in range(arguments.goals):
-        terrain.start_at(here)
-        goal = next(
-            (found for _ in range(SEARCHES) if (found := a_goal(terrain, heights, here, rng)) is not None), None
-        )
+        goal = next((found for _ in range(SEARCHES) if (found := true_map.draw_goal(here, rng)) is not None), None)
         if goal is None:
             break  # the row tells how many there were
-        points = find_path(terrain, here, goal[0], backward=False, seconds=30.0).points
+        points = find_path(true_map.terrain, here, (goal.x, goal.y), backward=False, seconds=30.0).points
         poses = [PlanarPose(point.x, point.y) for point in points]
-        ways_found.append(dense([to_local @ each for each in poses]))
+        ways_found.append(dense([to_local @ place for place in poses]))
         last, before = points[-1], points[-2]
         here = PlanarPose(last.x, last.y, math.atan2(last.y - before.y, last.x - before.x))
     return ways_found

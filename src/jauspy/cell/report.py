@@ -8,37 +8,15 @@ from __future__ import annotations
 
 import base64
 import re
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from html import escape
-from importlib import import_module
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from jauspy.cell.measurements import Measured
 from jauspy.cell.trials import Summary
-from jauspy.errors import ConfigError
-
-GOOD, BAD, ACCENT = "#2f7d4f", "#b3423a", "#3b6ea5"
-
-
-@contextmanager
-def figure(path: Path, *, columns: int = 1, size: tuple[float, float] = (10.0, 4.0)) -> Iterator[Any]:
-    """A figure with so many axes side by side, written to `path` at the end. Yields the axes as a list."""
-    try:
-        import_module("matplotlib").use("Agg")
-        pyplot = import_module("matplotlib.pyplot")
-    except ImportError:
-        raise ConfigError("plots need matplotlib; run: pip install 'jauspy[plot]'") from None
-    with pyplot.rc_context({"svg.hashsalt": "jauspy", "font.size": 10, "axes.grid": True, "grid.alpha": 0.3}):
-        made, axes = pyplot.subplots(1, columns, figsize=size, layout="constrained", squeeze=False)
-        try:
-            yield list(axes[0])
-            path.parent.mkdir(parents=True, exist_ok=True)
-            made.savefig(path, dpi=110)
-        finally:
-            pyplot.close(made)
+from jauspy.plots import ACCENT, BAD, GOOD, figure
 
 
 def plot_trials(results: Sequence[Measured], summary: Summary, path: Path) -> None:

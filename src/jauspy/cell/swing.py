@@ -16,12 +16,12 @@ import numpy as np
 
 from jauspy.cell.frames import Array
 from jauspy.cell.measurements import Measured
-from jauspy.cell.report import figure
 from jauspy.cell.session import UNDISTURBED, Session, simulated
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import rotation_about
 from jauspy.platform.modular.arm import ArmController
+from jauspy.plots import figure
 
 ARM: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_4", "servo_5")
 """The parts of the arm, from its base up: with an X5-4 as its fourth joint, as its published figures have it."""

@@ -5,24 +5,22 @@ from __future__ import annotations
 import asyncio
 import json
 import math
-import multiprocessing
 import os
 from collections.abc import Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
 from statistics import fmean, median
 from typing import Final
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import TypeAdapter
 
+from jauspy import campaigns
+from jauspy.campaigns import run_parts, wilson, write_whole
 from jauspy.cell.measurements import Measured
 from jauspy.cell.session import Disturbances
 from jauspy.cell.tasks import run_one
-from jauspy.cluster import spread
 from jauspy.errors import ConfigError
-from jauspy.user_files import read_file
 
 
 def run_seed(task: str, disturbances: Disturbances | None, seed: int) -> Measured:
@@ -39,19 +37,8 @@ def run_trials(
     jobs: int | None = None,
     cluster: str | None = None,
 ) -> Iterator[Measured]:
-    """Yield the results as they come, in any order; `cluster` as in `jauspy.cluster.spread`."""
-    wanted = list(seeds)
-    if cluster is not None:
-        yield from spread(cluster, partial(run_seed, task, disturbances), wanted)
-    elif jobs == 1 or len(wanted) == 1:
-        for seed in wanted:
-            yield run_seed(task, disturbances, seed)
-    else:
-        context = multiprocessing.get_context("spawn")
-        with ProcessPoolExecutor(jobs or os.cpu_count(), mp_context=context) as pool:
-            futures = [pool.submit(run_seed, task, disturbances, seed) for seed in wanted]
-            for future in as_completed(futures):
-                yield future.result()
+    """Yield the results as they come, in any order; `cluster` is as in `jauspy.campaigns.run_parts`."""
+    yield from run_parts(partial(run_seed, task, disturbances), list(seeds), jobs=jobs, cluster=cluster)
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,42 +87,23 @@ def summarised(results: Iterable[Measured]) -> Summary:
     )
 
 
-def wilson(successes: int, runs: int) -> tuple[float, float]:
-    """The 95 % confidence interval of a rate: E. B. Wilson, 1927."""
-    if not runs:
-        return 0.0, 1.0
-    z, rate = 1.959964, successes / runs
-    middle = (rate + z * z / (2 * runs)) / (1 + z * z / runs)
-    half = z * math.sqrt(rate * (1 - rate) / runs + z * z / (4 * runs * runs)) / (1 + z * z / runs)
-    return max(0.0, middle - half), min(1.0, middle + half)
-
-
 def mean_of(results: Iterable[Measured], name: str) -> float:
     """The mean of a figure over the runs that have it."""
     found = [run.values[name] for run in results if name in run.values]
     return fmean(found) if found else math.nan
 
 
-MAX_RESULTS: Final = 256 << 20
-"""Bytes of a file of results."""
 _RESULTS: Final = TypeAdapter(list[Measured])
 
 
 def write_results(path: Path, results: Iterable[Measured]) -> None:
     """Write the file that `read_results` reads; one that is interrupted leaves the file as it was."""
-    unfinished = path.with_name(f"{path.name}.unfinished")
-    unfinished.write_text(json.dumps([asdict(run) for run in results], indent=1))
-    unfinished.replace(path)
+    write_whole(path, json.dumps([asdict(run) for run in results], indent=1))
 
 
 def read_results(path: Path) -> list[Measured]:
     """The results in a file that `jauspy cell trials` wrote, by seed. Raises `ConfigError`, which names the file."""
-    try:
-        rows = _RESULTS.validate_json(read_file(path, MAX_RESULTS))
-    except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        place = ".".join(map(str, first["loc"])) or "the whole"
-        raise ConfigError(f"{path}: is no file of results of `jauspy cell trials`: {place}: {first['msg']}") from None
+    rows = campaigns.read_results(path, _RESULTS, "jauspy cell trials")
     if not rows:
         raise ConfigError(f"{path}: has no results; run `jauspy cell trials` again")
     return sorted(rows, key=lambda run: run.seed)

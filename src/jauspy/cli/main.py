@@ -46,6 +46,10 @@ VERBS: Final = {
         "jauspy.cli.navigate:navigate",
         "Drive a robot to a point, around what its sensors see.",
     ),
+    "navigate-trials": (
+        "jauspy.cli.navigate_trials:navigate_trials",
+        "Drive inc1 to many goals in simulated worlds, and report how many it reaches without touching anything.",
+    ),
     "retrotraverse": (
         "jauspy.cli.retrotraverse:retrotraverse",
         "Drive a robot back along the path by which it came.",
@@ -264,7 +268,7 @@ PANELS: Final = {
         *("decode", "echo", "hz", "bw", "graph", "monitor", "live"),
         *("record", "flight-recorder", "info", "replay", "export", "dissector"),
     ),
-    "Test": ("conformance", "fuzz", "doctor"),
+    "Test": ("conformance", "fuzz", "navigate-trials", "doctor"),
     "Definitions and projects": ("schema", "new"),
     "Keys and audit": ("keys", "audit"),
 }

@@ -79,13 +79,21 @@ def _place(text: str, place: str) -> Pose:
 def _as_another(config: RobotConfig, subsystem: int, number: int) -> RobotConfig:
     """The robot with this number; its sensors have errors of their own, and so has its audit log a file of its own."""
     log = None if config.audit_log is None else Path(config.audit_log)
-    return config.model_copy(
+    return with_other_errors(config, number).model_copy(
         update={
             "subsystem": subsystem,
+            "audit_log": log and str(log.with_name(f"{log.stem}-{subsystem}{log.suffix}")),
+        }
+    )
+
+
+def with_other_errors(config: RobotConfig, number: int) -> RobotConfig:
+    """The robot, whose sensors have other errors for each number."""
+    return config.model_copy(
+        update={
             "localization": replace(config.localization, seed=config.localization.seed + number),
             "lidars": tuple(replace(lidar, seed=lidar.seed + number) for lidar in config.lidars),
             "force_torque": tuple(replace(sensor, seed=sensor.seed + number) for sensor in config.force_torque),
-            "audit_log": log and str(log.with_name(f"{log.stem}-{subsystem}{log.suffix}")),
         }
     )
 

@@ -17,7 +17,7 @@ from jauspy_sim.assembly import view
 from jauspy_sim.models.groups import COLLISION, HEIGHT_FIELDS, SOLID, VISUAL
 
 _IGNORED: Final = (VISUAL, COLLISION, HEIGHT_FIELDS)
-_GROUPS: Final = np.array([group not in _IGNORED for group in range(mujoco.mjNGROUP)], np.uint8)
+RAY_GROUPS: Final = np.array([group not in _IGNORED for group in range(mujoco.mjNGROUP)], np.uint8)
 """Geometry groups that rays hit: all but robots, and height fields, which have ray meshes."""
 
 _NO_SHAPES: Final = np.empty(0, np.int64)
@@ -28,7 +28,7 @@ RAYS_AT_ONCE: Final = 512
 ERRORS_AT_ONCE: Final = 100
 """Measurements of force and torque for which errors are drawn at once."""
 
-_NO_NORMALS: Final[dict[str, Any]] = {"normal": None} if "normal" in (mujoco.mj_multiRay.__doc__ or "") else {}
+NO_NORMALS: Final[dict[str, Any]] = {"normal": None} if "normal" in (mujoco.mj_multiRay.__doc__ or "") else {}
 """True if MuJoCo can return normals (version 4)."""
 
 
@@ -43,14 +43,14 @@ def cast_rays(
         d=data,
         pnt=start,
         vec=rays.ravel(),
-        geomgroup=_GROUPS,
+        geomgroup=RAY_GROUPS,
         flg_static=True,
         bodyexclude=-1,
         geomid=found,
         dist=distances,
         nray=count,
         cutoff=mujoco.mjMAXVAL,
-        **_NO_NORMALS,
+        **NO_NORMALS,
     )
     return np.where(distances < 0.0, math.inf, distances)
 

@@ -22,7 +22,8 @@ from jauspy.cell.iso9283.characteristics import EDGE, PLANES, Accuracy, Drift, L
 from jauspy.cell.iso9283.loads import ARM_RATED, GRIPPER_MASS, UR10_RATED
 from jauspy.cell.iso9283.measurement import CALIBRATED
 from jauspy.cell.iso9283.results import NEGLIGIBLE, WANTED, Report, Run
-from jauspy.cell.report import Plot, Promise, Section, Table, figure, page as whole_page
+from jauspy.cell.report import Plot, Promise, Section, Table, page as whole_page
+from jauspy.plots import figure
 
 COLOURS: Final = ("#3b6ea5", "#b3423a", "#2f7d4f", "#8a5aa8", "#c58a1c", "#5f6b76", "#1d8a99")
 """Colours of poses, and of runs, in plots."""

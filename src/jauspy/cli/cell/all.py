@@ -12,7 +12,7 @@ import typer
 
 from jauspy.cli import console
 from jauspy.cli.cell.options import OUTPUT, Jobs, Out, check_extra
-from jauspy.cli.cell.trials import WAYS, break_even, with_progress
+from jauspy.cli.cell.trials import WAYS, break_even, runs_with_progress
 from jauspy.cli.processes import run
 
 if TYPE_CHECKING:
@@ -139,7 +139,7 @@ def _trials(task: str, count: int, need: float, jobs: int | None, out: Path) -> 
 
     console.note(f"{count} runs of {task}")
     results = run_trials(task, range(count), jobs=jobs)
-    found = sorted(with_progress(task, count, results), key=lambda run: run.seed)
+    found = sorted(runs_with_progress(task, count, results), key=lambda run: run.seed)
     write_results(out / f"trials-{task}.json", found)
     return _many(found, f"{count} runs of {task}", need, out / f"trials-{task}.svg")
 
@@ -239,7 +239,7 @@ def _kitting(out: Path, seeds: int, jobs: int | None) -> tuple[list[Promise], Se
     rows: list[Sequence[str]] = [("way", "runs", "mean score", "of", "mean time of an order, s", "building, s")]
     results: dict[str, list[Measured]] = {}
     for task, way in WAYS.items():
-        results[task] = found = list(with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)))
+        results[task] = found = list(runs_with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)))
         write_results(out / f"{task}.json", found)
         figures = [f"{mean_of(found, name):.2f}" for name in ("score", "most_points", "order_time", "build_time")]
         rows.append((way, str(len(found)), *figures))

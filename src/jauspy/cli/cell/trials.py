@@ -12,22 +12,15 @@ import typer
 from jauspy.cli import console
 from jauspy.cli.cell.options import OUTPUT, Exact, Jobs, Out, Seeds, check_extra
 from jauspy.cli.options import ClusterOption, Json
+from jauspy.cli.progress import with_progress
 
 if TYPE_CHECKING:
     from jauspy.cell.measurements import Measured
 
 
-def with_progress(what: str, total: int, results: Iterable[Measured]) -> Iterator[Measured]:
+def runs_with_progress(what: str, total: int, results: Iterable[Measured]) -> Iterator[Measured]:
     """Pass results on, and show a progress bar with the number of failures."""
-    from rich.progress import Progress
-
-    failed = 0
-    with Progress(console=console.stderr()) as progress:
-        bar = progress.add_task(what, total=total)
-        for run in results:
-            failed += not run.success
-            progress.update(bar, advance=1, description=f"{what}, {failed} failed" if failed else what)
-            yield run
+    return with_progress(what, total, results, lambda run: not run.success)
 
 
 def trials(
@@ -79,7 +72,7 @@ def trials(
     wanted = sorted(set(range(first, first + seeds)) - {run.seed for run in found})
     disturbances = replace(UNDISTURBED if exact else Disturbances(), scatter=scatter)
     results = run_trials(task, wanted, disturbances, jobs=jobs, cluster=cluster)
-    for run in with_progress(task, len(wanted), results):
+    for run in runs_with_progress(task, len(wanted), results):
         found.append(run)
         write_results(path, found)
     found.sort(key=lambda run: run.seed)
@@ -116,7 +109,7 @@ def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT, as_json:
     results: dict[str, list[Measured]] = {}
     for task, way in WAYS.items():
         results[task] = []
-        for run in with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)):
+        for run in runs_with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)):
             results[task].append(run)
             write_results(out / f"{task}.json", results[task])
     if as_json:

@@ -1,0 +1,1 @@
+"""What only the simulation knows of a drive: true heights, contacts, the way driven; and a depth camera of rays."""

@@ -1,0 +1,123 @@
+"""The report of trials: figures, the table, and the plot, also with texts that are meant to do harm."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from tests.helpers.trial_drives import drive
+
+from jauspy.navigation_trials.report import Spread, lines, new_way, plot, reported
+from jauspy.navigation_trials.results import Drive, TrialPlan, TrialResults
+
+REASON = "no way was found"
+HOSTILE = "\x1b[2J$\\frac{$ <script>alert(1)</script> [red]&amp;\n\u202e"
+
+
+def results(*drives: Drive, goals: int = 5, worlds: tuple[str, ...] = ("yard",)) -> TrialResults:
+    return TrialResults(TrialPlan(worlds, goals, 1), drives)
+
+
+def test_figures_of_a_world() -> None:
+    found = reported(
+        results(
+            drive(number=0, way=4.0),
+            drive(number=1, way=4.4, planning=0.7),
+            drive(number=2, way=6.0),
+            drive(number=3, way=90.0, error=REASON),
+            drive(number=4, way=4.2, contacts={"sofa": 3}),
+        )
+    )
+    (world,) = found.worlds
+    assert (world.goals, world.reached, world.touched, world.too_long) == (5, 4, 1, 1)
+    assert world.ratio == Spread(1.075, 1.5, 1.5), "of goals that were reached"
+    assert world.planning == 0.7
+    assert world.cpu == 100.0
+    assert world.low < 0.8 < world.high
+    assert found.rate == 0.8
+    assert [(failure["number"], failure["error"], failure["contacts"]) for failure in found.failures] == [
+        (3, REASON, {}),
+        (4, "", {"sofa": 3}),
+    ]
+
+
+def test_the_time_to_another_way_has_that_of_the_search() -> None:
+    found = reported(
+        results(
+            drive(number=0, thing="crate", new_way=0.3, new_way_planning=0.15),
+            drive(number=1, thing="crate", new_way=0.2, new_way_planning=0.05),
+            drive(number=2, thing="crate"),
+        )
+    )
+    (world,) = found.worlds
+    assert world.things == 3
+    assert world.new_way == Spread(0.35, 0.45, 0.45)
+    assert new_way(drive()) is None
+
+
+@pytest.mark.parametrize(
+    ("drives", "needs"),
+    [
+        ([drive(number=number) for number in range(5)], [0.0, 0.8, 0.95, 1.0]),
+        ([drive(number=number, error="" if number else REASON) for number in range(5)], [0.0, 0.8]),
+        ([drive(number=number, contacts={} if number else {"bin": 1}) for number in range(5)], []),
+        ([], []),
+    ],
+    ids=["all reached", "one not reached", "one touched", "none driven"],
+)
+def test_enough_goals_are_reached_and_nothing_is_touched(drives: list[Drive], needs: list[float]) -> None:
+    found = reported(results(*drives))
+    assert [need for need in (0.0, 0.8, 0.95, 1.0) if found.is_good(need)] == needs
+
+
+def test_the_table_has_a_line_for_each_world_and_each_failure() -> None:
+    found = reported(
+        results(
+            drive("yard", 0, 0, thing="crate", new_way=0.3, new_way_planning=0.15),
+            drive("house", 0, 0, error=REASON, contacts={"door": 2}),
+            worlds=("yard", "street", "house"),
+            goals=1,
+        )
+    )
+    heading, yard, house, failure, missing = lines(found)
+    assert heading.split()[:3] == ["world", "goals", "reached"]
+    assert yard.split() == [
+        *["yard", "1", "1", "21", "to", "100", "0", "1.10", "1.10", "1.10", "0", "0.12", "1", "0.45", "0.45", "0.45"]
+    ]
+    assert house.split()[:3] == ["house", "1", "0"]
+    assert len({len(heading), len(yard), len(house)}) == 1, "columns are below each other"
+    assert failure == "house, group 0, goal 0: (0, 0, 0) to (3, -2): no way was found; touched door in 2 samples"
+    assert missing == "not driven: 1 groups of goals"
+
+
+def test_a_report_is_json() -> None:
+    found = reported(results(drive(contacts={"bin": 1}), drive(number=1, error=REASON)))
+    values = json.loads(json.dumps(found.values(), allow_nan=False))
+    assert values["rate"] == 0.5
+    assert values["worlds"][0]["new_way"] is None
+    assert values["failures"][0]["contacts"] == {"bin": 1}
+    assert json.loads(json.dumps(reported(results()).values(), allow_nan=False))["rate"] == 0.0
+
+
+def test_the_plot_and_the_table_show_texts_of_strangers_as_text(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="the extra 'plot' is not installed")
+    found = results(
+        drive(HOSTILE, 0, 0, error=HOSTILE, contacts={HOSTILE: 1}),
+        *(drive(HOSTILE, 0, number, error=f"{REASON} {number}") for number in range(1, 40)),
+        drive(HOSTILE, 1, 0, thing=HOSTILE, new_way=0.3, new_way_planning=0.1),
+        worlds=(HOSTILE, "house"),
+    )
+    path = tmp_path / "new" / "trials.svg"
+    plot(found, reported(found), path)
+    text = path.read_text()
+    assert "<svg" in text
+    assert "<script" not in text
+    assert "\x1b" not in text
+    assert all(line.isprintable() for line in lines(reported(found)))
+
+
+def test_a_plot_of_nothing(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="the extra 'plot' is not installed")
+    plot(results(), reported(results()), tmp_path / "trials.svg")
+    assert "<svg" in (tmp_path / "trials.svg").read_text()
