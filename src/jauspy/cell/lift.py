@@ -33,6 +33,8 @@ PRESSING: Final = 0.2
 """Seconds from the meeting until the pump runs: the cup lies flat on the box then, which would hang askew otherwise."""
 LEAST_WAY: Final = 0.25
 """Metres to the meeting from which on there is time for the run-up."""
+LATE: Final = 3.0
+"""Seconds after a box should have reached the meeting from which on it does not come: something holds it up."""
 LIFT_TIME: Final = 0.8
 ATTEMPTS: Final = 3
 READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
@@ -124,13 +126,15 @@ class Lifter:
         result = LiftResult()
         begun = self.cell.now()
         try:
-            for box in self._in_order()[:ATTEMPTS]:
-                result.attempts += 1
-                if await self._take(box):
-                    result.box = box
-                    break
-            else:
-                raise TaskFailed(f"no box could be taken off the belt in {result.attempts} attempts")
+            tried = set[str]()
+            while not result.box:
+                left = [box for box in self._in_order() if box not in tried]
+                if not left or len(tried) == ATTEMPTS:
+                    raise TaskFailed(f"no box could be taken off the belt in {len(tried)} attempts")
+                tried.add(left[0])
+                if await self._take(left[0]):
+                    result.box = left[0]
+            result.attempts = len(tried)
         finally:
             await self.cell.run_conveyor(0.0)
         result.lift_time = self.cell.now() - begun
@@ -168,8 +172,12 @@ class Lifter:
         await arm.go(start)
         duration, before, meeting = self._following(start, end)
         await self.cell.run_conveyor(BELT_SPEED)
+        until = self.cell.now() + (meeting - float(pose.translation[1])) / BELT_SPEED + LATE
         while True:
             seen, pose = self.cell.latest(box)
+            if self.cell.now() > until:
+                await self.cell.run_conveyor(0.0)
+                return False
             wait = (meeting - float(pose.translation[1])) / BELT_SPEED - (self.cell.now() - seen) - before - LATENCY
             if wait < POLL:
                 break
