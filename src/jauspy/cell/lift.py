@@ -42,8 +42,6 @@ READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
 WINDUP_REST: Final = 0.8
 """Seconds in which the joints come closer to the wind-up than a motion's tolerance: a box that is turned by half a
 degree spins about another axis than its own, and lands on a corner."""
-NARROW: Final = 0.015
-"""Metres that a throw keeps from everything where none keeps `MARGIN`."""
 SETTLE: Final = 1.5
 """Seconds after the landing, in which a box comes to rest and the sensor sees it several times."""
 LARGEST_LESSON: Final = 0.05
@@ -225,7 +223,7 @@ class Lifter:
         goal = self.aim.at(np.array([self.target.pose.x, self.target.pose.y]))
         plan = await self.cell.compute(lambda: self._plan(planner, np.append(goal, 0.0)))
         self.planned = result.plan = plan
-        await arm.go(plan.windup, margin=MARGIN)
+        await arm.go(plan.windup, margin=min(MARGIN, plan.clearance.distance))
         await self.cell.sleep(WINDUP_REST)
         vector = await arm.vector(plan.follow_through)
         asked = self.cell.now()
@@ -243,17 +241,13 @@ class Lifter:
         await self._learn(result)
 
     def _plan(self, planner: ThrowPlanner, aim: Array) -> ThrowPlan:
-        """The last throw with another aim, if it keeps all limits, or a new one; with less room if need be."""
+        """The last throw with another aim, if it keeps all limits, or a new one."""
         if self.planned is not None:
             try:
                 return planner.turned(self.planned, aim)
             except NoPath:
                 pass
-        try:
-            return planner.plan(aim, self.planned)
-        except NoPath:
-            planner.margin = NARROW
-            return planner.plan(aim, self.planned)
+        return planner.plan(aim, self.planned)
 
     async def _learn(self, result: LiftResult) -> None:
         seen = (await self.cell.observe(fresh=True))[result.box].pose
