@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
+from typing import Any
 
 import pytest
 from tests.helpers.fake_cell import FakeCell
 
 from jauspy.cell.assembly import GRASPS, Assembler
 from jauspy.cell.interface import GRIPPER
+from jauspy.cell.motion import Path
 from jauspy.cell.scene import Layout
 from jauspy.cell.session import Session
 from jauspy.cell.slots import FIVE_JOINTS, AssemblyResult, Slot
 from jauspy.cell.tasks import assemble
+from jauspy.errors import RequestError
 
 TWO = FIVE_JOINTS[:2]
 
@@ -113,3 +116,28 @@ async def test_parts_that_were_joined_are_counted_without_true_poses(layout: Lay
     found = await assemble(Session(FakeCell(layout), layout), 0)
     assert found.success, found.failure
     assert found.values["parts"] == 8.0
+
+
+@pytest.mark.parametrize("why", ["Blocked: wrist_1, 6 N m, 0.05 rad short; 201.1.10 holds where it is", ""])
+async def test_a_gripper_that_is_stopped_as_it_withdraws_goes_on_once(
+    cell: FakeCell, monkeypatch: pytest.MonkeyPatch, why: str
+) -> None:
+    ur10, follow, starts = Assembler(cell, cell.layout), cell.follow, []
+
+    async def stopped(path: Path, **options: Any) -> None:
+        starts.append(path.points[0])
+        if len(starts) == 1:
+            raise RequestError(why or "no reply")
+        await follow(path, **options)
+
+    async def blocked() -> str:
+        return why
+
+    monkeypatch.setattr(cell, "follow", stopped)
+    monkeypatch.setattr(cell, "blocked", blocked)
+    if why:
+        await ur10._withdraw()
+        assert len(starts) == 2
+    else:
+        with pytest.raises(RequestError, match="no reply"):
+            await ur10._withdraw()

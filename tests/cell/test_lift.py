@@ -10,7 +10,7 @@ import pinocchio as pin
 import pytest
 
 from jauspy.cell.frames import shifted
-from jauspy.cell.lift import ATTEMPTS, LARGEST_LESSON, Aim, Lifter
+from jauspy.cell.lift import ATTEMPTS, BELT_SPEED, LARGEST_LESSON, LATE, Aim, Lifter
 from jauspy.cell.schedule import TaskFailed
 from jauspy.platform.modular.parts import PartKind
 
@@ -52,6 +52,21 @@ class Arm:
         self._cell = cell
         self.chain = self
         self.root = np.array([0.6, 0.2, 0.4])
+
+    async def look(self, *ignored: str) -> None:
+        """It sees what is there."""
+
+    async def positions(self) -> np.ndarray:
+        return np.zeros(5)
+
+    def above(self, point: object, near: np.ndarray) -> list[np.ndarray]:
+        return [near]
+
+    def solve_down(self, point: object, start: np.ndarray) -> np.ndarray:
+        return start
+
+    async def go(self, goal: np.ndarray) -> None:
+        """It is there at once."""
 
     async def state(self) -> Any:
         at = self._cell.time
@@ -123,6 +138,17 @@ async def test_after_three_boxes_it_gives_up_and_stops_the_belt(monkeypatch: pyt
         await task.run()
     assert tried == ["box_1", "box_2", "box_3"]
     assert cell.belt == [0.0]
+
+
+async def test_a_box_that_is_held_up_is_waited_for_three_seconds_longer(monkeypatch: pytest.MonkeyPatch) -> None:
+    cell = Cell(box_1=(1.0, -0.7, 0.2), box_2=(1.0, 1.0, 0.2), box_3=(1.0, 1.0, 0.2), box_4=(1.0, 1.0, 0.2))
+    task = lifter(cell)
+    monkeypatch.setattr(task, "_following", lambda *_: (1.0, 0.4, 0.15))
+    with pytest.raises(TaskFailed, match="no box could be taken off the belt in 1 attempts"):
+        await task.run()
+    assert cell.time == pytest.approx((0.15 + 0.7) / BELT_SPEED + LATE, abs=0.3)
+    assert cell.enabled == []
+    assert cell.belt[-2:] == [0.0, 0.0]
 
 
 async def test_an_empty_belt_is_no_attempt() -> None:

@@ -80,6 +80,21 @@ class TestTelling:
         found = await tell(session(), 3, [stage("a", error="no arm"), stage("b"), stage("c")])
         assert found.failure == "a: no arm; not begun: b, c"
 
+    async def test_a_stage_that_does_not_end_ends_it_after_a_time(self, session: Made) -> None:
+        async def run(_session: Session, _seed: int) -> Measured:
+            await asyncio.Event().wait()
+            raise AssertionError
+
+        found = await tell(session(), 3, [stage("a"), Stage("b", "It waits", run), stage("c")], within=0.01)
+        assert found.failure == "b: it has not ended within 0.01 s; not begun: c"
+
+    async def test_a_timeout_within_a_stage_is_no_end_of_it(self, session: Made) -> None:
+        async def run(_session: Session, _seed: int) -> Measured:
+            raise TimeoutError("a fault of the task")
+
+        with pytest.raises(TimeoutError, match="a fault of the task"):
+            await tell(session(), 3, [Stage("a", "It fails", run)])
+
     async def test_what_was_put_in_place_is_a_failure(self, session: Made) -> None:
         found = await tell(session("servo_1", "box_2"), 3, [stage("a")])
         assert not found.success

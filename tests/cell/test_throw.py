@@ -19,7 +19,7 @@ from jauspy.cell.frames import Array, shifted
 from jauspy.cell.lift import Lifter
 from jauspy.cell.modular_arm import FIVE_JOINTS, ArmOperator
 from jauspy.cell.motion import NoPath
-from jauspy.cell.scene import Piece, pieces_of_part
+from jauspy.cell.scene import Clearance, Piece, pieces_of_part
 from jauspy.cell.session import UNDISTURBED, simulated
 from jauspy.cell.tasks import prepared, run_one
 from jauspy.cell.throw import BASE, LEANING, MARGIN, Load, SampledMotion, ThrowPlan, ThrowPlanner, flight
@@ -119,6 +119,21 @@ def test_it_refuses_what_breaks_a_limit(
             planner.turned(plan, AIM)
     finally:
         planner.scene.remove("wall")
+
+
+def test_a_throw_with_less_room_is_taken_where_one_search_finds_no_other(
+    planner: ThrowPlanner, plan: ThrowPlan, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As where the box hangs a little off the tip's middle, and so never passes the UR10's pedestal at `MARGIN`."""
+    monkeypatch.setattr(throw, "STEPS", 3)
+    monkeypatch.setattr(throw, "RESTARTS", 0)
+    monkeypatch.setattr(planner, "_clearance", lambda *_: Clearance(0.017, ("box_1", "pedestal")))
+    assert planner.plan(AIM, plan).clearance.distance == 0.017
+    with pytest.raises(NoPath, match="it would pass 17 mm from box_1 and pedestal"):
+        planner.turned(plan, AIM)
+    monkeypatch.setattr(planner, "_clearance", lambda *_: Clearance(0.014, ("box_1", "pedestal")))
+    with pytest.raises(NoPath, match="14 mm from box_1 and pedestal"):
+        planner.plan(AIM, plan)
 
 
 def test_a_flight_is_that_of_a_point_mass(planner: ThrowPlanner, plan: ThrowPlan) -> None:

@@ -23,7 +23,7 @@ from jauspy.cell.scene import connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed
 from jauspy.cell.slots import FIVE_JOINTS, AssemblyResult, PartResult, Slot, Tip, slot_goals
 from jauspy.cell.standing import arm_with
-from jauspy.errors import JausError
+from jauspy.errors import JausError, RequestError
 from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.platform.modular.parts import PartKind, mass_of
@@ -220,9 +220,18 @@ class Assembler(Carrier):
         return load.worst > MOST
 
     async def _withdraw(self) -> None:
-        """Let go of what was not grasped well, and move back from it."""
+        """Let go of what was not grasped well, and move back from it.
+
+        A gripper that presses on it nearly as hard as counts as a contact may stop at that once more as it begins to
+        move; the effort has fallen then.
+        """
         await self.cell.enable(GRIPPER, False)
-        await self.go(self.handling.retreat(self.at), contact=True)
+        try:
+            await self.go(self.handling.retreat(self.at), contact=True)
+        except RequestError:
+            if not await self.cell.blocked():
+                raise
+            await self.go(self.handling.retreat(self.at), contact=True)
 
     async def _put_back(self, plan: PickPlan, connector: str = "") -> None:
         await self.go(Path((self.at, *plan.lift.points[-2::-1])), speed=0.1, contact=True)

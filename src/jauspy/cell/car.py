@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from itertools import islice
 from typing import Final
 
 import numpy as np
@@ -14,7 +15,7 @@ from jauspy.cell.assembly import GRASPS, Assembler
 from jauspy.cell.carrying import HEAVY_TOUCH_SPEED, NEAR_SPEED, PARKED
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
-from jauspy.cell.handling import LINE_MARGIN, PRESS, SLOW
+from jauspy.cell.handling import LINE_MARGIN, MAX_PLANS, PRESS, SLOW
 from jauspy.cell.held_load import inertia_of
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.modular_arm import ArmOperator
@@ -48,6 +49,10 @@ ON_BELT: Final = 0.1
 """Metres above or below the belt within which a box lies on it."""
 BELT_SPEED: Final = 0.12
 """m/s."""
+BEFORE_END: Final = 0.35
+"""Metres before the end of the belt to which the car rides."""
+RIDE_SLACK: Final = 3.0
+"""Seconds more than the belt needs by its speed, in which the car must get there."""
 DEEPER: Final = 0.003
 """Metres below where contact is expected to which car and arm are lowered at most: the errors of measured poses."""
 DRIVE_EFFORT: Final = 35.0
@@ -286,29 +291,46 @@ class CarTask:
             scene.put(name, pieces_of_part(self.layout.type_of(name)), frame)
         reasons: list[str] = []
         second_best: CarryPlan | None = None
+        moved = shifted(*(top.translation - frames[root].translation).tolist())
+        # a search for a way around obstacles takes seconds to fail: straight parts are planned before, at once
+        for lines in islice(self._lines_to_carry(grasped, root, frames, top, reasons), MAX_PLANS):
+            try:
+                approach = planner.to_posture(ur10.at, lines.near.points[0])
+            except NoPath as error:
+                reasons.append(str(error))
+                continue
+            plan = replace(lines, approach=approach)
+            try:
+                self._check_way_out(plan.over.end, moved * k.forward(plan.touch.end), grasped, frames, moved)
+            except NoPath:
+                second_best = second_best or plan
+                continue
+            return plan
+        if second_best is not None:
+            return second_best
+        raise NoPath(reasons[0] if reasons else "the bracket is out of reach")
+
+    def _lines_to_carry(
+        self, grasped: str, root: str, frames: dict[str, pin.SE3], top: pin.SE3, reasons: list[str]
+    ) -> Iterator[CarryPlan]:
+        """All ways to grasp the bracket and to carry the arm whose straight parts are free, without the approach."""
+        ur10 = self.ur10
+        scene, planner, k = ur10.scene, ur10.planner, self.layout.kinematics
         for grasp in ur10.handling.grasps(grasped):
             contact = frames[grasped] * grasp
             for posture in k.solve(contact * shifted(z=-0.06), ur10.at):
+                if not scene.is_free(posture.positions, planner.margin):
+                    reasons.append(f"no posture before {grasped} is free")
+                    continue
                 try:
-                    approach = planner.to_posture(ur10.at, posture.positions)
                     with scene.without(grasped):
-                        near = planner.line(approach.end, contact * shifted(z=-SLOW), margin=-0.002)
+                        near = planner.line(posture.positions, contact * shifted(z=-SLOW), margin=-0.002)
                         touch = planner.line(near.end, contact * shifted(z=PRESS), margin=-0.002)
                     up, over = self._plan_across(touch.end, contact, frames, root, top)
                 except NoPath as error:
                     reasons.append(str(error))
-                    continue
-                plan = CarryPlan(approach, near, touch, up, over)
-                moved = shifted(*(top.translation - frames[root].translation).tolist())
-                try:
-                    self._check_way_out(over.end, moved * k.forward(touch.end), grasped, frames, moved)
-                except NoPath:
-                    second_best = second_best or plan
-                    continue
-                return plan
-        if second_best is not None:
-            return second_best
-        raise NoPath(reasons[0] if reasons else "the bracket is out of reach")
+                else:
+                    yield CarryPlan(Path((posture.positions,)), near, touch, up, over)
 
     def _plan_across(
         self, start: Array, contact: pin.SE3, frames: dict[str, pin.SE3], root: str, top: pin.SE3
@@ -436,20 +458,36 @@ class CarTask:
 
     # --- driving --------------------------------------------------------------------------------------------------
 
+    async def _ride(self) -> None:
+        """Have the belt carry the car to its end. Raises `TaskFailed` if the car does not get there."""
+        begun = self.cell.now()
+        seen, left = self._ride_left()
+        until = begun + left / BELT_SPEED + RIDE_SLACK
+        await self.cell.run_conveyor(BELT_SPEED)
+        try:
+            while left >= 0.0:
+                if (now := self.cell.now()) > until:
+                    raise TaskFailed(
+                        f"the car is {left:.2f} m short of the end of the belt after {now - begun:.1f} s; "
+                        f"the sensor saw it {max(0.0, now - seen):.1f} s ago"
+                    )
+                await self.cell.sleep(0.1)
+                seen, left = self._ride_left()
+        finally:
+            await self.cell.run_conveyor(0.0)
+
+    def _ride_left(self) -> tuple[float, float]:
+        """When the car was seen last, and the metres that it had to ride on the belt then."""
+        seen, pose = self.cell.latest(self.car)
+        along = float(se3_of_pose(self.belt.pose).actInv(pose).translation[0])
+        return seen, self.belt.length / 2.0 - BEFORE_END - along
+
     async def _drive(self) -> None:
         """Ride on the belt, drive off its end, and move the arm meanwhile."""
         arm = self.arm
         await self.ur10.park()
         await arm.ready()
-        await self.cell.run_conveyor(BELT_SPEED)
-        end = self.belt.length / 2.0
-        while True:
-            _, pose = self.cell.latest(self.car)
-            along = float((se3_of_pose(self.belt.pose).actInv(pose)).translation[0])
-            if along > end - 0.35:
-                break
-            await self.cell.sleep(0.1)
-        await self.cell.run_conveyor(0.0)
+        await self._ride()
         robot = await self.cell.car()
         start = await robot.pose()
         upright = arm.last_goal

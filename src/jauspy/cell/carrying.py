@@ -258,14 +258,20 @@ class Carrier:
     async def touch(self, path: Path, connector: str, frame: pin.SE3, *, speed: float = TOUCH_SPEED) -> ConnectorState:
         """Move until a connector attaches something; press on, along -z of `frame`, while none does.
 
-        Where the UR10 has found what it presses on, pressing harder would not help.
+        Pressing harder would not help where the UR10 has found what it presses on, nor where the cup leaks on a part
+        that it was pressed onto already: it would load the part, and what that lies on.
         """
+        leaked = False
         for press in range(PRESSES + 1):
             await self.cell.touch(path, connector, tool_speed=speed)
             state = await self._wait_held(connector)
             self.at = await self.cell.posture()
             if state.attached_to or not state.enabled or press == PRESSES or await self.cell.blocked():
                 break
+            leaks = state.error is ConnectorError.FAILED
+            if leaks and leaked:
+                break
+            leaked = leaks
             path = self.handling.pressed(self.at, frame)
         return state
 

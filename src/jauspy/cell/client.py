@@ -24,7 +24,7 @@ from jauspy.ocu import OCU, Arm, ComponentClient, MotionLimits, Robot
 from jauspy.ocu.cell import PartObservation
 from jauspy.platform.modular.arm import ArmController, ModularArmState, TrajectoryPoint
 from jauspy.platform.modular.cell import ConveyorState
-from jauspy.platform.modular.connector import ConnectorState
+from jauspy.platform.modular.connector import ConnectorError, ConnectorState
 from jauspy.robot.config import RobotConfig
 
 AUTHORITY: Final = 100
@@ -40,6 +40,9 @@ BLOCKED: Final = 0.03
 """Radians off the goal, that late, which count as blocked."""
 SETTLING: Final = 0.5
 """Seconds in which what is held comes to rest after a motion."""
+LIP: Final = 0.001
+"""Metres before contact from which on the lip of a cup may seal: one that leaks all the way to contact is pressed on
+only a little."""
 STEADY: Final = 0.5
 """Newtons between two queries, below which a force is steady."""
 SAMPLES: Final = 6
@@ -167,16 +170,21 @@ class CellClient:
 
         One that holds something already stops the motion when its force has changed by `contact`, in newtons. The arm
         then holds where it is: pressing on would load the joint. What the UR10 itself finds in its way ends the motion,
-        too, as `blocked` tells: it is what was to be touched. Returns the connector's state.
+        too, as `blocked` tells: it is what was to be touched. So does a cup that leaks until it is in contact. Returns
+        the connector's state.
         """
         before = await self._settled(connector)
+        sealed = self.now()
         for start, goal in pairwise(path.points):
             motion = asyncio.create_task(self._move(start, goal, 1.0, tool_speed, GENTLE))
             try:
                 while not motion.done():
                     state = await self.connector(connector)
                     met = abs(state.force - before.force) > contact
-                    if state.attached_to != before.attached_to or (before.attached_to and met):
+                    if state.error is not ConnectorError.FAILED:
+                        sealed = self.now()
+                    leaks = self.now() - sealed > LIP / tool_speed
+                    if state.attached_to != before.attached_to or (before.attached_to and met) or leaks:
                         await (await self._ur10()).stop()
                         return state
                     await asyncio.sleep(POLL)

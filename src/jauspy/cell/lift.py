@@ -33,6 +33,8 @@ PRESSING: Final = 0.2
 """Seconds from the meeting until the pump runs: the cup lies flat on the box then, which would hang askew otherwise."""
 LEAST_WAY: Final = 0.25
 """Metres to the meeting from which on there is time for the run-up."""
+LATE: Final = 3.0
+"""Seconds after a box should have reached the meeting from which on it does not come: something holds it up."""
 LIFT_TIME: Final = 0.8
 ATTEMPTS: Final = 3
 READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
@@ -40,8 +42,6 @@ READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
 WINDUP_REST: Final = 0.8
 """Seconds in which the joints come closer to the wind-up than a motion's tolerance: a box that is turned by half a
 degree spins about another axis than its own, and lands on a corner."""
-NARROW: Final = 0.015
-"""Metres that a throw keeps from everything where none keeps `MARGIN`."""
 SETTLE: Final = 1.5
 """Seconds after the landing, in which a box comes to rest and the sensor sees it several times."""
 LARGEST_LESSON: Final = 0.05
@@ -124,13 +124,15 @@ class Lifter:
         result = LiftResult()
         begun = self.cell.now()
         try:
-            for box in self._in_order()[:ATTEMPTS]:
-                result.attempts += 1
-                if await self._take(box):
-                    result.box = box
-                    break
-            else:
-                raise TaskFailed(f"no box could be taken off the belt in {result.attempts} attempts")
+            tried = set[str]()
+            while not result.box:
+                left = [box for box in self._in_order() if box not in tried]
+                if not left or len(tried) == ATTEMPTS:
+                    raise TaskFailed(f"no box could be taken off the belt in {len(tried)} attempts")
+                tried.add(left[0])
+                if await self._take(left[0]):
+                    result.box = left[0]
+            result.attempts = len(tried)
         finally:
             await self.cell.run_conveyor(0.0)
         result.lift_time = self.cell.now() - begun
@@ -168,8 +170,12 @@ class Lifter:
         await arm.go(start)
         duration, before, meeting = self._following(start, end)
         await self.cell.run_conveyor(BELT_SPEED)
+        until = self.cell.now() + (meeting - float(pose.translation[1])) / BELT_SPEED + LATE
         while True:
             seen, pose = self.cell.latest(box)
+            if self.cell.now() > until:
+                await self.cell.run_conveyor(0.0)
+                return False
             wait = (meeting - float(pose.translation[1])) / BELT_SPEED - (self.cell.now() - seen) - before - LATENCY
             if wait < POLL:
                 break
@@ -217,7 +223,7 @@ class Lifter:
         goal = self.aim.at(np.array([self.target.pose.x, self.target.pose.y]))
         plan = await self.cell.compute(lambda: self._plan(planner, np.append(goal, 0.0)))
         self.planned = result.plan = plan
-        await arm.go(plan.windup, margin=MARGIN)
+        await arm.go(plan.windup, margin=min(MARGIN, plan.clearance.distance))
         await self.cell.sleep(WINDUP_REST)
         vector = await arm.vector(plan.follow_through)
         asked = self.cell.now()
@@ -235,17 +241,13 @@ class Lifter:
         await self._learn(result)
 
     def _plan(self, planner: ThrowPlanner, aim: Array) -> ThrowPlan:
-        """The last throw with another aim, if it keeps all limits, or a new one; with less room if need be."""
+        """The last throw with another aim, if it keeps all limits, or a new one."""
         if self.planned is not None:
             try:
                 return planner.turned(self.planned, aim)
             except NoPath:
                 pass
-        try:
-            return planner.plan(aim, self.planned)
-        except NoPath:
-            planner.margin = NARROW
-            return planner.plan(aim, self.planned)
+        return planner.plan(aim, self.planned)
 
     async def _learn(self, result: LiftResult) -> None:
         seen = (await self.cell.observe(fresh=True))[result.box].pose

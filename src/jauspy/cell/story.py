@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable, Coroutine, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, Final, TypeAlias
 
 from jauspy.cell.measurements import Measured
 from jauspy.cell.session import Session
 from jauspy.errors import JausError
+
+STAGE_TIME: Final = 600.0
+"""Seconds in which a stage must end: the longest one takes 200 s, and each of its steps may be repeated."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,11 +33,13 @@ def untold(_stage: Stage, _found: Measured | None) -> None:
     """Tell nobody."""
 
 
-async def tell(session: Session, seed: int, stages: Sequence[Stage], told: Told = untold) -> Measured:
+async def tell(
+    session: Session, seed: int, stages: Sequence[Stage], told: Told = untold, *, within: float = STAGE_TIME
+) -> Measured:
     """Run the stages; succeeds if all do and nothing was put in place by writing positions.
 
-    A stage that ends without its goal, as a throw that misses, does not end the story; one that raises does, since the
-    next could not take what it left.
+    A stage that ends without its goal, as a throw that misses, does not end the story; one that raises, or has not
+    ended `within` seconds of the event loop's time, does, since the next could not take what it left.
     """
     begun = session.cell.now()
     whole = Measured(seed, "demo")
@@ -41,11 +47,18 @@ async def tell(session: Session, seed: int, stages: Sequence[Stage], told: Told 
     for stage in stages:
         told(stage, None)
         start = session.cell.now()
-        ended = ""
+        found, ended = None, ""
+        limit = asyncio.timeout(within)
         try:
-            found = await stage.run(session, seed)
+            async with limit:
+                found = await stage.run(session, seed)
         except JausError as error:
             ended = str(error)
+        except TimeoutError:
+            if not limit.expired():
+                raise
+            ended = f"it has not ended within {within:g} s"
+        if found is None:
             found = Measured(seed, stage.name, failure=ended, duration=session.cell.now() - start)
         if session.judge is not None:
             found.written = session.judge.written

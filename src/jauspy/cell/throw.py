@@ -37,6 +37,8 @@ PERIOD: Final = 0.008
 """Seconds from one sample of a planned motion to the next."""
 MARGIN: Final = 0.02
 """Metres from everything, for the arm, the box that it holds, and the box in flight."""
+NARROW: Final = 0.015
+"""The same where a search ends with no throw that keeps `MARGIN`."""
 DRAWN: Final = 20_000
 STARTS: Final = 12
 STEPS: Final = 150
@@ -247,10 +249,9 @@ class ThrowPlanner:
         pieces: Sequence[Piece],
         limits: ConnectorLimits,
         *,
-        margin: float = MARGIN,
         seed: int = 0,
     ) -> None:
-        self.chain, self.scene, self.load, self.margin = chain, scene, load, margin
+        self.chain, self.scene, self.load = chain, scene, load
         self._pieces = pieces
         """Shapes of the box, in the frame of its middle."""
         self._strengths, self._suction = strengths(chain, limits), limits.strength(latched=False)
@@ -282,8 +283,8 @@ class ThrowPlanner:
     def plan(self, aim: Array, like: ThrowPlan | None = None) -> ThrowPlan:
         """A throw whose box rests at `aim`, metres in the world, found by random search and then step by step.
 
-        The search begins at `like`, an earlier throw, if there is one. Raises `NoPath`, which names what the best one
-        found violates.
+        The search begins at `like`, an earlier throw, if there is one. It ends with the first best throw that keeps all
+        limits, since another search takes 15 s of CPU time. Raises `NoPath`, which names what the best one violates.
         """
         random = np.random.default_rng(self._seed)
         best: _Trial | None = None
@@ -377,11 +378,14 @@ class ThrowPlanner:
         raise _Violation(f"{short:.3f} m off", 10.0 + short)
 
     def turned(self, plan: ThrowPlan, aim: Array) -> ThrowPlan:
-        """The same throw, turned to and timed for another aim; raises `NoPath` if that breaks a limit."""
+        """The same throw, turned to and timed for another aim; raises `NoPath` if that breaks a limit, or `MARGIN`."""
         windup, goal = plan.windup.copy(), plan.follow_through.copy()
         windup[0] = goal[0] = self._heading(aim)
         windup[-1] = goal[-1] = self._roll
-        return replace(self.aimed(windup, goal, aim), row=plan.row)
+        found = self.aimed(windup, goal, aim)
+        if found.clearance.distance < MARGIN:
+            raise NoPath(f"it would pass {_near(found.clearance)}")
+        return replace(found, row=plan.row)
 
     def checked(self, windup: Array, goal: Array, moved: SampledMotion, release: float, thrown: Flight) -> ThrowPlan:
         """The plan of a motion released at a sample, with a fraction; raises `NoPath` if a limit is broken."""
@@ -398,11 +402,11 @@ class ThrowPlanner:
         after = zip(*(rows[first : first + PARTING] for rows in (moved.q, moved.v, moved.a)), strict=True)
         push = max(float(self._cup(*state).linear[2]) for state in after) / self.load.mass
         if push > -LIFT_OFF:
-            raise _Violation(f"the box would leave the cup at {-push:.1f} m/s^2", 1.0 + 0.05 * (push + LIFT_OFF))
+            penalty = 1.0 + MARGIN + 0.05 * (push + LIFT_OFF)
+            raise _Violation(f"the box would leave the cup at {-push:.1f} m/s^2", penalty)
         clearance = self._clearance(moved, math.ceil(release), thrown)
-        if clearance.distance < self.margin:
-            near = f"{1000.0 * clearance.distance:.0f} mm from {' and '.join(clearance.between) or 'something'}"
-            raise _Violation(near, 1.0 + self.margin - clearance.distance)
+        if clearance.distance < NARROW:
+            raise _Violation(_near(clearance), 1.0 + MARGIN - clearance.distance)
         return ThrowPlan(
             windup, goal, moved.duration, (release + 1.0) * PERIOD, thrown, clearance, speed, torque, loads
         )
@@ -550,8 +554,14 @@ def _penalty(trial: _Trial) -> float:
     return trial.penalty
 
 
+def _near(clearance: Clearance) -> str:
+    return f"{1000.0 * clearance.distance:.0f} mm from {' and '.join(clearance.between) or 'something'}"
+
+
 def _cost(plan: ThrowPlan) -> float:
-    """Below 1, the least penalty of a violation."""
+    """Below 1, the least penalty of a violation, where a throw keeps `MARGIN`."""
+    if plan.clearance.distance < MARGIN:
+        return 1.0 + MARGIN - plan.clearance.distance
     close = max(0.0, SPACIOUS - plan.clearance.distance)
     return 0.9 * math.tanh(landing_cost(plan.flight) + 10.0 * close)
 

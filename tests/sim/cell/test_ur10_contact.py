@@ -13,11 +13,13 @@ pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", e
 
 from tests.helpers.cells import cell_model, put_on, small_cell, weightless
 
+from jauspy.cell.assembly import Assembler
 from jauspy.cell.carrying import Carrier
 from jauspy.cell.frames import shifted, turned
 from jauspy.cell.iso9283.loads import with_bolted_load
 from jauspy.cell.motion import Path
-from jauspy.cell.session import UNDISTURBED, simulated
+from jauspy.cell.session import UNDISTURBED, Disturbances, simulated
+from jauspy.cell.slots import PartResult
 from jauspy.errors import RequestError
 from jauspy.geometry.poses import Pose
 from jauspy.platform.description import RobotModel
@@ -232,3 +234,19 @@ async def test_a_touch_ends_at_what_the_gripper_cannot_hold() -> None:
         assert 20.0 < max(forces) < 150.0, "33 N m at the shoulder are 75 N at 0.45 m, and 108 N until the joints yield"
         await ur10.go(ur10.handling.retreat(ur10.at), contact=True)
         assert forces[-1] == 0.0
+
+
+@pytest.mark.slow
+async def test_a_part_that_does_not_seal_is_not_pressed_until_the_arm_is_blocked(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    """The gripper is in contact then: pressing on loads the part and the bin below it."""
+    async with simulated(2, Disturbances(0.0, 0.0, attach_failure=1.0)) as session:
+        ur10 = Assembler(session.cell, session.layout)
+        ur10.at = await session.cell.posture()
+        await ur10.look()
+        for part in ("wheel_1", "servo_12"):
+            plan = ur10.handling.pick(part, ur10.seen[part].pose, ur10.at)
+            assert await ur10.try_grasp(plan, PartResult("", part)) == f"no vacuum on {part}: the plate leaks"
+        assert session.true._robot.groups["ur10"].contact is None
+    assert "blocked" not in caplog.text
