@@ -182,6 +182,7 @@ def take_all(url: str, folder: Path, panels: Sequence[str]) -> None:
         if CELL not in panels:
             prepare(page)
         for panel in panels:
+            page.set_viewport_size(ViewportSize(width=1440, height=900))  # where all inputs are in sight
             if panel == CELL:
                 show_cell(page)
             else:
