@@ -28,6 +28,7 @@ from jauspy.planning.navigator import Navigator
 from jauspy.planning.path_search import NoPath, PathPoint, is_leg_free
 from jauspy.planning.path_services import IMPASSABLE, navigation_services
 from jauspy.planning.terrain_cost import TerrainCost
+from jauspy.planning.way_parts import Part
 from jauspy.platform.ranging import Scanner
 
 MODEL = described("inc1")[1]
@@ -150,7 +151,7 @@ async def test_a_cancelled_drive_stops(inc1, robot):
 @pytest.mark.slow
 async def test_flippers_that_were_set_for_a_step_are_put_back_at_the_goal(inc1, monkeypatch):
     (joint,) = flipper_joints(MODEL)
-    monkeypatch.setattr(navigator, "_parts", lambda points, terrain: [navigator._Part(tuple(points), 0.5)])
+    monkeypatch.setattr(navigator, "parts", lambda points, terrain: [Part(tuple(points), 0.5)])
     before, during = (await inc1.joints()).positions[joint], []
     async with inc1.control(), surroundings(inc1) as around:
         drive = asyncio.create_task(Navigator(inc1, MODEL, around).go_to(1.5, 0.0))
