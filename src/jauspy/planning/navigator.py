@@ -45,9 +45,10 @@ ARRIVED: Final = 0.3
 CORNER_TOLERANCE: Final = 0.12
 NARROW_TOLERANCE: Final = 0.04
 """Metres within which a corner of the way counts as reached, and one where the robot just fits."""
-SEARCH_TIME: Final = 1.5
-FIRST_SEARCH_TIME: Final = 6.0
-"""Seconds of a search, and of the first one, while the robot stands."""
+SEARCH_TIME: Final = 0.4
+LONG_SEARCH_TIME: Final = 6.0
+"""Seconds of processor time of a search, with that of the costs, while the robot may drive on, and of one for which it
+stands: the first one, and those after a search that found no way in time."""
 PATIENCE: Final = 6.0
 """Seconds for which the robot waits for a way when there is none: what stands in it may go."""
 DRIFT: Final = 0.03
@@ -113,8 +114,11 @@ class Navigator:
 
     # --- planning -----------------------------------------------------------------------------------------------------
 
-    async def plan(self, x: float, y: float) -> Path:
-        """The way from where the robot is to a point of the map, in metres; raises `NoPath`."""
+    async def plan(self, x: float, y: float, *, seconds: float = LONG_SEARCH_TIME) -> Path:
+        """The way from where the robot is to a point of the map, in metres.
+
+        Raises `NoPath`, after so many seconds of processor time.
+        """
         for value, use in ((x, "x"), (y, "y")):
             check_number(value, use)
             if not math.isfinite(value):
@@ -122,16 +126,17 @@ class Navigator:
         mobility = await self._known_mobility()
         pose = self.map.to_map(_planar(await self._robot.pose()))
         self.map.check()
-        self.terrain, path = await self.map.compute(self._find, mobility, pose, (x, y))
+        self.terrain, path = await self.map.compute(self._find, mobility, pose, (x, y), seconds)
         self.path = path
         return path
 
-    def _find(self, mobility: Mobility, pose: PlanarPose, goal: tuple[float, float]) -> tuple[TerrainCost, Path]:
+    def _find(
+        self, mobility: Mobility, pose: PlanarPose, goal: tuple[float, float], seconds: float
+    ) -> tuple[TerrainCost, Path]:
         began = time.thread_time()
         terrain = self.map.terrain(mobility, [(pose.x, pose.y), goal])
-        end = time.thread_time() + (SEARCH_TIME if self._plans else FIRST_SEARCH_TIME)
         try:
-            return terrain, find_widest_path(terrain, pose, goal, backward=self._backward, end=end)
+            return terrain, find_widest_path(terrain, pose, goal, backward=self._backward, end=began + seconds)
         finally:
             self.planning_time = time.thread_time() - began
 
@@ -232,17 +237,19 @@ class Navigator:
                     await self._keep_in_map()
 
     async def _take_way(self, x: float, y: float, needed: float) -> None:
-        """Find a way and drive it. Without one the robot stops, and waits for one for `PATIENCE` seconds."""
+        """Find a way and drive it. Without one the robot stops, and searches for longer, for `PATIENCE` seconds."""
         clock = asyncio.get_running_loop().time
+        seconds = SEARCH_TIME if self._plans else LONG_SEARCH_TIME
         while True:
             try:
-                path = await self.plan(x, y)
+                path = await self.plan(x, y, seconds=seconds)
                 break
             except NoPath:
                 await self._end_course()
                 if clock() - needed > PATIENCE or not self._plans:
                     raise
-                await asyncio.sleep(PERIOD)
+                seconds = LONG_SEARCH_TIME
+                await asyncio.sleep(max(PERIOD, self.planning_time))
         await self._take(path, needed)
 
     async def _take(self, path: Path, needed: float) -> None:
@@ -259,7 +266,7 @@ class Navigator:
             return
         before = self.path
         with suppress(NoPath):
-            path = await self.plan(x, y)
+            path = await self.plan(x, y, seconds=SEARCH_TIME)
             if self._choice.takes_around(path.cost, self._cost_left(pose)):
                 await self._take(path, needed)
                 return
@@ -271,7 +278,7 @@ class Navigator:
         """Take another way if it is much better than what is left of the present one."""
         before = self.path
         with suppress(NoPath):
-            path = await self.plan(x, y)
+            path = await self.plan(x, y, seconds=SEARCH_TIME)
             if self._choice.takes_better(path.cost, self._cost_left(pose)):
                 await self._follow(path)
                 self._plans += 1
