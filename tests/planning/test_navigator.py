@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import math
+import time
 from collections.abc import Sequence
 from types import SimpleNamespace
 
@@ -25,9 +26,10 @@ from jauspy.planning import navigator
 from jauspy.planning.driving_map import DrivingMap
 from jauspy.planning.mobility import flipper_joints, mobility_of
 from jauspy.planning.navigator import Navigator
-from jauspy.planning.path_search import NoPath, PathPoint, is_leg_free
+from jauspy.planning.path_search import NoPath, PathPoint, find_widest_path, is_leg_free
 from jauspy.planning.path_services import IMPASSABLE, navigation_services
 from jauspy.planning.terrain_cost import TerrainCost
+from jauspy.planning.way_parts import Part
 from jauspy.platform.ranging import Scanner
 
 MODEL = described("inc1")[1]
@@ -104,16 +106,38 @@ async def test_what_appears_on_the_way_gives_a_new_way_at_once(inc1, walls, robo
         while navigator.path is way or is_leg_free(navigator.terrain, *way.points[:2]):
             await asyncio.sleep(0.01)
             assert robot.snapshot.pose.x < at - 1.0
-        new_way_after = clock() - put + navigator.path.search_time
+        new_way_after = clock() - put + navigator.planning_time
         nearest = math.inf
         while not drive.done():
             await asyncio.sleep(0.1)
             pose = robot.snapshot.pose
             nearest = min(nearest, math.hypot(pose.x - at, max(0.0, abs(pose.y) - 0.6)))
         pose = await drive
-    assert new_way_after < 0.5, "virtual seconds until it was sent, and those of the search"
+    assert new_way_after < 0.5, "virtual seconds until it was sent, and those of the costs and the search"
     assert nearest > 0.33, "half of its width"
     assert math.dist((pose.x, pose.y), (5.0, 0.0)) < 0.35
+
+
+@pytest.mark.slow
+async def test_a_robot_stands_for_a_search_that_takes_long(inc1, walls, monkeypatch):
+    budgets = []
+
+    def find(terrain, pose, goal, *, backward, end):
+        budgets.append(end - time.thread_time())
+        if budgets[-1] < 1.0:
+            raise NoPath("no way was found in time")
+        return find_widest_path(terrain, pose, goal, backward=backward, end=end)
+
+    monkeypatch.setattr(navigator, "find_widest_path", find)
+    async with inc1.control("drive"), surroundings(inc1) as around:
+        drive = asyncio.create_task(Navigator(inc1, MODEL, around, speed=0.8).go_to(4.0, 0.0))
+        await asyncio.sleep(1.0)
+        walls.append((2.5, -0.6, 2.5, 0.6))
+        pose = await drive
+    assert math.dist((pose.x, pose.y), (4.0, 0.0)) < 0.35
+    assert budgets[0] > 5.0, "before it drives"
+    assert 0.0 < max(budgets[1:3]) < 0.5, "so that a new way comes soon"
+    assert max(budgets[2:]) > 5.0, "once it stands"
 
 
 @pytest.mark.slow
@@ -150,7 +174,7 @@ async def test_a_cancelled_drive_stops(inc1, robot):
 @pytest.mark.slow
 async def test_flippers_that_were_set_for_a_step_are_put_back_at_the_goal(inc1, monkeypatch):
     (joint,) = flipper_joints(MODEL)
-    monkeypatch.setattr(navigator, "_parts", lambda points, terrain: [navigator._Part(tuple(points), 0.5)])
+    monkeypatch.setattr(navigator, "parts", lambda points, terrain: [Part(tuple(points), 0.5)])
     before, during = (await inc1.joints()).positions[joint], []
     async with inc1.control(), surroundings(inc1) as around:
         drive = asyncio.create_task(Navigator(inc1, MODEL, around).go_to(1.5, 0.0))

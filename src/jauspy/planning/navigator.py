@@ -23,8 +23,10 @@ from jauspy.ocu.state import RobotPose
 from jauspy.planning.driving_map import Corners, DrivingMap
 from jauspy.planning.mobility import Mobility, flipper_joints, mobility_of, with_posture
 from jauspy.planning.path_search import NoPath, Path, PathPoint, find_widest_path, is_leg_free, way_cost
+from jauspy.planning.stall import Stall
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.planning.way_choice import WayChoice
+from jauspy.planning.way_parts import Part, first_metres, leg_distance, parts
 from jauspy.platform.description import RobotModel
 
 PERIOD: Final = 0.2
@@ -43,30 +45,17 @@ ARRIVED: Final = 0.3
 CORNER_TOLERANCE: Final = 0.12
 NARROW_TOLERANCE: Final = 0.04
 """Metres within which a corner of the way counts as reached, and one where the robot just fits."""
-SEARCH_TIME: Final = 1.5
-FIRST_SEARCH_TIME: Final = 6.0
-"""Seconds of a search, and of the first one, while the robot stands."""
+SEARCH_TIME: Final = 0.4
+LONG_SEARCH_TIME: Final = 6.0
+"""Seconds of processor time of a search, with that of the costs, while the robot may drive on, and of one for which it
+stands: the first one, and those after a search that found no way in time."""
 PATIENCE: Final = 6.0
 """Seconds for which the robot waits for a way when there is none: what stands in it may go."""
-STALL_TIME: Final = 12.0
-"""Seconds without progress after which a new way is sought."""
-MAX_STALLS: Final = 3
-"""Times that the robot stalls before it gives up."""
-PROGRESS: Final = 0.1
-"""Metres that count as progress."""
-PROGRESS_TURN: Final = 0.3
-"""Radians that count as progress."""
 DRIFT: Final = 0.03
 """Metres or radians by which the map moves in the local frame before waypoints are sent again: tracks that slip in a
 turn move it by decimetres within seconds, and doors leave less than that."""
 LEAD: Final = 0.2
 """Metres that a robot drives at most while it gets a new list of waypoints."""
-SPACING: Final = 0.05
-"""Metres between the points of a way that are compared with steps."""
-CLIMBING: Final = math.radians(45.0)
-"""Elevation of flippers at a step, radians."""
-STEP_ROOM: Final = 0.7
-"""Metres before and after a step between which flippers are set for it."""
 STEP_SPEED: Final = 0.2
 """m/s at steps."""
 FLIPPER_TOLERANCE: Final = 0.05
@@ -83,14 +72,6 @@ class NavigationProgress:
     plans: int
     replanned_in: float
     """Seconds from when the last new way was needed until the robot was sent along it; 0 before that."""
-
-
-@dataclass(frozen=True, slots=True)
-class _Part:
-    """A piece of the way that is driven with one posture of the flippers; None for that at the start."""
-
-    points: tuple[PathPoint, ...]
-    flippers: float | None
 
 
 class Navigator:
@@ -124,7 +105,7 @@ class Navigator:
         self._replanned_in = 0.0
         self._driven: list[PathPoint] = []
         """Points of the part that is driven, in the map."""
-        self._rest: list[_Part] = []
+        self._rest: list[Part] = []
         self._course: asyncio.Task[Any] | None = None
         self._choice = WayChoice()
         self._held = False
@@ -133,8 +114,11 @@ class Navigator:
 
     # --- planning -----------------------------------------------------------------------------------------------------
 
-    async def plan(self, x: float, y: float) -> Path:
-        """The way from where the robot is to a point of the map, in metres; raises `NoPath`."""
+    async def plan(self, x: float, y: float, *, seconds: float = LONG_SEARCH_TIME) -> Path:
+        """The way from where the robot is to a point of the map, in metres.
+
+        Raises `NoPath`, after so many seconds of processor time.
+        """
         for value, use in ((x, "x"), (y, "y")):
             check_number(value, use)
             if not math.isfinite(value):
@@ -142,16 +126,17 @@ class Navigator:
         mobility = await self._known_mobility()
         pose = self.map.to_map(_planar(await self._robot.pose()))
         self.map.check()
-        self.terrain, path = await self.map.compute(self._find, mobility, pose, (x, y))
+        self.terrain, path = await self.map.compute(self._find, mobility, pose, (x, y), seconds)
         self.path = path
         return path
 
-    def _find(self, mobility: Mobility, pose: PlanarPose, goal: tuple[float, float]) -> tuple[TerrainCost, Path]:
+    def _find(
+        self, mobility: Mobility, pose: PlanarPose, goal: tuple[float, float], seconds: float
+    ) -> tuple[TerrainCost, Path]:
         began = time.thread_time()
         terrain = self.map.terrain(mobility, [(pose.x, pose.y), goal])
-        end = time.thread_time() + (SEARCH_TIME if self._plans else FIRST_SEARCH_TIME)
         try:
-            return terrain, find_widest_path(terrain, pose, goal, backward=self._backward, end=end)
+            return terrain, find_widest_path(terrain, pose, goal, backward=self._backward, end=began + seconds)
         finally:
             self.planning_time = time.thread_time() - began
 
@@ -211,7 +196,7 @@ class Navigator:
     ) -> RobotPose:
         clock = asyncio.get_running_loop().time
         await self._take_way(x, y, clock())
-        watch, reviewed = _Stall(clock()), clock()
+        watch, reviewed = Stall(clock()), clock()
         while True:
             if self._course is not None:
                 await self.map.wait(self._course, PERIOD)
@@ -252,17 +237,19 @@ class Navigator:
                     await self._keep_in_map()
 
     async def _take_way(self, x: float, y: float, needed: float) -> None:
-        """Find a way and drive it. Without one the robot stops, and waits for one for `PATIENCE` seconds."""
+        """Find a way and drive it. Without one the robot stops, and searches for longer, for `PATIENCE` seconds."""
         clock = asyncio.get_running_loop().time
+        seconds = SEARCH_TIME if self._plans else LONG_SEARCH_TIME
         while True:
             try:
-                path = await self.plan(x, y)
+                path = await self.plan(x, y, seconds=seconds)
                 break
             except NoPath:
                 await self._end_course()
                 if clock() - needed > PATIENCE or not self._plans:
                     raise
-                await asyncio.sleep(PERIOD)
+                seconds = LONG_SEARCH_TIME
+                await asyncio.sleep(max(PERIOD, self.planning_time))
         await self._take(path, needed)
 
     async def _take(self, path: Path, needed: float) -> None:
@@ -279,7 +266,7 @@ class Navigator:
             return
         before = self.path
         with suppress(NoPath):
-            path = await self.plan(x, y)
+            path = await self.plan(x, y, seconds=SEARCH_TIME)
             if self._choice.takes_around(path.cost, self._cost_left(pose)):
                 await self._take(path, needed)
                 return
@@ -291,7 +278,7 @@ class Navigator:
         """Take another way if it is much better than what is left of the present one."""
         before = self.path
         with suppress(NoPath):
-            path = await self.plan(x, y)
+            path = await self.plan(x, y, seconds=SEARCH_TIME)
             if self._choice.takes_better(path.cost, self._cost_left(pose)):
                 await self._follow(path)
                 self._plans += 1
@@ -311,11 +298,11 @@ class Navigator:
         self._correction = self.map.mapper.correction
         await self._next_part()
 
-    def _left_parts(self, pose: RobotPose) -> list[_Part]:
+    def _left_parts(self, pose: RobotPose) -> list[Part]:
         """What is left of the present way."""
         if self._held:
             return self._rest
-        return [_Part(tuple(self.ahead(pose)), self._flippers), *self._rest]
+        return [Part(tuple(self.ahead(pose)), self._flippers), *self._rest]
 
     async def _keep_in_map(self) -> None:
         """Send the waypoints again if the map has moved in the local frame, in which the robot drives them."""
@@ -329,7 +316,7 @@ class Navigator:
         self._held = False
         self._choice.begin()
         flippers = flipper_joints(self._model)
-        self._rest = _parts(path.points, self.terrain) if flippers else [_Part(path.points, None)]
+        self._rest = parts(path.points, self.terrain) if flippers else [Part(path.points, None)]
         await self._next_part()
 
     async def _next_part(self) -> bool:
@@ -421,7 +408,7 @@ class Navigator:
         if len(points) < 2:
             return [place]
         legs = list(itertools.pairwise(points))
-        nearest = min(range(len(legs)), key=lambda number: (_distance(place, *legs[number]), -number))
+        nearest = min(range(len(legs)), key=lambda number: (leg_distance(place, *legs[number]), -number))
         while nearest < len(legs) - 1 and self._is_behind(place, *legs[nearest]):
             nearest += 1  # a robot that is sent along the rest of its way must not turn back for a corner
         return [place, *points[nearest + 1 :]]
@@ -447,7 +434,7 @@ class Navigator:
 
     async def _free_metres(self, pose: RobotPose) -> float:
         """Metres of the way ahead without an obstacle, at most `LOOK_AHEAD`."""
-        ahead = _first_metres(self.ahead(pose), LOOK_AHEAD)
+        ahead = first_metres(self.ahead(pose), LOOK_AHEAD)
         if len(ahead) < 2:
             return LOOK_AHEAD
         return await self.map.compute(self._free_part, ahead, self.map.to_map(_planar(pose)))
@@ -459,100 +446,9 @@ class Navigator:
         terrain.start_at(pose)
         if all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(ahead)):
             return LOOK_AHEAD
-        near = _first_metres(ahead, STOP_DISTANCE)
+        near = first_metres(ahead, STOP_DISTANCE)
         return STOP_DISTANCE if all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(near)) else 0.0
-
-
-class _Stall:
-    """Notices a robot that should drive and does not get on."""
-
-    def __init__(self, now: float) -> None:
-        self._pose: RobotPose | None = None
-        self._since = now
-        self._count = 0
-
-    def is_stalled(self, pose: RobotPose, now: float) -> bool:
-        """True once it has neither moved nor turned for `STALL_TIME`."""
-        before = self._pose
-        if (
-            before is None
-            or math.dist((before.x, before.y), (pose.x, pose.y)) > PROGRESS
-            or abs(math.remainder(before.yaw - pose.yaw, math.tau)) > PROGRESS_TURN
-        ):
-            self._pose, self._since = pose, now
-            return False
-        return now - self._since > STALL_TIME
-
-    def count(self, pose: RobotPose, goal: tuple[float, float]) -> None:
-        """Note that the robot did not get to where it was sent; raises `RequestError` when it happens too often."""
-        self._count += 1
-        self._pose = None
-        if self._count > MAX_STALLS:
-            left = math.dist((pose.x, pose.y), goal)
-            tilt = math.degrees(max(abs(pose.pitch), abs(pose.roll)))
-            tilted = f"; it is tilted by {tilt:.0f} degrees" if tilt > 10.0 else ""
-            raise RequestError(
-                f"the robot stands {left:.2f} m from ({goal[0]:g}, {goal[1]:g}) and does not get on{tilted}; something "
-                "that its sensors do not see may be in the way, or a guard stops it"
-            )
 
 
 def _planar(pose: RobotPose) -> PlanarPose:
     return PlanarPose(pose.x, pose.y, pose.yaw)
-
-
-def _distance(point: PathPoint, start: PathPoint, end: PathPoint) -> float:
-    """Metres from a point to a leg."""
-    dx, dy = end.x - start.x, end.y - start.y
-    length = dx * dx + dy * dy
-    part = ((point.x - start.x) * dx + (point.y - start.y) * dy) / length if length else 0.0
-    part = min(1.0, max(0.0, part))
-    return math.hypot(point.x - start.x - part * dx, point.y - start.y - part * dy)
-
-
-def _first_metres(points: Sequence[PathPoint], metres: float) -> list[PathPoint]:
-    found, left = list(points[:1]), metres
-    for before, after in itertools.pairwise(points):
-        length = math.dist(before[:2], after[:2])
-        if length >= left:
-            part = left / length
-            found.append(_at(after, before.x + part * (after.x - before.x), before.y + part * (after.y - before.y)))
-            break
-        found.append(after)
-        left -= length
-    return found
-
-
-def _at(point: PathPoint, x: float, y: float) -> PathPoint:
-    """The point at another place."""
-    return PathPoint(x, y, point.backward)
-
-
-def _parts(points: Sequence[PathPoint], terrain: TerrainCost) -> list[_Part]:
-    """The way in parts: those near steps that need flippers, and the others."""
-    dense = _dense(points, SPACING)
-    marked = [terrain.needs_flippers(point.x, point.y) for point in dense]
-    reach = round(STEP_ROOM / SPACING)
-    steep = [any(marked[max(0, number - reach) : number + reach + 1]) for number in range(len(dense))]
-    if not any(steep):
-        return [_Part(tuple(points), None)]
-    corners = {point[:2] for point in points}
-    parts: list[_Part] = []
-    for climbs, numbers in itertools.groupby(range(len(dense)), key=lambda number: steep[number]):
-        run = list(numbers)
-        first = [dense[run[0] - 1]] if run[0] else []
-        inner = [dense[number] for number in run if dense[number][:2] in corners or number in (run[0], run[-1])]
-        parts.append(_Part((*first, *inner), CLIMBING if climbs else None))
-    return parts
-
-
-def _dense(points: Sequence[PathPoint], step: float) -> list[PathPoint]:
-    found = [points[0]]
-    for before, after in itertools.pairwise(points):
-        count = max(1, math.ceil(math.dist(before[:2], after[:2]) / step))
-        found += [
-            _at(after, before.x + n / count * (after.x - before.x), before.y + n / count * (after.y - before.y))
-            for n in range(1, count)
-        ]
-        found.append(after)
-    return found

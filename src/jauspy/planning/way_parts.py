@@ -1,0 +1,88 @@
+"""A way of straight legs in parts: those near steps that need flippers, and the others; and pieces of it.
+
+Points are in the map, in metres.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.planning.path_search import PathPoint
+from jauspy.planning.terrain_cost import TerrainCost
+
+SPACING: Final = 0.05
+"""Metres between the points of a way that are compared with steps."""
+CLIMBING: Final = math.radians(45.0)
+"""Elevation of flippers at a step, radians."""
+STEP_ROOM: Final = 0.7
+"""Metres before and after a step between which flippers are set for it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A piece of the way that is driven with one posture of the flippers; None for that at the start."""
+
+    points: tuple[PathPoint, ...]
+    flippers: float | None
+
+
+def leg_distance(point: PathPoint, start: PathPoint, end: PathPoint) -> float:
+    """Metres from a point to a leg."""
+    dx, dy = end.x - start.x, end.y - start.y
+    length = dx * dx + dy * dy
+    part = ((point.x - start.x) * dx + (point.y - start.y) * dy) / length if length else 0.0
+    part = min(1.0, max(0.0, part))
+    return math.hypot(point.x - start.x - part * dx, point.y - start.y - part * dy)
+
+
+def first_metres(points: Sequence[PathPoint], metres: float) -> list[PathPoint]:
+    """The points of a way up to this length."""
+    found, left = list(points[:1]), metres
+    for before, after in itertools.pairwise(points):
+        length = math.dist(before[:2], after[:2])
+        if length >= left:
+            part = left / length
+            found.append(_at(after, before.x + part * (after.x - before.x), before.y + part * (after.y - before.y)))
+            break
+        found.append(after)
+        left -= length
+    return found
+
+
+def _at(point: PathPoint, x: float, y: float) -> PathPoint:
+    """The point at another place."""
+    return PathPoint(x, y, point.backward)
+
+
+def parts(points: Sequence[PathPoint], terrain: TerrainCost) -> list[Part]:
+    """The way in parts: those near steps that need flippers, and the others."""
+    close = _dense(points, SPACING)
+    marked = [terrain.needs_flippers(point.x, point.y) for point in close]
+    reach = round(STEP_ROOM / SPACING)
+    steep = [any(marked[max(0, number - reach) : number + reach + 1]) for number in range(len(close))]
+    if not any(steep):
+        return [Part(tuple(points), None)]
+    corners = {point[:2] for point in points}
+    found: list[Part] = []
+    for climbs, numbers in itertools.groupby(range(len(close)), key=lambda number: steep[number]):
+        run = list(numbers)
+        first = [close[run[0] - 1]] if run[0] else []
+        inner = [close[number] for number in run if close[number][:2] in corners or number in (run[0], run[-1])]
+        found.append(Part((*first, *inner), CLIMBING if climbs else None))
+    return found
+
+
+def _dense(points: Sequence[PathPoint], step: float) -> list[PathPoint]:
+    found = [points[0]]
+    for before, after in itertools.pairwise(points):
+        count = max(1, math.ceil(math.dist(before[:2], after[:2]) / step))
+        found += [
+            _at(after, before.x + n / count * (after.x - before.x), before.y + n / count * (after.y - before.y))
+            for n in range(1, count)
+        ]
+        found.append(after)
+    return found
