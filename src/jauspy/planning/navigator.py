@@ -217,10 +217,10 @@ class Navigator:
                         await self._set_flippers(None)
                     return pose
                 if not await self._next_part():
-                    watch.count(pose, (x, y))
+                    watch.count(pose, self._distance_to(pose, x, y), (x, y))
                     await self._take_way(x, y, clock())
             elif watch.is_stalled(pose, now):
-                watch.count(pose, (x, y))
+                watch.count(pose, self._distance_to(pose, x, y), (x, y))
                 await self._take_way(x, y, clock())
             elif (free := await self._free_metres(pose)) < LOOK_AHEAD:
                 self._choice.look(is_free=False, now=now)

@@ -38,12 +38,11 @@ class Stall:
             return False
         return now - self._since > STALL_TIME
 
-    def count(self, pose: RobotPose, goal: tuple[float, float]) -> None:
-        """Note that the robot did not get to where it was sent; raises `RequestError` when it happens too often."""
+    def count(self, pose: RobotPose, left: float, goal: tuple[float, float]) -> None:
+        """Note that the robot is `left` metres from where it was sent; raises `RequestError` if that is too often."""
         self._count += 1
         self._pose = None
         if self._count > MAX_STALLS:
-            left = math.dist((pose.x, pose.y), goal)
             tilt = math.degrees(max(abs(pose.pitch), abs(pose.roll)))
             tilted = f"; it is tilted by {tilt:.0f} degrees" if tilt > 10.0 else ""
             raise RequestError(
