@@ -11,7 +11,7 @@ pytest.importorskip("scipy", reason="planning needs scipy")
 
 from jauspy.geometry.poses import PlanarPose
 from jauspy.planning.mobility import Mobility
-from jauspy.planning.path_search import NoPath, find_path, find_widest_path, is_leg_free, way_cost
+from jauspy.planning.path_search import WIDE, NoPath, find_path, find_widest_path, is_leg_free, way_cost
 from jauspy.planning.terrain_cost import TerrainCost
 
 MOBILITY = Mobility(front=0.4, back=0.4, half_width=0.3, step=0.08, flipper_step=0.2, up=0.5, down=0.5, side=0.3)
@@ -51,12 +51,23 @@ def test_a_door_is_passed_straight():
     assert_free(found, path)
 
 
-def doors(cells: int) -> TerrainCost:
-    """A wall with a door of so many cells of 5 cm."""
+def doors(cells: int, other: slice = slice(0, 0)) -> TerrainCost:
+    """A wall with a door of so many cells of 5 cm, and another one in these rows."""
     occupied = np.zeros((120, 120), bool)
     occupied[:, 60] = True
-    occupied[60 : 60 + cells, 60] = False
+    occupied[60 : 60 + cells, 60] = occupied[other, 60] = False
     return TerrainCost(MOBILITY, occupied, np.ones_like(occupied), (-3.0, -3.0), 0.05)
+
+
+def test_a_wide_way_is_taken_unless_it_is_a_detour():
+    """A robot that is some centimetres off its leg does not touch the end of a wall."""
+    start, goal = PlanarPose(-1.5, 0.3, 0.0), (1.5, 0.3)
+    margins = {}
+    for name, rows in (("near", slice(78, 110)), ("far", slice(0, 24))):
+        found = doors(14, other=rows)
+        assert_free(found, find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 2.0))
+        margins[name] = found.margin
+    assert margins == {"near": WIDE, "far": 0.02}
 
 
 def test_a_door_that_noise_makes_narrower_is_passed_where_there_is_no_other_way():
@@ -66,9 +77,12 @@ def test_a_door_that_noise_makes_narrower_is_passed_where_there_is_no_other_way(
     found = doors(12)
     assert_free(found, find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 1.0))
     assert found.margin == -0.01
-    wide = doors(16)
-    find_widest_path(wide, start, goal, backward=True, end=time.thread_time() + 1.0)
-    assert wide.margin == 0.02
+    margins = {}
+    for cells in (14, 16):
+        found = doors(cells)
+        find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 1.0)
+        margins[cells] = found.margin
+    assert margins == {14: 0.02, 16: WIDE}
     with pytest.raises(NoPath, match="no way to"):
         find_widest_path(doors(10), start, goal, backward=True, end=time.thread_time() + 0.3)
 

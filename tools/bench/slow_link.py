@@ -25,6 +25,7 @@ import asyncio
 import json
 import math
 import statistics
+import time
 from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -41,7 +42,8 @@ from jauspy.navigation_trials.judge import DrivingTruth, PlacingBackend
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
 from jauspy.planning.mobility import mobility_of
-from jauspy.planning.path_search import find_path
+from jauspy.planning.path_search import find_widest_path
+from jauspy.planning.terrain_cost import MARGIN
 from jauspy.platform.contract import Robot as SimulatedRobot
 from jauspy.robot.robot_files import robot_model
 from jauspy.robot.runner import RobotRunner
@@ -210,7 +212,9 @@ def ways(
         goal = next((found for _ in range(SEARCHES) if (found := true_map.draw_goal(here, rng)) is not None), None)
         if goal is None:
             break  # the row tells how many there were
-        points = find_path(true_map.terrain, here, (goal.x, goal.y), backward=False, seconds=30.0).points
+        end = time.thread_time() + 30.0
+        points = find_widest_path(true_map.terrain, here, (goal.x, goal.y), backward=False, end=end).points
+        true_map.terrain.margin = MARGIN
         poses = [PlanarPose(point.x, point.y) for point in points]
         ways_found.append(dense([to_local @ place for place in poses]))
         last, before = points[-1], points[-2]
