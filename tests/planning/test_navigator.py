@@ -162,6 +162,24 @@ async def test_a_way_that_closes_stops_the_robot(inc1, walls, robot):
 
 
 @pytest.mark.slow
+async def test_a_goal_beside_a_wall_need_not_be_hit_as_a_corner_beside_it(inc1, walls, monkeypatch):
+    """A robot in physics turned about a goal to which it had come within 3 cm until its time was over."""
+    courses, drive_course = [], inc1.drive_course
+
+    def driven(points, **options):
+        courses.append(points)
+        return drive_course(points, **options)
+
+    monkeypatch.setattr(inc1, "drive_course", driven)
+    walls.extend([(0.6, 0.43, 4.0, 0.43), (0.6, -0.43, 4.0, -0.43)])
+    async with inc1.control("drive"), surroundings(inc1) as around:
+        await asyncio.sleep(3.0)  # until the walls are in the map
+        pose = await Navigator(inc1, MODEL, around).go_to(2.5, 0.0)
+    assert math.dist((pose.x, pose.y), (2.5, 0.0)) < 0.3
+    assert {points[-1].tolerance for points in courses} == {navigator.CORNER_TOLERANCE}
+
+
+@pytest.mark.slow
 async def test_a_cancelled_drive_stops(inc1, robot):
     async with inc1.control("drive"), surroundings(inc1) as around:
         with pytest.raises(TimeoutError):

@@ -290,6 +290,7 @@ class CarTask:
         for name, frame in frames.items():
             scene.put(name, pieces_of_part(self.layout.type_of(name)), frame)
         reasons: list[str] = []
+        searched: list[str] = []
         second_best: CarryPlan | None = None
         moved = shifted(*(top.translation - frames[root].translation).tolist())
         # a search for a way around obstacles takes seconds to fail: straight parts are planned before, at once
@@ -297,7 +298,7 @@ class CarTask:
             try:
                 approach = planner.to_posture(ur10.at, lines.near.points[0])
             except NoPath as error:
-                reasons.append(str(error))
+                searched.append(str(error))
                 continue
             plan = replace(lines, approach=approach)
             try:
@@ -308,7 +309,7 @@ class CarTask:
             return plan
         if second_best is not None:
             return second_best
-        raise NoPath(reasons[0] if reasons else "the bracket is out of reach")
+        raise NoPath((searched or reasons or ["the bracket is out of reach"])[0])
 
     def _lines_to_carry(
         self, grasped: str, root: str, frames: dict[str, pin.SE3], top: pin.SE3, reasons: list[str]

@@ -10,7 +10,7 @@ import math
 import time
 from collections.abc import Callable, Coroutine, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from jauspy.arguments import check_number
@@ -338,6 +338,8 @@ class Navigator:
         if part.flippers != self._flippers:
             await self._set_flippers(part.flippers)
         points = [self._course_point(point) for point in self._driven[1:]]
+        if points and not self._rest:  # the goal need not be hit as a corner in a door: the robot would turn for it
+            points[-1] = replace(points[-1], tolerance=CORNER_TOLERANCE)
         if points:
             await self._begin_course(self._robot.drive_course(points, speed=speed, timeout=3600.0))
         return True
