@@ -14,9 +14,9 @@ class LinkQuality(NamedTuple):
     """Parts of the packets of a video, 0..1."""
 
     missing: float = 0.0
-    """Those that did not arrive."""
+    """Packets that did not arrive."""
     lost: float = 0.0
-    """Those that were not restored either (`jauspy.video.parity`)."""
+    """Packets that were not restored either (`jauspy.video.parity`)."""
 
 
 class LinkQualityMeter:

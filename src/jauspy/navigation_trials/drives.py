@@ -14,7 +14,7 @@ from jauspy.navigation_trials.goals import Goal
 from jauspy.navigation_trials.judge import DrivingTruth
 from jauspy.navigation_trials.results import MAX_TEXT, Drive
 from jauspy.planning.navigator import NavigationProgress, Navigator
-from jauspy.planning.path_search import PathPoint
+from jauspy.planning.way_parts import first_metres
 
 LIMIT: Final = 180.0
 """Seconds of a drive, of the robot's time."""
@@ -107,22 +107,12 @@ class _DriveWatch:
 
     def _put(self, progress: NavigationProgress) -> None:
         """Put a thing ahead on the way, unless the part that is driven is too short for it."""
-        place = _at_distance(self._navigator.ahead(progress.pose), AHEAD)
-        if place is None:
+        ahead = self._navigator.ahead(progress.pose)
+        if sum(math.dist(start[:2], end[:2]) for start, end in itertools.pairwise(ahead)) < AHEAD:
             return
+        x, y, _ = first_metres(ahead, AHEAD)[-1]
         local, true = progress.pose, self._truth.pose()
         here = self._navigator.map.to_map(PlanarPose(local.x, local.y, local.yaw))
-        in_world = PlanarPose(true.x, true.y, true.yaw) @ here.inverse() @ PlanarPose(*place)
+        in_world = PlanarPose(true.x, true.y, true.yaw) @ here.inverse() @ PlanarPose(x, y)
         self.thing = self._truth.put_thing(in_world.x, in_world.y)
         self._put_at = progress.elapsed, progress.plans
-
-
-def _at_distance(points: list[PathPoint], metres: float) -> tuple[float, float] | None:
-    """The point of a way after so many metres; None if it is shorter."""
-    for start, end in itertools.pairwise(points):
-        length = math.dist(start[:2], end[:2])
-        if length >= metres:
-            part = metres / length
-            return start.x + part * (end.x - start.x), start.y + part * (end.y - start.y)
-        metres -= length
-    return None

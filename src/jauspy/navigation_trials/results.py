@@ -67,7 +67,7 @@ class Drive:
     world: _Text
     group: _Count
     number: _Count
-    """Of the goal in its group."""
+    """The number of the goal in its group."""
     start: tuple[_Number, _Number, _Number]
     """x, y and yaw."""
     goal: tuple[_Number, _Number]
@@ -76,9 +76,9 @@ class Drive:
     error: _Text
     """Why the goal was not reached; empty if it was."""
     way: _Length
-    """Driven."""
+    """Length of the way that was driven."""
     shortest: Annotated[float, Field(gt=0.0, le=1e9)]
-    """Of a way on the true map."""
+    """Length of the shortest way on the true map."""
     contacts: Annotated[Mapping[_Text, _Count], Field(max_length=1000)]
     """Samples of the physics with a contact that is not with the ground, by body of the world."""
     plans: _Count
@@ -90,7 +90,7 @@ class Drive:
     new_way_planning: _Length | None
     """Processor time of the search for that way, in which virtual time stands still."""
     seconds: _Length
-    """Of the robot's time."""
+    """Duration in the robot's time."""
     planning: _Length
     """Processor time of the longest search, with the costs of the map."""
     cpu: _Length

@@ -113,6 +113,14 @@ def find_path(
     terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float], *, backward: bool = True, seconds: float = 1.0
 ) -> Path:
     """The way from a pose to a point; raises `NoPath`, after `seconds` of processor time at the latest."""
+    path, _ = _find(terrain, start, goal, backward=backward, seconds=seconds)
+    return path
+
+
+def _find(
+    terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float], *, backward: bool, seconds: float
+) -> tuple[Path, float]:
+    """The way, and its cost as estimated without headings."""
     began = time.thread_time()
     terrain.start_at(start)
     _check_ends(terrain, start, goal)
@@ -124,7 +132,8 @@ def find_path(
         way = math.atan2(end.y - points[-2].y, end.x - points[-2].x)
         if not terrain.is_astride(*goal, way):  # backward, the footprint is the same
             points = (*points[:-1], end)
-    return Path(points, cost, expanded, time.thread_time() - began)
+    path = Path(points, cost, expanded, time.thread_time() - began)
+    return path, remaining.at(start.x, start.y)
 
 
 def find_widest_path(
@@ -138,8 +147,8 @@ def find_widest_path(
     terrain.margin = WIDE
     wide: Path | None = None
     with suppress(NoPath):
-        wide = find_path(terrain, start, goal, backward=backward, seconds=0.5 * (end - time.thread_time()))
-        if wide.cost <= DETOUR * _Remaining(terrain, start, goal).at(start.x, start.y):
+        wide, estimate = _find(terrain, start, goal, backward=backward, seconds=0.5 * (end - time.thread_time()))
+        if wide.cost <= DETOUR * estimate:
             return wide
     first: NoPath | None = None
     for margin in MARGINS:

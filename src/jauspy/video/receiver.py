@@ -81,7 +81,7 @@ class _Source:
 
     @property
     def counters(self) -> Counter[str]:
-        """Of packets and pictures."""
+        """Counts of packets and pictures."""
         return self.depacketiser.counters + self.repair.counters
 
     def feed(self, packet: RtpPacket, now: float) -> list[Picture]:
