@@ -65,7 +65,7 @@ def test_a_wide_way_is_taken_unless_it_is_a_detour():
     margins = {}
     for name, rows in (("near", slice(78, 110)), ("far", slice(0, 24))):
         found = doors(14, other=rows)
-        assert_free(found, find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 2.0))
+        assert_free(found, find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 10.0))
         margins[name] = found.margin
     assert margins == {"near": WIDE, "far": 0.02}
 
@@ -75,12 +75,12 @@ def test_a_door_that_noise_makes_narrower_is_passed_where_there_is_no_other_way(
     with pytest.raises(NoPath, match="no way to"):
         find_path(doors(12), start, goal, seconds=0.1)
     found = doors(12)
-    assert_free(found, find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 1.0))
+    assert_free(found, find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 10.0))
     assert found.margin == -0.01
     margins = {}
     for cells in (14, 16):
         found = doors(cells)
-        find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 1.0)
+        find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 10.0)
         margins[cells] = found.margin
     assert margins == {14: 0.02, 16: WIDE}
     with pytest.raises(NoPath, match="no way to"):
