@@ -26,7 +26,7 @@ from jauspy.planning import navigator
 from jauspy.planning.driving_map import DrivingMap
 from jauspy.planning.mobility import flipper_joints, mobility_of
 from jauspy.planning.navigator import Navigator
-from jauspy.planning.path_search import NoPath, PathPoint, find_widest_path, is_leg_free
+from jauspy.planning.path_search import NoPath, PathPoint, find_path_with_margins, is_leg_free
 from jauspy.planning.path_services import IMPASSABLE, navigation_services
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.planning.way_parts import Part
@@ -126,9 +126,9 @@ async def test_a_robot_stands_for_a_search_that_takes_long(inc1, walls, monkeypa
         budgets.append(end - time.thread_time())
         if budgets[-1] < 1.0:
             raise NoPath("no way was found in time")
-        return find_widest_path(terrain, pose, goal, backward=backward, end=end)
+        return find_path_with_margins(terrain, pose, goal, backward=backward, end=end)
 
-    monkeypatch.setattr(navigator, "find_widest_path", find)
+    monkeypatch.setattr(navigator, "find_path_with_margins", find)
     async with inc1.control("drive"), surroundings(inc1) as around:
         drive = asyncio.create_task(Navigator(inc1, MODEL, around, speed=0.8).go_to(4.0, 0.0))
         await asyncio.sleep(1.0)

@@ -1,5 +1,6 @@
 """Paths around obstacles: length, headings, turns, and why there is none."""
 
+import itertools
 import math
 import time
 from dataclasses import dataclass, replace
@@ -11,7 +12,7 @@ pytest.importorskip("scipy", reason="planning needs scipy")
 
 from jauspy.geometry.poses import PlanarPose
 from jauspy.planning.mobility import Mobility
-from jauspy.planning.path_search import WIDE, NoPath, find_path, find_widest_path, is_leg_free, way_cost
+from jauspy.planning.path_search import NoPath, find_path, find_path_with_margins, is_leg_free, way_cost
 from jauspy.planning.terrain_cost import TerrainCost
 
 MOBILITY = Mobility(front=0.4, back=0.4, half_width=0.3, step=0.08, flipper_step=0.2, up=0.5, down=0.5, side=0.3)
@@ -59,15 +60,30 @@ def doors(cells: int, other: slice = slice(0, 0)) -> TerrainCost:
     return TerrainCost(MOBILITY, occupied, np.ones_like(occupied), (-3.0, -3.0), 0.05)
 
 
+def crossing(path) -> float:
+    """Where the wall is crossed, y in metres."""
+    before, after = next(leg for leg in itertools.pairwise(path.points) if (leg[0].x < 0.0) != (leg[1].x < 0.0))
+    return before.y - before.x * (after.y - before.y) / (after.x - before.x)
+
+
 def test_a_wide_way_is_taken_unless_it_is_a_detour():
     """A robot that is some centimetres off its leg does not touch the end of a wall."""
     start, goal = PlanarPose(-1.5, 0.3, 0.0), (1.5, 0.3)
-    margins = {}
+    crossed = {}
     for name, rows in (("near", slice(78, 110)), ("far", slice(0, 24))):
         found = doors(14, other=rows)
-        assert_free(found, find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 10.0))
-        margins[name] = found.margin
-    assert margins == {"near": WIDE, "far": 0.02}
+        path = find_path(found, start, goal)
+        assert_free(found, path)
+        crossed[name] = crossing(path)
+    assert crossed["near"] > 0.9, "the wide door"
+    assert 0.0 < crossed["far"] < 0.7, "the narrow one"
+
+
+def test_a_narrow_door_is_passed_in_the_middle_where_it_is_wider_than_needed():
+    for cells in (16, 18):
+        found = doors(cells)
+        path = find_path(found, PlanarPose(-1.5, 1.2, -1.5), (1.5, -0.6))
+        assert crossing(path) == pytest.approx(0.025 * cells, abs=0.06)
 
 
 def test_a_door_that_noise_makes_narrower_is_passed_where_there_is_no_other_way():
@@ -75,16 +91,13 @@ def test_a_door_that_noise_makes_narrower_is_passed_where_there_is_no_other_way(
     with pytest.raises(NoPath, match="no way to"):
         find_path(doors(12), start, goal, seconds=0.1)
     found = doors(12)
-    assert_free(found, find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 10.0))
+    assert_free(found, find_path_with_margins(found, start, goal, backward=True, end=time.thread_time() + 10.0))
     assert found.margin == -0.01
-    margins = {}
-    for cells in (14, 16):
-        found = doors(cells)
-        find_widest_path(found, start, goal, backward=True, end=time.thread_time() + 10.0)
-        margins[cells] = found.margin
-    assert margins == {14: 0.02, 16: WIDE}
+    found = doors(14)
+    find_path_with_margins(found, start, goal, backward=True, end=time.thread_time() + 10.0)
+    assert found.margin == 0.02
     with pytest.raises(NoPath, match="no way to"):
-        find_widest_path(doors(10), start, goal, backward=True, end=time.thread_time() + 0.3)
+        find_path_with_margins(doors(10), start, goal, backward=True, end=time.thread_time() + 0.3)
 
 
 def test_the_cost_of_a_way_is_that_of_its_legs_on_another_map():

@@ -91,6 +91,25 @@ def test_a_step_that_is_seen_in_part_of_a_cell_is_one():
     assert not any(ramp.needs_flippers(x / 10.0 + 0.05, 0.0) for x in range(-10, 20))
 
 
+def test_what_is_seen_of_a_wall_from_the_ground_up_is_no_step():
+    seen = ground(lambda x, y: 0.15 if abs(x) < 0.1 and abs(y) < 0.6 else 0.0)
+    wall = [(row, 40) for row in range(80)]
+    assert terrain(seen).needs_flippers(-0.05, 0.0)
+    assert not terrain(seen, wall).needs_flippers(-0.05, 0.0)
+    kerb = terrain(ground(lambda x, _: 0.15 * (x > 0.0)), [(row, 60) for row in range(80)])
+    assert kerb.needs_flippers(0.05, 0.0), "a wall two metres behind it"
+
+
+def test_clearances_change_steadily_along_a_leg():
+    found = terrain(occupied=[(60, column) for column in range(80)])
+    xs = np.zeros(20)
+    ys = np.linspace(0.5, 1.5, 20)
+    clear = found.clearances(xs, ys, 0.0)
+    assert np.diff(clear) == pytest.approx(np.full(19, -1.0 / 19.0), abs=0.002)
+    assert clear[0] == pytest.approx(found.clearance(0.0, 0.5, 0.0), abs=0.06)
+    assert found.clearances(np.array([9.0]), np.zeros(1), 0.0)[0] == -math.inf
+
+
 def test_no_part_of_the_robot_is_on_a_step_that_it_does_not_climb_straight():
     found = terrain(ground(lambda x, _: 0.15 * (x > 0.0)))
     assert not found.is_free(-0.2, 0.0, math.pi / 2.0), "along the kerb, with a track on it"

@@ -4,9 +4,11 @@ python tools/bench/slow_link.py [--delays 0 100 300] [--loss 0.02] [--goals 2] [
 
 The link between console and robot carries JAUS: each datagram is delayed (milliseconds, each way) and lost at random,
 by the network in memory, on virtual time, so that the load of the machine changes nothing. inc1 drives in MuJoCo's
-physics. The operator is a program that has what a person has: the pose that the robot has reported, late by the link,
-and the deflection of a stick, 20 times a second, through the same `Operation` as that of a browser. It follows a way
-that a search has found in the true map, slower on slower links.
+physics. The operator is a program that has what a person has: the pose and the lidar's scans that the robot has
+reported, late by the link, and the deflection of a stick, 20 times a second, through the same `Operation` as that of a
+browser. As a person sees in the map where the walls are beside the robot, the program corrects the pose, which drifts
+by more than a door leaves, by matching the scans. It follows a way that a search has found in the true map, slower on
+slower links.
 
     contacts     steps of the physics in which the robot touches walls or movable things
     false stops  stops for silence, refused commands, and times in which the robot stands for 0.3 s after the stick was
@@ -14,7 +16,7 @@ that a search has found in the true map, slower on slower links.
     key          from a press while the robot stands until it moves with 0.02 m/s: link and robot, without the browser,
                  whose part `tools/bench/console.py` measures
 
-Pictures need cameras' processes and real time, and are not part of this. A search for a goal has three seconds of
+Pictures need cameras' processes and real time, and are not part of this. A search for a goal has a few seconds of
 processor time: on a slow machine fewer goals are found, and the row says how many.
 """
 
@@ -25,8 +27,8 @@ import asyncio
 import json
 import math
 import statistics
-import time
 from collections.abc import Sequence
+from contextlib import suppress
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
@@ -34,15 +36,18 @@ from typing import Any, Final
 import numpy as np
 
 from jauspy.console.operation import MAX_TURN_RATE, Operation
-from jauspy.errors import JausError
 from jauspy.geometry.poses import PlanarPose
+from jauspy.mapping.grid import OccupancyGrid
+from jauspy.mapping.live import LiveMapping
+from jauspy.mapping.mapper import Mapper
+from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 from jauspy.navigation_trials.goals import TrueMap
 from jauspy.navigation_trials.groups import STARTS, robot_without_media
 from jauspy.navigation_trials.judge import DrivingTruth, PlacingBackend
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
 from jauspy.planning.mobility import mobility_of
-from jauspy.planning.path_search import find_widest_path
+from jauspy.planning.path_search import NoPath, PathPoint, find_path
 from jauspy.planning.terrain_cost import MARGIN
 from jauspy.platform.contract import Robot as SimulatedRobot
 from jauspy.robot.robot_files import robot_model
@@ -53,10 +58,18 @@ from jauspy.virtual.environment import VirtualTime
 WORLD: Final = "house"
 PERIOD: Final = 0.05
 """Seconds between two messages of the stick."""
-AHEAD: Final = 0.45
+AHEAD: Final = 0.3
 """Metres along the way at which the operator looks."""
 REACHED: Final = 0.25
 """Metres from the end of a way."""
+BESIDE: Final = (0.11, 0.09, 0.07)
+"""Metres between footprint and walls; a door of 0.95 m leaves 0.13."""
+SEARCH_TIME: Final = 10.0
+"""Seconds of processor time of a search."""
+MAP_SIZE: Final = 40.0
+"""Side of the operator's map, metres."""
+SCAN_RATE: Final = 10.0
+"""Hz of the scans that the operator sees."""
 LIMIT: Final = 240.0
 """Seconds for one goal."""
 MOVES: Final = 0.02
@@ -78,19 +91,22 @@ class Operator:
     def __init__(self, robot: Robot, operation: Operation, simulated: SimulatedRobot) -> None:
         self.operation, self.robot, self.simulated = operation, robot, simulated
         self.pose = PlanarPose()
+        """Pose in the map, which is the local frame without its drift since the first scan."""
+        self.mapper = Mapper(OccupancyGrid(MAP_SIZE))
         self.problems: list[str] = []
         self._deflected = self._stood = 0.0
         self._stands = False
 
     async def look(self) -> None:
-        """Follow the reported pose for ever; a lost report is asked for again."""
-        while True:
-            try:
-                found = await self.robot.pose()
-                self.pose = PlanarPose(found.x, found.y, found.yaw)
-            except JausError as error:
-                self.problems.append(f"pose: {error}")
-            await asyncio.sleep(PERIOD)
+        """Follow the reported pose for ever, as the page does."""
+        sensor = self.robot.service("mobility:LocalPoseSensor")
+        async for report in sensor.subscribe(QueryLocalPose(0x1FF), rate=1.0 / PERIOD, expects=ReportLocalPose):
+            local = PlanarPose(report.x or 0.0, -(report.y or 0.0), -(report.yaw or 0.0))
+            self.pose = self.mapper.correction @ local
+
+    async def map(self) -> None:
+        """Match the scans for ever."""
+        await LiveMapping(self.robot, self.mapper, rate=SCAN_RATE).run()
 
     async def deflect(self, forward: float, left: float) -> None:
         """Deflect the stick for one period, and note whether the robot stands although it should not."""
@@ -105,7 +121,7 @@ class Operator:
         self._stands = self._stood > 0.3
 
     async def follow(self, way: Sequence[PlanarPose]) -> bool:
-        """Drive along a way of the local frame; false if it took too long."""
+        """Drive along a way of the map; false if it took too long."""
         began = asyncio.get_running_loop().time()
         at = 0
         while asyncio.get_running_loop().time() - began < LIMIT:
@@ -163,7 +179,7 @@ async def measure(delay: float, arguments: argparse.Namespace) -> dict[str, Any]
         truth = backend.truth(mobility.flipper_step)
         true_map = TrueMap(truth.heights, mobility)
         operator = Operator(robot, operation, backend.robot)
-        looking = asyncio.create_task(operator.look())
+        seeing = [asyncio.create_task(operator.look()), asyncio.create_task(operator.map())]
         await operator.stand(3.0)
         clock = asyncio.get_running_loop().time
         course = ways(truth, true_map, operator.pose, arguments)
@@ -181,7 +197,10 @@ async def measure(delay: float, arguments: argparse.Namespace) -> dict[str, Any]
                 await asyncio.sleep(0.005)
             presses.append(1000.0 * (clock() - began))
             await operator.stand(2.0)
-        looking.cancel()
+        for task in seeing:
+            if task.done():
+                task.result()
+            task.cancel()
         network.delay = network.loss = 0.0
         await operation.release()
     stops = [event for event in events if "stopped" in event] + operator.problems
@@ -203,7 +222,7 @@ async def measure(delay: float, arguments: argparse.Namespace) -> dict[str, Any]
 def ways(
     truth: DrivingTruth, true_map: TrueMap, reported: PlanarPose, arguments: argparse.Namespace
 ) -> list[list[PlanarPose]]:
-    """Ways to the goals, each from the goal before, in the local frame of the robot."""
+    """Ways to the goals, each from the goal before, in the operator's map."""
     pose = truth.pose()
     here = PlanarPose(pose.x, pose.y, pose.yaw)
     to_local = reported @ here.inverse()
@@ -212,14 +231,25 @@ def ways(
         goal = next((found for _ in range(SEARCHES) if (found := true_map.draw_goal(here, rng)) is not None), None)
         if goal is None:
             break  # the row tells how many there were
-        end = time.thread_time() + 30.0
-        points = find_widest_path(true_map.terrain, here, (goal.x, goal.y), backward=False, end=end).points
-        true_map.terrain.margin = MARGIN
+        points = widest(true_map, here, (goal.x, goal.y))
         poses = [PlanarPose(point.x, point.y) for point in points]
         ways_found.append(dense([to_local @ place for place in poses]))
         last, before = points[-1], points[-2]
         here = PlanarPose(last.x, last.y, math.atan2(last.y - before.y, last.x - before.x))
     return ways_found
+
+
+def widest(true_map: TrueMap, here: PlanarPose, goal: tuple[float, float]) -> Sequence[PathPoint]:
+    """The way that a person would choose: through the middle of doors, as far from walls as there is a way."""
+    terrain = true_map.terrain
+    for margin in BESIDE:
+        terrain.margin = margin
+        with suppress(NoPath):
+            found = find_path(terrain, here, goal, backward=False, seconds=SEARCH_TIME).points
+            terrain.margin = MARGIN
+            return found
+    terrain.margin = MARGIN
+    return find_path(terrain, here, goal, backward=False, seconds=SEARCH_TIME).points
 
 
 def main() -> None:

@@ -39,6 +39,8 @@ class CoursePoint:
     """Seconds to stand there."""
     tolerance: float = TOLERANCE
     """Metres within which it is reached."""
+    path_tolerance: float | None = None
+    """Metres to which the robot is to stay beside the line from the point before; None for the robot's choice."""
 
     def __post_init__(self) -> None:
         for value, use in ((self.x, "x"), (self.y, "y"), (self.tolerance, "tolerance")):
@@ -46,6 +48,7 @@ class CoursePoint:
             if not math.isfinite(value):
                 raise ConfigError(f"{use}={value:g} of a point of a course is no finite number; give metres")
         check_number(self.wait, "wait", optional=True)
+        check_number(self.path_tolerance, "path_tolerance", optional=True)
         if self.wait is not None and not 0.0 < self.wait <= MAX_WAIT:
             raise ConfigError(f"wait={self.wait:g} is outside of 0..{MAX_WAIT:g} seconds; leave it out to drive on")
 
@@ -88,7 +91,10 @@ async def drive_course(
     await driving.close()
     await check_ready(connection, driver.id)
     may_stop = connection.begin_motion(driver.id)
-    waypoints = [SetLocalWaypoint(x=point.x, y=-point.y, waypoint_tolerance=point.tolerance) for point in points]
+    waypoints = [
+        SetLocalWaypoint(x=point.x, y=-point.y, waypoint_tolerance=point.tolerance, path_tolerance=point.path_tolerance)
+        for point in points
+    ]
     await driver.elements.upload(waypoints)
     uids = await ListClient(connection, driver.id).uids()
     entries = [

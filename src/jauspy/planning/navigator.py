@@ -22,11 +22,11 @@ from jauspy.ocu.robot import DEFAULT_SPEED, Robot
 from jauspy.ocu.state import RobotPose
 from jauspy.planning.driving_map import Corners, DrivingMap
 from jauspy.planning.mobility import Mobility, flipper_joints, mobility_of, with_posture
-from jauspy.planning.path_search import NoPath, Path, PathPoint, find_widest_path, is_leg_free, way_cost
+from jauspy.planning.path_search import NoPath, Path, PathPoint, find_path_with_margins, is_leg_free, way_cost
 from jauspy.planning.stall import Stall
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.planning.way_choice import WayChoice
-from jauspy.planning.way_parts import Part, first_metres, leg_distance, parts
+from jauspy.planning.way_parts import Part, first_metres, nearest_on_leg, parts
 from jauspy.platform.description import RobotModel
 
 PERIOD: Final = 0.2
@@ -45,6 +45,8 @@ ARRIVED: Final = 0.3
 CORNER_TOLERANCE: Final = 0.12
 NARROW_TOLERANCE: Final = 0.04
 """Metres within which a corner of the way counts as reached, and one where the robot just fits."""
+PATH_TOLERANCE: Final = 0.3
+"""Metres beside a leg at whose end the robot need not turn back for it."""
 SEARCH_TIME: Final = 0.4
 LONG_SEARCH_TIME: Final = 6.0
 """Seconds of processor time of a search, with that of the costs, while the robot may drive on, and of one for which it
@@ -54,6 +56,8 @@ PATIENCE: Final = 6.0
 DRIFT: Final = 0.03
 """Metres or radians by which the map moves in the local frame before waypoints are sent again: tracks that slip in a
 turn move it by decimetres within seconds, and doors leave less than that."""
+NEXT: Final = 0.02
+"""Metres from the end of a leg within which the next one is driven."""
 LEAD: Final = 0.2
 """Metres that a robot drives at most while it gets a new list of waypoints."""
 STEP_SPEED: Final = 0.2
@@ -136,7 +140,7 @@ class Navigator:
         began = time.thread_time()
         terrain = self.map.terrain(mobility, [(pose.x, pose.y), goal])
         try:
-            return terrain, find_widest_path(terrain, pose, goal, backward=self._backward, end=began + seconds)
+            return terrain, find_path_with_margins(terrain, pose, goal, backward=self._backward, end=began + seconds)
         finally:
             self.planning_time = time.thread_time() - began
 
@@ -339,7 +343,7 @@ class Navigator:
             await self._set_flippers(part.flippers)
         points = [self._course_point(point) for point in self._driven[1:]]
         if points and not self._rest:  # the goal need not be hit as a corner in a door: the robot would turn for it
-            points[-1] = replace(points[-1], tolerance=CORNER_TOLERANCE)
+            points[-1] = replace(points[-1], tolerance=CORNER_TOLERANCE, path_tolerance=CORNER_TOLERANCE)
         if points:
             await self._begin_course(self._robot.drive_course(points, speed=speed, timeout=3600.0))
         return True
@@ -362,7 +366,7 @@ class Navigator:
     def _course_point(self, point: PathPoint) -> CoursePoint:
         x, y = self.map.to_local(point.x, point.y)
         reverse = point.backward if self._backward else None
-        return CoursePoint(x, y, reverse=reverse, tolerance=self._tolerance(point))
+        return CoursePoint(x, y, reverse=reverse, tolerance=self._tolerance(point), path_tolerance=PATH_TOLERANCE)
 
     def _tolerance(self, point: PathPoint) -> float:
         """Metres within which a point of the way counts as reached."""
@@ -406,14 +410,20 @@ class Navigator:
         """Points of the part that is driven, in the map, from where the robot is."""
         here = self.map.to_map(_planar(pose))
         place = PathPoint(here.x, here.y)
-        points = self._driven
-        if len(points) < 2:
-            return [place]
-        legs = list(itertools.pairwise(points))
-        nearest = min(range(len(legs)), key=lambda number: (leg_distance(place, *legs[number]), -number))
+        return [place, *self._driven[self._leg(place) :]]
+
+    def _leg(self, place: PathPoint) -> int:
+        """Number of the point to which the robot drives from this place."""
+        legs = list(itertools.pairwise(self._driven))
+        if not legs:
+            return len(self._driven)
+        nearest = min(
+            range(len(legs)),
+            key=lambda number: (math.dist(place[:2], nearest_on_leg(place, *legs[number])[:2]), -number),
+        )
         while nearest < len(legs) - 1 and self._is_behind(place, *legs[nearest]):
             nearest += 1  # a robot that is sent along the rest of its way must not turn back for a corner
-        return [place, *points[nearest + 1 :]]
+        return nearest + 1
 
     def _is_behind(self, place: PathPoint, start: PathPoint, end: PathPoint) -> bool:
         """True if the robot has reached the end of a leg, or is past it."""
@@ -436,10 +446,25 @@ class Navigator:
 
     async def _free_metres(self, pose: RobotPose) -> float:
         """Metres of the way ahead without an obstacle, at most `LOOK_AHEAD`."""
-        ahead = first_metres(self.ahead(pose), LOOK_AHEAD)
-        if len(ahead) < 2:
-            return LOOK_AHEAD
-        return await self.map.compute(self._free_part, ahead, self.map.to_map(_planar(pose)))
+        here = self.map.to_map(_planar(pose))
+        nearest, *rest = self._way_ahead(PathPoint(here.x, here.y))
+        if rest and math.dist(nearest[:2], rest[0][:2]) > NEXT:  # the heading of a shorter leg says nothing
+            rest.insert(0, nearest)
+        ahead = first_metres(rest, LOOK_AHEAD)
+        return await self.map.compute(self._free_part, ahead, here) if len(ahead) > 1 else LOOK_AHEAD
+
+    def _way_ahead(self, place: PathPoint) -> list[PathPoint]:
+        """Points of the part that is driven, from the one nearest to the robot.
+
+        A robot some centimetres beside its leg drives on along it: it does not head for the end, which is near, from
+        where it is.
+        """
+        number = self._leg(place)
+        rest = self._driven[number:]
+        if not number or not rest:
+            return [place, *rest]
+        nearest = nearest_on_leg(place, self._driven[number - 1], rest[0])
+        return [nearest if math.dist(nearest[:2], place[:2]) <= CORNER_TOLERANCE else place, *rest]
 
     def _free_part(self, ahead: list[PathPoint], pose: PlanarPose) -> float:
         assert self._mobility is not None

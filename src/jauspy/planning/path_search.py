@@ -12,7 +12,6 @@ import itertools
 import math
 import time
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, Final, NamedTuple
 
@@ -53,11 +52,11 @@ GOAL_TOLERANCE: Final = 0.15
 """Metres from the goal at which the search has arrived."""
 STANDING_REACH: Final = 1.0
 """Metres around a goal at an edge within which a place to stand is sought, so that the refusal can name it."""
-WIDE: Final = 0.07
-"""Metres beside the footprint that are free on a way where that costs little: a robot is 4 cm and 5 degrees off its leg
-at times."""
-DETOUR: Final = 1.15
-"""Factor by which a way with `WIDE` may be dearer than another one."""
+COMFORTABLE: Final = 0.12
+"""Metres beside the footprint below which a way costs more: a robot is 4 cm and 5 degrees off its leg at times, and a
+door of 0.95 m leaves inc1 as much only where it drives straight through the middle."""
+TIGHT_COST: Final = 0.2
+"""Added to the cost of a motion with nothing beside the footprint, metres."""
 MARGINS: Final = (MARGIN, 0.01, 0.0, -0.01)
 """Metres beside the footprint that are free on a way: the first with which there is one. A cell of the map that noise
 occupied closes a door that the robot just passes, or keeps it from a turn that it needs."""
@@ -113,14 +112,6 @@ def find_path(
     terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float], *, backward: bool = True, seconds: float = 1.0
 ) -> Path:
     """The way from a pose to a point; raises `NoPath`, after `seconds` of processor time at the latest."""
-    path, _ = _find(terrain, start, goal, backward=backward, seconds=seconds)
-    return path
-
-
-def _find(
-    terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float], *, backward: bool, seconds: float
-) -> tuple[Path, float]:
-    """The way, and its cost as estimated without headings."""
     began = time.thread_time()
     terrain.start_at(start)
     _check_ends(terrain, start, goal)
@@ -132,38 +123,25 @@ def _find(
         way = math.atan2(end.y - points[-2].y, end.x - points[-2].x)
         if not terrain.is_astride(*goal, way):  # backward, the footprint is the same
             points = (*points[:-1], end)
-    path = Path(points, cost, expanded, time.thread_time() - began)
-    return path, remaining.at(start.x, start.y)
+    return Path(points, cost, expanded, time.thread_time() - began)
 
 
-def find_widest_path(
+def find_path_with_margins(
     terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float], *, backward: bool, end: float
 ) -> Path:
-    """A way with `WIDE` if it is no detour, else that with the first of `MARGINS` that has one.
+    """A way with the first of `MARGINS` that has one.
 
-    Raises `NoPath`, that of the first of `MARGINS`, or at `end`, in processor time. Each search may take half of the
-    time that is left: one that looks for a way through a door that is a cell too narrow looks everywhere else first.
+    Raises `NoPath`, that of the first of them, or at `end`, in processor time. Each search may take half of the time
+    that is left: one that looks for a way through a door that is a cell too narrow looks everywhere else first.
     """
-    terrain.margin = WIDE
-    wide: Path | None = None
-    with suppress(NoPath):
-        wide, estimate = _find(terrain, start, goal, backward=backward, seconds=0.5 * (end - time.thread_time()))
-        if wide.cost <= DETOUR * estimate:
-            return wide
     first: NoPath | None = None
     for margin in MARGINS:
         terrain.margin = margin
         share = 1.0 if margin == MARGINS[-1] else 0.5
         try:
-            path = find_path(terrain, start, goal, backward=backward, seconds=share * (end - time.thread_time()))
+            return find_path(terrain, start, goal, backward=backward, seconds=share * (end - time.thread_time()))
         except NoPath as reason:
             first = first or reason
-        else:
-            if wide is None or wide.cost > DETOUR * path.cost:
-                return path
-        if wide is not None:
-            terrain.margin = WIDE
-            return wide
         if time.thread_time() > end:
             break
     assert first is not None
@@ -391,7 +369,12 @@ def _search(
             if cost >= best.get(new_key, math.inf) or math.isinf(left := remaining.at(x, y)):
                 continue
             reverse = motion.backward
-            if not terrain.is_free(x, y, angles[heading], backward=reverse) or not all(
+            clearance = terrain.free_clearance(x, y, angles[heading], backward=reverse)
+            if math.isinf(clearance):
+                continue
+            if clearance < COMFORTABLE:
+                cost += TIGHT_COST * (1.0 - max(0.0, clearance) / COMFORTABLE)
+            if cost >= best.get(new_key, math.inf) or not all(
                 terrain.is_free(
                     node.x + c * dx - s * dy, node.y + s * dx + c * dy, angles[node.heading] + turn, backward=reverse
                 )
@@ -473,5 +456,8 @@ def _leg_cost(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> float:
     length = math.dist(start[:2], end[:2])
     count = max(1, math.ceil(length / CHECK))
     parts = (np.arange(count) + 0.5) / count
-    costs = terrain.costs_at(start.x + parts * (end.x - start.x), start.y + parts * (end.y - start.y))
-    return float(costs.mean()) * length * (BACKWARD if end.backward else 1.0)
+    xs, ys = start.x + parts * (end.x - start.x), start.y + parts * (end.y - start.y)
+    heading = math.atan2(end.y - start.y, end.x - start.x) + (math.pi if end.backward else 0.0)
+    tight = 1.0 - np.clip(terrain.clearances(xs, ys, heading) / COMFORTABLE, 0.0, 1.0)
+    driven = float(terrain.costs_at(xs, ys).mean()) * length * (BACKWARD if end.backward else 1.0)
+    return driven + TIGHT_COST * float(tight.mean()) * length / STRIDE

@@ -172,7 +172,9 @@ class TerrainCost:
         # a wall that reaches the plane of the scans is where they saw it, in smaller cells
         blocked |= wall & ~(tall & scanned)
         blocked |= seen & steep
-        high = seen & (steps > mobility.step) & ~blocked
+        # what is seen of a wall from the ground up looks like a step; none is climbed so close to one
+        beside = 2 * round(mobility.half_width / self.resolution) - 1
+        high = seen & (steps > mobility.step) & ~ndimage.maximum_filter(blocked, beside)
         if high.any():
             self._steps = high
             far, nearest = ndimage.distance_transform_edt(~high, return_indices=True)
@@ -286,6 +288,20 @@ class TerrainCost:
             least = min(least, far)
         return least - self.radius
 
+    def clearances(self, xs: Points, ys: Points, heading: float) -> Array:
+        """Clearances at points, shape (n,), with one heading.
+
+        Distances are interpolated between the centres of cells: else a step along a way would change them by a cell.
+        """
+        c, s = math.cos(heading), math.sin(heading)
+        least = np.full(len(xs), np.inf, np.float32)
+        for centre in self.centres:
+            points = np.column_stack([xs + centre * c, ys + centre * s])
+            columns, rows = ((points - self.origin) / self.resolution - 0.5).T
+            distance = ndimage.map_coordinates(self.distance, [rows, columns], order=1, mode="nearest")
+            least = np.minimum(least, np.where(self.cells(points)[2], distance, -np.inf))
+        return least - np.float32(self.radius)
+
     def room(self, x: float, y: float) -> float:
         """Metres to the nearest obstacle of a robot that turns on the spot there; below 0 if it would touch it."""
         cell = self.cell(x, y)
@@ -294,26 +310,29 @@ class TerrainCost:
 
     def is_free(self, x: float, y: float, heading: float, *, backward: bool = False) -> bool:
         """True if the robot fits there and can drive on, or backward, with this heading (radians)."""
+        return not math.isinf(self.free_clearance(x, y, heading, backward=backward))
+
+    def free_clearance(self, x: float, y: float, heading: float, *, backward: bool = False) -> float:
+        """The clearance where `is_free` is true, else -inf."""
         wanted, relaxed, start = self.margin, False, self._start
         if start is not None and math.hypot(x - start.x, y - start.y) < START_RADIUS:
             wanted, relaxed = min(wanted, self._start_clearance), self._starts_at_step
-        return (
-            self.clearance(x, y, heading) >= wanted
+        clearance = self.clearance(x, y, heading)
+        is_free = (
+            clearance >= wanted
             and self._can_climb(x, y, heading, backward=backward)
             and (relaxed or self._passes_steps(x, y, heading))
         )
+        return clearance if is_free else -math.inf
 
     def all_free(self, xs: Points, ys: Points, heading: float, *, backward: bool = False) -> bool:
         """True if the robot is free at all of these points, shape (n,), with one heading, as by `is_free`."""
-        c, s = math.cos(heading), math.sin(heading)
         near = np.zeros(len(xs), np.bool_)
         if self._start is not None:
             near = np.hypot(xs - self._start.x, ys - self._start.y) < START_RADIUS
-        wanted = np.where(near, min(self.margin, self._start_clearance), self.margin) + self.radius
-        for centre in self.centres:
-            rows, columns, inside = self.cells(np.column_stack([xs + centre * c, ys + centre * s]))
-            if not inside.all() or (self.distance[rows, columns] < wanted).any():
-                return False
+        wanted = np.where(near, min(self.margin, self._start_clearance), self.margin)
+        if (self.clearances(xs, ys, heading) < wanted).any():
+            return False
         if self._gradient is None:
             return True
         relaxed = near & self._starts_at_step

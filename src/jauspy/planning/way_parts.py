@@ -30,13 +30,13 @@ class Part:
     flippers: float | None
 
 
-def leg_distance(point: PathPoint, start: PathPoint, end: PathPoint) -> float:
-    """Metres from a point to a leg."""
+def nearest_on_leg(point: PathPoint, start: PathPoint, end: PathPoint) -> PathPoint:
+    """The point of a leg that is nearest to a point."""
     dx, dy = end.x - start.x, end.y - start.y
     length = dx * dx + dy * dy
     part = ((point.x - start.x) * dx + (point.y - start.y) * dy) / length if length else 0.0
     part = min(1.0, max(0.0, part))
-    return math.hypot(point.x - start.x - part * dx, point.y - start.y - part * dy)
+    return _at(end, start.x + part * dx, start.y + part * dy)
 
 
 def first_metres(points: Sequence[PathPoint], metres: float) -> list[PathPoint]:

@@ -119,7 +119,7 @@ def test_look_ahead_point_stays_on_the_leg() -> None:
 
 @pytest.mark.parametrize(
     ("speed", "path", "ahead"),
-    [(0.1, None, 0.6), (2.0, None, 1.4), (-2.0, None, 1.4), (2.0, 0.5, 0.5), (2.0, 0.0, 0.2), (0.1, 50.0, 0.6)],
+    [(0.1, None, 0.6), (2.0, None, 1.4), (-2.0, None, 1.4), (2.0, 0.5, 0.5), (2.0, 0.0, 0.35), (0.1, 50.0, 0.6)],
 )
 def test_look_ahead_depends_on_the_speed(speed, path, ahead) -> None:
     assert look_ahead(speed, path) == pytest.approx(ahead)
@@ -144,6 +144,14 @@ def test_waypoint_is_reached_within_its_tolerance(x, y, is_last, reached) -> Non
     assert is_reached(CourseGoal(PlanarPoint(10.0, 0.0), is_last=is_last), LEG, PlanarPoint(x, y)) == reached
 
 
+@pytest.mark.parametrize(("y", "is_last"), [(0.25, False), (-0.25, True)])
+def test_a_waypoint_that_was_passed_within_the_tolerance_of_the_path_is_not_turned_back_for(y, is_last) -> None:
+    goal = CourseGoal(PlanarPoint(10.0, 0.0), tolerance=0.04, path_tolerance=0.3, is_last=is_last)
+    assert not is_reached(goal, LEG, PlanarPoint(9.95, y))
+    assert is_reached(goal, LEG, PlanarPoint(10.05, y))
+    assert not is_reached(goal, LEG, PlanarPoint(10.05, 0.4))
+
+
 def course(goal: CourseGoal, speed: float = 1.0) -> WaypointCourse:
     return WaypointCourse(lambda: goal, lambda: speed, deceleration=1.5, max_turn_rate=1.2)
 
@@ -156,6 +164,36 @@ def test_the_last_metres_are_driven_slower() -> None:
     for each in (last, passing):
         assert each.steer(Pose()) == PlanarVelocity(1.0, 0.0)
     assert last.steer(Pose(x=9.8)).speed < passing.steer(Pose(x=9.6)).speed < 1.0
+
+
+def test_a_waypoint_with_a_narrow_tolerance_is_passed_slower() -> None:
+    narrow, usual = (
+        course(CourseGoal(PlanarPoint(10.0, 0.0), tolerance=tolerance, is_last=False)) for tolerance in (0.04, 0.2)
+    )
+    for each in (narrow, usual):
+        each.steer(Pose())
+    assert narrow.steer(Pose(x=9.9)).speed < 0.7 * usual.steer(Pose(x=9.7)).speed
+
+
+def test_a_robot_beside_the_end_of_its_leg_does_not_turn_towards_it_when_it_drives_on() -> None:
+    turns = []
+    for path_tolerance in (None, 0.3):
+        goal = CourseGoal(PlanarPoint(10.0, 0.0), tolerance=0.04, path_tolerance=path_tolerance, is_last=False)
+        each = course(goal)
+        each.steer(Pose())
+        turns.append(abs(each.steer(Pose(x=9.9, y=0.12)).turn_rate))
+    assert turns[0] > 1.0
+    assert turns[1] < 0.7
+
+
+def test_a_leg_begins_at_the_waypoint_before() -> None:
+    goal = CourseGoal(PlanarPoint(10.0, 0.0), path_tolerance=0.3)
+    along, straight = (
+        WaypointCourse(lambda: goal, lambda: 1.0, deceleration=1.5, max_turn_rate=1.2, start=start)
+        for start in (lambda: PlanarPoint(0.0, 0.0), None)
+    )
+    beside = Pose(x=0.0, y=0.2)
+    assert abs(along.steer(beside).turn_rate) > 5.0 * abs(straight.steer(beside).turn_rate), "back to the line"
 
 
 def test_zero_speed_waits_even_at_the_goal() -> None:

@@ -21,6 +21,9 @@ HEADING_TOLERANCE: Final = 0.03
 """Heading error, rad, below which a robot that stands does not turn."""
 MIN_LOOK_AHEAD: Final = 0.6
 """Metres ahead on the leg that the robot steers for when it is slow."""
+LEAST_LOOK_AHEAD: Final = 0.35
+"""Metres where the path tolerance is narrow: with less a robot some centimetres off its leg turns by so much that its
+corners are farther off than before."""
 LOOK_AHEAD_TIME: Final = 0.7
 """Seconds of driving ahead when it is fast."""
 DEFAULT_TOLERANCE: Final = 0.3
@@ -35,6 +38,8 @@ CURVE_SPEED: Final = 0.3
 """m/s at which a chassis that cannot turn on the spot drives curves, at least."""
 PASSING_SPEED: Final = 0.4
 """m/s at which a waypoint is passed when more follow."""
+PASSING_TIME: Final = 0.3
+"""Seconds in which a waypoint's tolerance is driven at least: a narrow one is passed slowly."""
 
 
 class Course(Protocol):
@@ -140,15 +145,20 @@ class BoundedCourse:
 
 @dataclass(frozen=True, slots=True)
 class Leg:
-    """The straight line from where the robot was to its waypoint."""
+    """The straight line to a waypoint, from the one before it or from where the robot was."""
 
     start: PlanarPoint
     end: PlanarPoint
 
-    def ahead(self, position: PlanarPoint, look_ahead: float) -> PlanarPoint:
-        """The point of the leg to steer for: `look_ahead` metres beyond the one abeam of the robot."""
+    def ahead(self, position: PlanarPoint, look_ahead: float, *, ends: bool = True) -> PlanarPoint:
+        """The point of the leg to steer for: `look_ahead` metres beyond the one abeam of the robot.
+
+        Where the leg `ends`, not beyond its end. A robot that passes the end must not turn towards it, beside it.
+        """
         length, direction = self.start.to(self.end)
-        distance = min(length, max(0.0, self.covered(position, direction)) + look_ahead)
+        distance = max(0.0, self.covered(position, direction)) + look_ahead
+        if ends:
+            distance = min(length, distance)
         return PlanarPoint(self.start.x + distance * math.cos(direction), self.start.y + distance * math.sin(direction))
 
     def passed(self, position: PlanarPoint) -> bool:
@@ -165,7 +175,7 @@ class Leg:
 def look_ahead(speed: float, path_tolerance: float | None) -> float:
     """Metres to look ahead at a speed; less where the path tolerance is narrow."""
     wanted = max(MIN_LOOK_AHEAD, LOOK_AHEAD_TIME * abs(speed))
-    return wanted if path_tolerance is None else min(wanted, max(0.2, path_tolerance))
+    return wanted if path_tolerance is None else min(wanted, max(LEAST_LOOK_AHEAD, path_tolerance))
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,13 +209,14 @@ class WaypointCourse:
         deceleration: float,
         max_turn_rate: float,
         min_turn_radius: float = 0.0,
+        start: Callable[[], PlanarPoint] | None = None,
     ) -> None:
         self._goal = goal
         self._speed = speed
         self._deceleration = deceleration
         self._max_turn_rate = max_turn_rate
         self._min_turn_radius = min_turn_radius
-        self._start: PlanarPoint | None = None
+        self._start = start
         self._reached = False
         self._drives_on = False
 
@@ -213,10 +224,10 @@ class WaypointCourse:
         """The velocity wanted at a pose; None once the waypoint, and its heading, are reached."""
         goal, speed = self._goal(), self._speed()
         position = PlanarPoint(pose.x, pose.y)
-        self._start = self._start or position
+        self._start = self._start or (lambda: position)
         if speed == 0.0:
             return STANDSTILL
-        leg = Leg(self._start, goal.point)
+        leg = Leg(self._start(), goal.point)
         self._reached = self._reached or is_reached(goal, leg, position)
         if self._reached:
             return self._align(pose.yaw, goal.heading)
@@ -224,7 +235,8 @@ class WaypointCourse:
 
     def _drive(self, pose: Pose, leg: Leg, goal: CourseGoal, speed: float) -> PlanarVelocity:
         position = PlanarPoint(pose.x, pose.y)
-        _, bearing = position.to(leg.ahead(position, look_ahead(speed, goal.path_tolerance)))
+        ends = goal.is_last or goal.path_tolerance is None
+        _, bearing = position.to(leg.ahead(position, look_ahead(speed, goal.path_tolerance), ends=ends))
         yaw = reversed_yaw(pose.yaw) if speed < 0.0 else pose.yaw
         remaining, _ = position.to(goal.point)
         slowed = math.copysign(min(abs(speed), self._approach_speed(remaining, goal)), speed)
@@ -245,7 +257,8 @@ class WaypointCourse:
 
     def _approach_speed(self, remaining: float, goal: CourseGoal) -> float:
         """The speed from which half of the chassis' deceleration suffices to slow down."""
-        final = FINAL_SPEED if goal.is_last or goal.heading is not None else PASSING_SPEED
+        passing = min(PASSING_SPEED, max(FINAL_SPEED, goal.tolerance / PASSING_TIME))
+        final = FINAL_SPEED if goal.is_last or goal.heading is not None else passing
         return math.sqrt(final**2 + self._deceleration * remaining)
 
     def _align(self, yaw: float, heading: float | None) -> PlanarVelocity | None:
@@ -255,8 +268,11 @@ class WaypointCourse:
 
 
 def is_reached(goal: CourseGoal, leg: Leg, position: PlanarPoint) -> bool:
-    """Within the tolerance; at the last waypoint also abeam of the point or within `STOP_TOLERANCE` of it."""
+    """Within the tolerance; at the last waypoint also abeam of the point or within `STOP_TOLERANCE` of it.
+
+    A robot that is past a waypoint, within the tolerance of the path, does not turn back for it.
+    """
     distance, _ = position.to(goal.point)
     if distance > goal.tolerance:
-        return False
+        return goal.path_tolerance is not None and distance <= goal.path_tolerance and leg.passed(position)
     return not goal.is_last or distance <= STOP_TOLERANCE or leg.passed(position)

@@ -37,11 +37,18 @@ class WaypointFollower(Driver):
     uses_travel_speed = True
 
     def drive_to(
-        self, waypoint: Waypoint, speed: float, *, is_last: bool, information: WaypointInformation = NOTHING
+        self,
+        waypoint: Waypoint,
+        speed: float,
+        *,
+        is_last: bool,
+        information: WaypointInformation = NOTHING,
+        before: Waypoint | None = None,
     ) -> None:
         """Start for a waypoint, at m/s, negative backward; the robot stops there if it is the last one.
 
-        `information` may say which way round it drives, whatever the sign of the speed.
+        `information` may say which way round it drives, whatever the sign of the speed. The line on which it is to
+        drive begins at the waypoint `before`, if that was passed, else where the robot is.
         """
         vehicle = self.vehicle
         course = WaypointCourse(
@@ -50,6 +57,7 @@ class WaypointFollower(Driver):
             deceleration=vehicle.chassis.deceleration,
             max_turn_rate=vehicle.chassis.max_turn_rate,
             min_turn_radius=vehicle.chassis.min_turn_radius,
+            start=None if before is None else lambda: _point_and_heading(vehicle, before)[0],
         )
         if vehicle.chassis.min_turn_radius and waypoint.attitude.yaw is not None:
             self.host.count("cannot_turn_on_the_spot", f"{waypoint}")
@@ -244,6 +252,8 @@ class WaypointListDriver(WaypointFollower, ListDriver):
         super().__init__(vehicle)
         self.information = AddedInformation()
         self._waits_since: float | None = None
+        self._passed: Waypoint | None = None
+        """The waypoint that the robot has just passed."""
 
     @property
     def waited(self) -> float:
@@ -302,6 +312,7 @@ class WaypointListDriver(WaypointFollower, ListDriver):
         self.host.cancel_timer(_WAIT)
 
     def _start(self, uid: int, speed: float) -> None:
+        self._passed = None
         self.elements.execute(uid)
         self.vehicle.pilot.travel_speed = speed
 
@@ -322,11 +333,13 @@ class WaypointListDriver(WaypointFollower, ListDriver):
     def begin_element(self, uid: int, message: Message) -> None:
         """Drive to the waypoint."""
         self._end_wait()
+        passed, self._passed = self._passed, None
         self.drive_to(
             self.waypoint_of(message),
             self.vehicle.pilot.travel_speed,
             is_last=self._stops_at(uid),
             information=self.information.of(uid),
+            before=passed,
         )
 
     def _stops_at(self, uid: int) -> bool:
@@ -343,6 +356,7 @@ class WaypointListDriver(WaypointFollower, ListDriver):
         """Continue with the next element, after the wait at this one."""
         wait = self.information.of(self.elements.active).wait
         if wait is None:
+            self._passed = self.waypoint()
             self.elements.done()
             return
         self._waits_since = self.host.now
