@@ -1,23 +1,21 @@
 """Driving a robot through the house over a slow link: contacts, time, false stops, and from the key to the motion.
 
-python tools/bench/slow_link.py [--delays 0 100 300] [--loss 0.02] [--goals 2] [--seed 1] [--presses 20] [--json FILE]
+python tools/bench/slow_link.py [--delays 0 100 300] [--loss 0.02] [--seed 1] [--presses 20] [--json FILE]
 
 The link between console and robot carries JAUS: each datagram is delayed (milliseconds, each way) and lost at random,
 by the network in memory, on virtual time, so that the load of the machine changes nothing. inc1 drives in MuJoCo's
 physics. The operator is a program that has what a person has: the pose and the lidar's scans that the robot has
 reported, late by the link, and the deflection of a stick, 20 times a second, through the same `Operation` as that of a
 browser. As a person sees in the map where the walls are beside the robot, the program corrects the pose, which drifts
-by more than a door leaves, by matching the scans. It follows a way that a search has found in the true map, slower on
-slower links.
+by more than a door leaves, by matching the scans. It drives through three doors, slower on slower links.
 
     contacts     steps of the physics in which the robot touches walls or movable things
     false stops  stops for silence, refused commands, and times in which the robot stands for 0.3 s after the stick was
-                 deflected for 1 s
+                 deflected for 1 s and the delay of the link
     key          from a press while the robot stands until it moves with 0.02 m/s: link and robot, without the browser,
                  whose part `tools/bench/console.py` measures
 
-Pictures need cameras' processes and real time, and are not part of this. A search for a goal has a few seconds of
-processor time: on a slow machine fewer goals are found, and the row says how many.
+Pictures need cameras' processes and real time, and are not part of this.
 """
 
 from __future__ import annotations
@@ -28,7 +26,6 @@ import json
 import math
 import statistics
 from collections.abc import Sequence
-from contextlib import suppress
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
@@ -41,14 +38,11 @@ from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.live import LiveMapping
 from jauspy.mapping.mapper import Mapper
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
-from jauspy.navigation_trials.goals import TrueMap
 from jauspy.navigation_trials.groups import STARTS, robot_without_media
-from jauspy.navigation_trials.judge import DrivingTruth, PlacingBackend
+from jauspy.navigation_trials.judge import PlacingBackend
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
 from jauspy.planning.mobility import mobility_of
-from jauspy.planning.path_search import NoPath, PathPoint, find_path
-from jauspy.planning.terrain_cost import MARGIN
 from jauspy.platform.contract import Robot as SimulatedRobot
 from jauspy.robot.robot_files import robot_model
 from jauspy.robot.runner import RobotRunner
@@ -60,12 +54,11 @@ PERIOD: Final = 0.05
 """Seconds between two messages of the stick."""
 AHEAD: Final = 0.3
 """Metres along the way at which the operator looks."""
+COURSE: Final = (((2.78, 0.1), (2.78, -1.7)), ((2.78, -1.7), (2.78, 1.6)))
+"""The course in the house, as ways of points in metres: from the corridor through the middle of a door of 0.95 m into
+the room on the right, and back through it and the door across the corridor into the room on the left."""
 REACHED: Final = 0.25
 """Metres from the end of a way."""
-BESIDE: Final = (0.11, 0.09, 0.07)
-"""Metres between footprint and walls; a door of 0.95 m leaves 0.13."""
-SEARCH_TIME: Final = 10.0
-"""Seconds of processor time of a search."""
 MAP_SIZE: Final = 40.0
 """Side of the operator's map, metres."""
 SCAN_RATE: Final = 10.0
@@ -74,8 +67,6 @@ LIMIT: Final = 240.0
 """Seconds for one goal."""
 MOVES: Final = 0.02
 """m/s with which a robot counts as moving."""
-SEARCHES: Final = 5
-"""Times that a goal is looked for: on a slow machine a search may not end in its time."""
 PAGE: Final = "operator"
 """Stands for the token of a page."""
 
@@ -88,8 +79,10 @@ def speed_for(delay: float) -> float:
 class Operator:
     """Sees what the robot reports, and deflects the stick."""
 
-    def __init__(self, robot: Robot, operation: Operation, simulated: SimulatedRobot) -> None:
+    def __init__(self, robot: Robot, operation: Operation, simulated: SimulatedRobot, delay: float) -> None:
         self.operation, self.robot, self.simulated = operation, robot, simulated
+        self.delay = delay
+        """Seconds that the link takes."""
         self.pose = PlanarPose()
         """Pose in the map, which is the local frame without its drift since the first scan."""
         self.mapper = Mapper(OccupancyGrid(MAP_SIZE))
@@ -115,7 +108,7 @@ class Operator:
         await asyncio.sleep(PERIOD)
         moving = speed_of(self.simulated)
         self._deflected = self._deflected + PERIOD if max(abs(forward), abs(left)) > 0.3 else 0.0
-        self._stood = self._stood + PERIOD if self._deflected > 1.0 and moving < MOVES else 0.0
+        self._stood = self._stood + PERIOD if self._deflected > 1.0 + self.delay and moving < MOVES else 0.0
         if self._stood > 0.3 and not self._stands:
             self.problems.append("the robot stood although the stick was deflected")
         self._stands = self._stood > 0.3
@@ -177,12 +170,13 @@ async def measure(delay: float, arguments: argparse.Namespace) -> dict[str, Any]
             raise SystemExit(problem)
         network.delay, network.loss = delay, arguments.loss
         truth = backend.truth(mobility.flipper_step)
-        true_map = TrueMap(truth.heights, mobility)
-        operator = Operator(robot, operation, backend.robot)
+        operator = Operator(robot, operation, backend.robot, delay)
         seeing = [asyncio.create_task(operator.look()), asyncio.create_task(operator.map())]
         await operator.stand(3.0)
         clock = asyncio.get_running_loop().time
-        course = ways(truth, true_map, operator.pose, arguments)
+        true = truth.pose()
+        to_local = operator.pose @ PlanarPose(true.x, true.y, true.yaw).inverse()
+        course = [dense([to_local @ PlanarPose(*point) for point in way]) for way in COURSE]
         truth.begin()
         began, reached = clock(), 0
         for way in course:
@@ -208,7 +202,7 @@ async def measure(delay: float, arguments: argparse.Namespace) -> dict[str, Any]
         "delay_ms": round(1000.0 * delay),
         "loss": arguments.loss,
         "speed": round(speed_for(delay), 2),
-        "goals": len(course),
+        "ways": len(course),
         "reached": reached,
         "seconds": round(seconds, 1),
         "contacts": contacts,
@@ -219,45 +213,11 @@ async def measure(delay: float, arguments: argparse.Namespace) -> dict[str, Any]
     }
 
 
-def ways(
-    truth: DrivingTruth, true_map: TrueMap, reported: PlanarPose, arguments: argparse.Namespace
-) -> list[list[PlanarPose]]:
-    """Ways to the goals, each from the goal before, in the operator's map."""
-    pose = truth.pose()
-    here = PlanarPose(pose.x, pose.y, pose.yaw)
-    to_local = reported @ here.inverse()
-    rng, ways_found = np.random.default_rng(arguments.seed), list[list[PlanarPose]]()
-    for _ in range(arguments.goals):
-        goal = next((found for _ in range(SEARCHES) if (found := true_map.draw_goal(here, rng)) is not None), None)
-        if goal is None:
-            break  # the row tells how many there were
-        points = widest(true_map, here, (goal.x, goal.y))
-        poses = [PlanarPose(point.x, point.y) for point in points]
-        ways_found.append(dense([to_local @ place for place in poses]))
-        last, before = points[-1], points[-2]
-        here = PlanarPose(last.x, last.y, math.atan2(last.y - before.y, last.x - before.x))
-    return ways_found
-
-
-def widest(true_map: TrueMap, here: PlanarPose, goal: tuple[float, float]) -> Sequence[PathPoint]:
-    """The way that a person would choose: through the middle of doors, as far from walls as there is a way."""
-    terrain = true_map.terrain
-    for margin in BESIDE:
-        terrain.margin = margin
-        with suppress(NoPath):
-            found = find_path(terrain, here, goal, backward=False, seconds=SEARCH_TIME).points
-            terrain.margin = MARGIN
-            return found
-    terrain.margin = MARGIN
-    return find_path(terrain, here, goal, backward=False, seconds=SEARCH_TIME).points
-
-
 def main() -> None:
     """Measure all."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--delays", type=float, nargs="+", default=[0.0, 100.0, 300.0], help="ms, each way")
     parser.add_argument("--loss", type=float, default=0.02)
-    parser.add_argument("--goals", type=int, default=2)
     parser.add_argument("--presses", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--json", type=Path)
