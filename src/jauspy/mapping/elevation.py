@@ -49,6 +49,8 @@ CLEAR: Final = 0.6
 """Factor of the weight of a voxel that rays of a cloud cross."""
 MIN_WEIGHT: Final = 1.5
 """Weight, in hits, of an occupied voxel: one stray point is no ground."""
+SAME_GROUND: Final = 0.04
+"""Metres between what two layers above each other have seen, below which that is the same ground."""
 GRAZING_HEIGHT: Final = 2.0 * LAYER
 GRAZING_PART: Final = 0.3
 """The last part of a ray that is not higher than this above its end, metres, clears nothing: it grazes the ground."""
@@ -266,14 +268,18 @@ class ElevationGrid:
         rows, columns = np.nonzero(known)
         upper = top[known]
         lower = np.maximum(upper - 1, 0)
-        # ground at the border of two layers hits both: their common mean is its height
-        weights = self._weights[upper, rows, columns].astype(np.float64)
-        sums = self._sums[upper, rows, columns].astype(np.float64)
-        below = np.where(upper > lower, self._weights[lower, rows, columns], 0.0)
-        sums += np.where(upper > lower, self._sums[lower, rows, columns], 0.0) - below * LAYER
+        weights, sums = (values[upper, rows, columns].astype(np.float64) for values in (self._weights, self._sums))
+        below, sums_below = (
+            np.where(upper > lower, values[lower, rows, columns], 0.0) for values in (self._weights, self._sums)
+        )
+        # ground at the border of two layers hits both: their common mean is its height; at the edge of a step it is not
+        apart = sums / weights - (sums_below / np.maximum(below, 1e-6) - LAYER)
+        same = (below > 0.0) & (apart < SAME_GROUND)
+        sums += np.where(same, sums_below - below * LAYER, 0.0)
+        weights += np.where(same, below, 0.0)
         layer = 0 if self._corner is None else self._corner[2]
         found = np.full((self.cells, self.cells), np.nan, np.float32)
-        found[known] = (upper + layer) * LAYER + sums / (weights + below)
+        found[known] = (upper + layer) * LAYER + sums / weights
         return found
 
 

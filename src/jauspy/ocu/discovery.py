@@ -416,7 +416,7 @@ class RobotNews:
         current = {robot.id: robot for robot in robots}
         for id in sorted(self._reported.keys() | current.keys()):
             before, found = self._reported.get(id), current.get(id)
-            if found == before:
+            if found is before or found == before:
                 self._pending.pop(id, None)
             elif self._is_settled(id, found, is_complete(id), now):
                 del self._pending[id]

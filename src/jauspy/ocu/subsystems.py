@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import groupby, islice
@@ -17,6 +18,8 @@ from jauspy.printable import printable
 
 Level: TypeAlias = QueryIdentification.QueryType
 _LEVELS: Final = frozenset(map(int, Level))
+_NAMED: Final = (Level.SUBSYSTEM, Level.NODE, Level.COMPONENT)
+"""Levels at which a component has a name that is shown."""
 
 MAX_COMPONENTS: Final = 4096
 """Components that a tree holds, and silent ones that it remembers; a flood of invented ids cannot exceed it."""
@@ -156,6 +159,10 @@ class SubsystemTree:
         self._built: dict[int, tuple[SubsystemInfo | None, float]] = {}
         """Values of subsystems, and until when they hold unless something about them changes."""
         self._names: dict[tuple[int, JausID], tuple[str, int]] = {}
+        self._unfinished: set[int] = set()
+        """Subsystems of which names or services may be missing."""
+        self._introductions: deque[float] = deque()
+        """When the `INTRODUCTION_TIME` of each new component ends."""
         self._services = 0
         """Number of services of all entries."""
         self._silent: dict[JausID, None] = {}
@@ -165,10 +172,9 @@ class SubsystemTree:
         """The known components, in the order of their ids."""
         return iter(self.components())
 
-    def components(self, subsystem: int | None = None, since: float = -math.inf) -> list[JausID]:
-        """The known components in the order of their ids: all, those of one subsystem, or those first seen `since`."""
-        found = self._entries if subsystem is None else self._members.get(subsystem, {})
-        return sorted((id for id, entry in found.items() if entry.first_seen >= since), key=int)
+    def components(self, subsystem: int | None = None) -> list[JausID]:
+        """The known components in the order of their ids: all, or those of one subsystem."""
+        return sorted(self._entries if subsystem is None else self._members.get(subsystem, {}), key=int)
 
     @property
     def size(self) -> int:
@@ -210,6 +216,7 @@ class SubsystemTree:
             self._names = {key: name for key, name in self._names.items() if key[1] in named}
             self._facts = len(self._names) + sum(entry.facts for entry in self._entries.values())
             self._built.clear()
+            self._unfinished = set(self._members)
 
     # --- what is missing ------------------------------------------------------------------------------------------
 
@@ -217,14 +224,35 @@ class SubsystemTree:
         """True when this component has sent a message itself."""
         return self._entries[id].responds
 
-    def unnamed(self, level: Level, subsystem: int | None = None, since: float = -math.inf) -> list[JausID]:
-        """The components whose name at this level is not known."""
-        ids = self.components(subsystem, since)
-        return [id for id in ids if (int(level), name_owner(level, id)) not in self._names]
+    def unnamed(self, level: Level, subsystem: int | None = None) -> list[JausID]:
+        """The components whose name at this level is not known, in the order of their ids."""
+        return [id for number in self._lacking(subsystem) for id in self._unnamed(level, number)]
 
-    def without_services(self, subsystem: int | None = None, since: float = -math.inf) -> list[JausID]:
-        """The components of which no service is known."""
-        return [id for id in self.components(subsystem, since) if not self._entries[id].offered]
+    def without_services(self, subsystem: int | None = None) -> list[JausID]:
+        """The components of which no service is known, in the order of their ids."""
+        return [id for number in self._lacking(subsystem) for id in self._without_services(number)]
+
+    def _lacking(self, subsystem: int | None) -> list[int]:
+        """Subsystems of which something is missing, or this one if it is one of them."""
+        numbers = sorted(self._unfinished) if subsystem is None else [subsystem] * (subsystem in self._unfinished)
+        lacking = [number for number in numbers if self._incomplete(number)]
+        self._unfinished.difference_update(set(numbers).difference(lacking))
+        return lacking
+
+    def _incomplete(self, number: int) -> set[JausID]:
+        """The components of a subsystem of which a name or services are missing."""
+        return {id for level in _NAMED for id in self._unnamed(level, number)}.union(self._without_services(number))
+
+    def _unnamed(self, level: Level, number: int) -> list[JausID]:
+        return [id for id in self.components(number) if (int(level), name_owner(level, id)) not in self._names]
+
+    def _without_services(self, number: int) -> list[JausID]:
+        return [id for id in self.components(number) if not self._entries[id].offered]
+
+    def _has_changed(self, number: int) -> None:
+        """Look at a subsystem again: something of it is new."""
+        self._built.pop(number, None)
+        self._unfinished.add(number)
 
     def silent_since(self, since: float) -> list[JausID]:
         """The components that were last seen before this time."""
@@ -241,8 +269,9 @@ class SubsystemTree:
 
     def next_introduction(self, now: float) -> float | None:
         """When the next `INTRODUCTION_TIME` of a new component ends; None when there is no new component."""
-        ends = (entry.first_seen + INTRODUCTION_TIME for entry in self._entries.values())
-        return min((end for end in ends if end > now), default=None)
+        while self._introductions and self._introductions[0] <= now:
+            self._introductions.popleft()
+        return self._introductions[0] if self._introductions else None
 
     # --- what is known --------------------------------------------------------------------------------------------
 
@@ -256,9 +285,7 @@ class SubsystemTree:
         built, until = self._built.get(number, (None, -math.inf))
         if now < until:
             return built
-        levels = (Level.SUBSYSTEM, Level.NODE, Level.COMPONENT)
-        incomplete = {id for level in levels for id in self.unnamed(level, number)}
-        incomplete.update(self.without_services(number))
+        incomplete = self._incomplete(number)
         shown, until = [], math.inf
         for id in self.components(number):
             introduced = self._entries[id].first_seen + INTRODUCTION_TIME
@@ -294,7 +321,8 @@ class SubsystemTree:
             entry = self._entries[id] = _Entry(id, now, now)
             self._members.setdefault(id.subsystem, {})[id] = entry
             self._facts += 1
-            self._built.pop(id.subsystem, None)
+            self._introductions.append(now + INTRODUCTION_TIME)
+            self._has_changed(id.subsystem)
         return entry
 
     def _set_name(self, level: int, owner: JausID, name: tuple[str, int]) -> None:
@@ -302,7 +330,7 @@ class SubsystemTree:
         if known != name:
             self._facts += known is None
             self._names[level, owner] = name
-            self._built.pop(owner.subsystem, None)
+            self._has_changed(owner.subsystem)
 
     def _add_services(self, id: JausID, services: frozenset[ServiceInfo], source: JausID, now: float) -> None:
         entry = None if id in self._silent else self._entry(id, now)
@@ -315,7 +343,7 @@ class SubsystemTree:
                 entry.services[source] = services
                 self._services += more
                 self._facts += entry.facts - before
-                self._built.pop(id.subsystem, None)
+                self._has_changed(id.subsystem)
             if not entry.responds:
                 entry.last_seen = now
 

@@ -171,10 +171,10 @@ class TerrainCost:
         blocked &= ~(seen & ~wall & tall & ~steep & surrounded)
         # a wall that reaches the plane of the scans is where they saw it, in smaller cells
         blocked |= wall & ~(tall & scanned)
-        blocked |= seen & steep
         # what is seen of a wall from the ground up looks like a step; none is climbed so close to one
-        beside = 2 * round(mobility.half_width / self.resolution) - 1
-        high = seen & (steps > mobility.step) & ~ndimage.maximum_filter(blocked, beside)
+        beside_wall = ndimage.maximum_filter(blocked, 2 * round(mobility.half_width / self.resolution) - 1)
+        blocked |= seen & steep
+        high = seen & (steps > mobility.step) & ~blocked & ~beside_wall
         if high.any():
             self._steps = high
             far, nearest = ndimage.distance_transform_edt(~high, return_indices=True)
