@@ -24,8 +24,11 @@ AXLE_SHARE: Final = 0.8
 """Step that tracks climb without flippers, as a part of the height of their front axle."""
 WHEEL_SHARE: Final = 0.5
 """Step that wheels climb, as a part of their radius."""
-FLIPPER_ANGLE: Final = math.radians(45.0)
-"""Elevation of flippers, radians, that touch a step first."""
+FLIPPER_ANGLE: Final = 0.15
+"""Elevation of flippers at a step, radians: their tips are just above it. Higher ones pass above its edge, and the
+tracks stand at its face; so inc1 does not climb 0.1 m with 0.35 rad or more, and 0.2 m with 0.15."""
+CLIMBING_PITCH: Final = math.radians(45.0)
+"""Greatest pitch, radians, on the edge of a step; with more the robot falls back over its rear."""
 LEVEL: Final = 0.01
 """Metres above the lowest point of tracks up to which a part of them stands on level ground."""
 
@@ -155,7 +158,8 @@ def _steps(robot: RobotModel, chassis: Chassis, posture: Mapping[str, float], pi
     if not axles:
         return step, step
     rear = -min(place[0] - size[0] / 2.0 for place, size in shapes if place[2] - size[2] / 2.0 <= ground + LEVEL)
-    lifted = (rear + chassis.centre_of_gravity[0]) * math.sin(pitch)  # where the centre of mass passes the edge
+    # where the centre of mass passes the edge
+    lifted = (rear + chassis.centre_of_gravity[0]) * math.sin(min(pitch, CLIMBING_PITCH))
     tip = max(axles) - ground + _flipper_length(robot) * math.sin(FLIPPER_ANGLE)
     return step, max(step, min(lifted, tip))
 

@@ -38,6 +38,8 @@ LEAST_KNOWN: Final = 0.3
 """Part of the cells around one whose heights must be known for a slope to be known."""
 SCAN_ERROR: Final = 0.15
 """Metres below the plane of the scans from which on ground is taken for what the scans saw."""
+STEP_ERROR: Final = 0.015
+"""Metres by which an edge that is partly in a cell looks lower than it is."""
 SURROUNDED: Final = 0.9
 """Part of the cells around one whose heights must be known for ground to be told from a wall."""
 HIDDEN: Final = 2.0
@@ -174,7 +176,7 @@ class TerrainCost:
         # what is seen of a wall from the ground up looks like a step; none is climbed so close to one
         beside_wall = ndimage.maximum_filter(blocked, 2 * round(mobility.half_width / self.resolution) - 1)
         blocked |= seen & steep
-        high = seen & (steps > mobility.step) & ~blocked & ~beside_wall
+        high = seen & (steps > mobility.step - STEP_ERROR) & ~blocked & ~beside_wall
         if high.any():
             self._steps = high
             far, nearest = ndimage.distance_transform_edt(~high, return_indices=True)

@@ -11,13 +11,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.planning.mobility import FLIPPER_ANGLE
 from jauspy.planning.path_search import PathPoint
 from jauspy.planning.terrain_cost import TerrainCost
 
 SPACING: Final = 0.05
 """Metres between the points of a way that are compared with steps."""
-CLIMBING: Final = math.radians(45.0)
-"""Elevation of flippers at a step, radians."""
 STEP_ROOM: Final = 0.7
 """Metres before and after a step between which flippers are set for it."""
 
@@ -72,7 +71,7 @@ def parts(points: Sequence[PathPoint], terrain: TerrainCost) -> list[Part]:
         run = list(numbers)
         first = [close[run[0] - 1]] if run[0] else []
         inner = [close[number] for number in run if close[number][:2] in corners or number in (run[0], run[-1])]
-        found.append(Part((*first, *inner), CLIMBING if climbs else None))
+        found.append(Part((*first, *inner), FLIPPER_ANGLE if climbs else None))
     return found
 
 

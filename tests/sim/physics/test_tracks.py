@@ -14,6 +14,7 @@ import mujoco
 import numpy as np
 
 from jauspy.geometry.poses import Pose
+from jauspy.planning.mobility import FLIPPER_ANGLE, mobility_of
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.assembly import build_in
@@ -137,6 +138,20 @@ def test_climbs_20_cm_with_its_flippers(effort: float) -> None:
             break
     assert robot.drive.pose().z == pytest.approx(0.2, abs=0.01)
     assert tilt(robot.drive.pose()) < 0.02
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("share", [0.65, 1.0])
+def test_climbs_what_the_navigator_takes_for_climbable(share: float) -> None:
+    step = share * mobility_of(robot_model(load("inc1"))).flipper_step
+    robot = put(kerb(step), x=0.1)
+    turn_joints(robot, "flippers", FLIPPER_ANGLE)
+    robot.advance(2.0)
+    for pose in driving(robot, 0.25, 12.0):
+        assert tilt(pose) < SAFE
+        if pose.x > 1.7:
+            break
+    assert robot.drive.pose().z == pytest.approx(step, abs=0.01)
 
 
 @pytest.mark.slow
