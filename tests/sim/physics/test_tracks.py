@@ -143,7 +143,7 @@ def test_climbs_20_cm_with_its_flippers(effort: float) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("share", [0.65, 1.0])
 def test_climbs_what_the_navigator_takes_for_climbable(share: float) -> None:
-    step = share * mobility_of(robot_model(load("inc1"))).flipper_step
+    step = share * mobility_of(INC1).flipper_step
     robot = put(kerb(step), x=0.1)
     turn_joints(robot, "flippers", FLIPPER_ANGLE)
     robot.advance(2.0)
