@@ -51,7 +51,10 @@ def test_all_is_asked_for_once_and_little_at_a_time(tree: SubsystemTree) -> None
         now = max(next_at, now + 0.01)
     kinds = [(int(query.query_type) if isinstance(query, QueryIdentification) else 0, id) for id, query in asked]
     assert len(set(kinds)) == len(kinds), "nobody is asked again so soon"
-    assert {id for kind, id in kinds if kind == 0} == set(tree)
+    begun = sorted({id.subsystem for _, id in kinds})
+    assert begun == list(range(1, 1 + len(begun))), "one robot after the other"
+    per_robot = 2 * COMPONENTS + 2  # names and services of components, names of the node and of the robot
+    assert all(sum(id.subsystem == robot for _, id in kinds) == per_robot for robot in begun[:-1])
     assert len(kinds) <= MAX_FOLLOW_UPS * (1 + FOLLOW_UP_INTERVAL / 0.1)
 
 

@@ -182,15 +182,17 @@ def _is_complete(tree: SubsystemTree) -> bool:
 
 def _query_missing(connection: Connection, tree: SubsystemTree, subsystem: int | None) -> None:
     """Query each component for what it has not reported, and one component of each node for the node's name."""
+    numbers = tree.unfinished() if subsystem is None else [subsystem]
     queries: list[tuple[JausID, Message]] = []
     nodes: set[tuple[int, int]] = set()
-    for id in tree.unnamed(Level.NODE, subsystem):
+    for id in (id for number in numbers for id in tree.unnamed(Level.NODE, number)):
         if tree.responds(id) and (id.subsystem, id.node) not in nodes:
             nodes.add((id.subsystem, id.node))
             queries.append((id, QueryIdentification(query_type=Level.NODE)))
     for level in (Level.SUBSYSTEM, Level.COMPONENT):
-        queries += [(id, QueryIdentification(query_type=level)) for id in tree.unnamed(level, subsystem)]
-    queries += [(id, query_all_services()) for id in tree.without_services(subsystem)]
+        identification = QueryIdentification(query_type=level)
+        queries += [(id, identification) for number in numbers for id in tree.unnamed(level, number)]
+    queries += [(id, query_all_services()) for number in numbers for id in tree.without_services(number)]
     for id, query in queries[:MAX_FOLLOW_UPS]:
         connection.send(id, query)
 
@@ -276,41 +278,49 @@ async def _next_reports(received: asyncio.Event, until: float) -> bool:
     return found
 
 
+class _Asked(dict[tuple[int, JausID], tuple[int, float]]):
+    """How often a missing thing was asked for, and when again: names by level and owner, services by component."""
+
+
 class FollowUps:
     """Queries of `watch` to single components for names and services that are not known."""
 
     def __init__(self, connection: Connection, tree: SubsystemTree) -> None:
         self._connection, self._tree = connection, tree
-        self._asked: dict[tuple[int, JausID], tuple[int, float]] = {}
-        """How often a missing thing was asked for, and when again: names by level and owner, services by component."""
+        self._asked: dict[int, _Asked] = {}
+        """By subsystem."""
 
     def send(self, now: float) -> float:
         """Send those that are due, at most `MAX_FOLLOW_UPS`; returns the time of the next ones."""
-        asked: dict[tuple[int, JausID], tuple[int, float]] = {}
-        next_at, sent = math.inf, 0
-        for key, id in self._missing():
-            count, due = self._asked.get(key, (0, now))
-            if due <= now and sent < MAX_FOLLOW_UPS:
-                level, _ = key
-                query = query_all_services() if level == _SERVICES else QueryIdentification(query_type=level)
-                self._connection.send(id, query)
-                due = now + min(FOLLOW_UP_INTERVAL * 2.0**count, MAX_FOLLOW_UP_INTERVAL)
-                count, sent = count + 1, sent + 1
-            asked[key] = count, due
-            next_at = min(next_at, max(due, now + COALESCE_TIME))
-        self._asked = asked
+        next_at, sent, unfinished = math.inf, 0, self._tree.unfinished()
+        for number in unfinished:
+            before, asked = self._asked.get(number) or _Asked(), _Asked()
+            for key, id in self._missing(number, before):
+                count, due = before.get(key, (0, now))
+                if due <= now and sent < MAX_FOLLOW_UPS:
+                    level, _ = key
+                    query = query_all_services() if level == _SERVICES else QueryIdentification(query_type=level)
+                    self._connection.send(id, query)
+                    due = now + min(FOLLOW_UP_INTERVAL * 2.0**count, MAX_FOLLOW_UP_INTERVAL)
+                    count, sent = count + 1, sent + 1
+                asked[key] = count, due
+                next_at = min(next_at, max(due, now + COALESCE_TIME))
+            self._asked[number] = asked
+            if sent == MAX_FOLLOW_UPS:  # the others are not even looked at
+                return now + COALESCE_TIME
+        self._asked = {number: asked for number in unfinished if (asked := self._asked.get(number, _Asked()))}
         return next_at
 
-    def _missing(self) -> Iterator[tuple[tuple[int, JausID], JausID]]:
+    def _missing(self, number: int, asked: _Asked) -> Iterator[tuple[tuple[int, JausID], JausID]]:
         """What is not known, with the component to ask: of those with a common name, another one each time."""
-        for id in self._tree.without_services():
+        for id in self._tree.without_services(number):
             yield (_SERVICES, id), id
         for level in (Level.COMPONENT, Level.NODE, Level.SUBSYSTEM):
             owners: dict[JausID, list[JausID]] = {}
-            for id in self._tree.unnamed(level):
+            for id in self._tree.unnamed(level, number):
                 owners.setdefault(name_owner(level, id), []).append(id)
             for owner, ids in owners.items():
-                count, _ = self._asked.get((int(level), owner), (0, 0.0))
+                count, _ = asked.get((int(level), owner), (0, 0.0))
                 yield (int(level), owner), ids[count % len(ids)]
 
 

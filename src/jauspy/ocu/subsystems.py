@@ -224,30 +224,25 @@ class SubsystemTree:
         """True when this component has sent a message itself."""
         return self._entries[id].responds
 
-    def unnamed(self, level: Level, subsystem: int | None = None) -> list[JausID]:
-        """The components whose name at this level is not known, in the order of their ids."""
-        return [id for number in self._lacking(subsystem) for id in self._unnamed(level, number)]
+    def unfinished(self) -> list[int]:
+        """Subsystems of which a name or services may be missing."""
+        return sorted(self._unfinished)
 
-    def without_services(self, subsystem: int | None = None) -> list[JausID]:
-        """The components of which no service is known, in the order of their ids."""
-        return [id for number in self._lacking(subsystem) for id in self._without_services(number)]
+    def unnamed(self, level: Level, subsystem: int) -> list[JausID]:
+        """The components of a subsystem whose name at this level is not known, in the order of their ids."""
+        named, value = self._names, int(level)
+        return [id for id in self.components(subsystem) if (value, name_owner(level, id)) not in named]
 
-    def _lacking(self, subsystem: int | None) -> list[int]:
-        """Subsystems of which something is missing, or this one if it is one of them."""
-        numbers = sorted(self._unfinished) if subsystem is None else [subsystem] * (subsystem in self._unfinished)
-        lacking = [number for number in numbers if self._incomplete(number)]
-        self._unfinished.difference_update(set(numbers).difference(lacking))
-        return lacking
+    def without_services(self, subsystem: int) -> list[JausID]:
+        """The components of a subsystem of which no service is known, in the order of their ids."""
+        return [id for id in self.components(subsystem) if not self._entries[id].offered]
 
     def _incomplete(self, number: int) -> set[JausID]:
         """The components of a subsystem of which a name or services are missing."""
-        return {id for level in _NAMED for id in self._unnamed(level, number)}.union(self._without_services(number))
-
-    def _unnamed(self, level: Level, number: int) -> list[JausID]:
-        return [id for id in self.components(number) if (int(level), name_owner(level, id)) not in self._names]
-
-    def _without_services(self, number: int) -> list[JausID]:
-        return [id for id in self.components(number) if not self._entries[id].offered]
+        found = {id for level in _NAMED for id in self.unnamed(level, number)}.union(self.without_services(number))
+        if not found:
+            self._unfinished.discard(number)
+        return found
 
     def _has_changed(self, number: int) -> None:
         """Look at a subsystem again: something of it is new."""
@@ -260,6 +255,8 @@ class SubsystemTree:
 
     def is_complete(self, subsystem: int) -> bool:
         """True when names and services of the subsystem, and of each component that responds, are known."""
+        if subsystem not in self._unfinished:
+            return subsystem in self._members
         return bool(
             self.components(subsystem)
             and not self.unnamed(Level.SUBSYSTEM, subsystem)
