@@ -329,6 +329,8 @@ async def run(
         fleet = Fleet(robots, operators, gateways)
         phases = Phases(row)
         async with fleet.opened(), AsyncExitStack() as first, AsyncExitStack() as second:
+            gc.collect()
+            gc.freeze()  # robots are processes of their own, whose collectors do not look at each other
             async with phases.phase("discovery") as began:
                 async with asyncio.timeout(6.0 * LIMIT):
                     await asyncio.gather(*map(fleet.discover, fleet.operators))
@@ -352,6 +354,7 @@ async def run(
                 )
             assert not any(control.lost for control in taken)
             row.events, row.events_expected = sum(counts), round(seconds * RATE) * robots
+            gc.unfreeze()
             row.tables = fleet.tables()
             row.datagrams = fleet.network.datagrams
     return row

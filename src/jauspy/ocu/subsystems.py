@@ -155,6 +155,8 @@ class SubsystemTree:
         self._entries: dict[JausID, _Entry] = {}
         self._members: dict[int, dict[JausID, _Entry]] = {}
         """The same entries by subsystem."""
+        self._ordered: dict[int, list[JausID]] = {}
+        """Their ids in order, of subsystems that were looked at since their last component came or went."""
         self._facts = 0
         self._built: dict[int, tuple[SubsystemInfo | None, float]] = {}
         """Values of subsystems, and until when they hold unless something about them changes."""
@@ -174,7 +176,11 @@ class SubsystemTree:
 
     def components(self, subsystem: int | None = None) -> list[JausID]:
         """The known components in the order of their ids: all, or those of one subsystem."""
-        return sorted(self._entries if subsystem is None else self._members.get(subsystem, {}), key=int)
+        if subsystem is None:
+            return sorted(self._entries, key=int)
+        if (found := self._ordered.get(subsystem)) is None:
+            found = self._ordered[subsystem] = sorted(self._members.get(subsystem, {}), key=int)
+        return found
 
     @property
     def size(self) -> int:
@@ -216,6 +222,7 @@ class SubsystemTree:
             self._names = {key: name for key, name in self._names.items() if key[1] in named}
             self._facts = len(self._names) + sum(entry.facts for entry in self._entries.values())
             self._built.clear()
+            self._ordered.clear()
             self._unfinished = set(self._members)
 
     # --- what is missing ------------------------------------------------------------------------------------------
@@ -318,6 +325,7 @@ class SubsystemTree:
             entry = self._entries[id] = _Entry(id, now, now)
             self._members.setdefault(id.subsystem, {})[id] = entry
             self._facts += 1
+            self._ordered.pop(id.subsystem, None)
             self._introductions.append(now + INTRODUCTION_TIME)
             self._has_changed(id.subsystem)
         return entry
