@@ -103,6 +103,14 @@ def test_slope_step_and_roughness() -> None:
     assert np.median(step.roughness()[30:50, edge]) > 0.02
 
 
+@pytest.mark.parametrize("height", [0.05, 0.1])
+def test_the_edge_of_a_step_is_in_one_cell(height: float) -> None:
+    """Also where the step ends at the border of two layers of voxels, of which noise fills both."""
+    grid = made(lambda x, y: np.where(x > 1.05, height, 0.0))
+    beside = [grid.height_at(x, 0.5) for x in (0.95, 1.05, 1.15)]
+    assert beside == pytest.approx([0.0, height, height], abs=0.02)
+
+
 def test_ceilings_and_what_the_robot_fits_under_are_not_ground() -> None:
     random = np.random.default_rng(7)
     x, y = random.uniform(-3.0, 3.0, (2, 15_000))

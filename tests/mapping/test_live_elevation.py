@@ -6,6 +6,7 @@ import asyncio
 import math
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,10 +16,11 @@ from jauspy.cloud.stream import Cloud
 from jauspy.errors import JausError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.link_boxes import LinkBoxes
-from jauspy.geometry.poses import PlanarPose
+from jauspy.geometry.poses import PlanarPose, Pose, Transform
 from jauspy.mapping import sensor_feed
 from jauspy.mapping.elevation import ElevationGrid
 from jauspy.mapping.live_elevation import LiveElevation, footprint
+from jauspy.mapping.sensor_feed import Measurement
 from jauspy.ocu import OCU
 from jauspy.robot.runner import RobotRunner
 
@@ -61,6 +63,32 @@ def cloud(live: LiveElevation, points: np.ndarray) -> Cloud:
     """A cloud of points in the frame of the base."""
     placed = (points - SENSOR.position) @ np.array(SENSOR.rotation)
     return Cloud(placed.astype("<f4").tobytes(), "lidar_link", live.now - 0.1)
+
+
+async def test_clouds_of_a_robot_that_tips_are_left_out_until_it_has_settled() -> None:
+    live = LiveElevation(
+        SimpleNamespace(),
+        CONFIG,
+        MODEL,
+        ElevationGrid(8.0, 0.1),
+        ["ipc:///none"],
+        threaded=False,  # type: ignore[arg-type]
+    )
+    ground = np.column_stack(
+        [np.repeat(np.arange(1.0, 2.0, 0.05), 20), np.tile(np.arange(0.0, 1.0, 0.05), 20), np.zeros(400)]
+    )
+
+    def add(time: float, pitch: float) -> bool:
+        base = Transform.from_pose(Pose(0.0, 0.0, pitch=pitch))
+        return live.use(Measurement("a", "base_link", ground, None, Transform(), base, time, [{}]))
+
+    level, ramp = 0.0, -0.3
+    assert add(0.0, level)
+    assert [add(1.0 + 0.25 * step, ramp * min(1.0, step / 12.0)) for step in range(13)] == [True] * 13, "onto a ramp"
+    assert not add(5.0, level), "down from an edge at once"
+    assert not add(5.9, level)
+    assert add(6.1, level)
+    assert live.counters["clouds of a robot that tips"] == 2
 
 
 @pytest.mark.slow

@@ -51,7 +51,7 @@ REAL_TIME = 0.995
 
 @pytest.mark.slow
 @pytest.mark.timeout(600)
-@pytest.mark.parametrize(("world", "backend"), [("yard", "sim"), ("street", "sim")])
+@pytest.mark.parametrize(("world", "backend"), [("yard", "sim"), pytest.param("street", "sim", marks=pytest.mark.long)])
 def test_demo_drives_grasps_and_lifts(world: str, backend: str, free_port: int, tmp_path: Path) -> None:
     folder, thing = tmp_path / "out", plan.PLANS[world].thing
     arguments = ("demo", "--port", str(free_port), "--output", str(folder), "--size", "320x240", "--plain")

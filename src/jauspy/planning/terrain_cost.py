@@ -38,7 +38,7 @@ LEAST_KNOWN: Final = 0.3
 """Part of the cells around one whose heights must be known for a slope to be known."""
 SCAN_ERROR: Final = 0.15
 """Metres below the plane of the scans from which on ground is taken for what the scans saw."""
-STEP_ERROR: Final = 0.015
+STEP_ERROR: Final = 0.005
 """Metres by which an edge that is partly in a cell looks lower than it is."""
 SURROUNDED: Final = 0.9
 """Part of the cells around one whose heights must be known for ground to be told from a wall."""
