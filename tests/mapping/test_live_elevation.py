@@ -72,7 +72,7 @@ async def test_clouds_of_a_robot_that_tips_are_left_out_until_it_has_settled() -
         MODEL,
         ElevationGrid(8.0, 0.1),
         ["ipc:///none"],
-        threaded=False,  # type: ignore[arg-type]
+        threaded=False,
     )
     ground = np.column_stack(
         [np.repeat(np.arange(1.0, 2.0, 0.05), 20), np.tile(np.arange(0.0, 1.0, 0.05), 20), np.zeros(400)]

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import asyncio
 import math
+from collections import defaultdict
 from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -278,8 +279,8 @@ async def _next_reports(received: asyncio.Event, until: float) -> bool:
     return found
 
 
-class _Asked(dict[tuple[int, JausID], tuple[int, float]]):
-    """How often a missing thing was asked for, and when again: names by level and owner, services by component."""
+_Asked: TypeAlias = dict[tuple[int, JausID], tuple[int, float]]
+"""How often a missing thing was asked for, and when again: names by level and owner, services by component."""
 
 
 class FollowUps:
@@ -287,14 +288,15 @@ class FollowUps:
 
     def __init__(self, connection: Connection, tree: SubsystemTree) -> None:
         self._connection, self._tree = connection, tree
-        self._asked: dict[int, _Asked] = {}
+        self._asked: defaultdict[int, _Asked] = defaultdict(dict)
         """By subsystem."""
 
     def send(self, now: float) -> float:
         """Send those that are due, at most `MAX_FOLLOW_UPS`; returns the time of the next ones."""
         next_at, sent, unfinished = math.inf, 0, self._tree.unfinished()
         for number in unfinished:
-            before, asked = self._asked.get(number) or _Asked(), _Asked()
+            asked: _Asked = {}
+            before = self._asked[number]
             for key, id in self._missing(number, before):
                 count, due = before.get(key, (0, now))
                 if due <= now and sent < MAX_FOLLOW_UPS:
@@ -308,7 +310,8 @@ class FollowUps:
             self._asked[number] = asked
             if sent == MAX_FOLLOW_UPS:  # the others are not even looked at
                 return now + COALESCE_TIME
-        self._asked = {number: asked for number in unfinished if (asked := self._asked.get(number, _Asked()))}
+        for number in self._asked.keys() - unfinished:
+            del self._asked[number]
         return next_at
 
     def _missing(self, number: int, asked: _Asked) -> Iterator[tuple[tuple[int, JausID], JausID]]:

@@ -265,8 +265,7 @@ class SubsystemTree:
         if subsystem not in self._unfinished:
             return subsystem in self._members
         return bool(
-            self.components(subsystem)
-            and not self.unnamed(Level.SUBSYSTEM, subsystem)
+            not self.unnamed(Level.SUBSYSTEM, subsystem)
             and not any(map(self.responds, self.unnamed(Level.COMPONENT, subsystem)))
             and not self.without_services(subsystem)
         )

@@ -18,6 +18,7 @@ from jauspy.messages.core import (
     SetElement,
 )
 from jauspy.messages.mobility import (
+    ExecuteList,
     GlobalZPosition,
     QueryAccelerationLimit,
     QueryAccelerationState,
@@ -78,7 +79,9 @@ from jauspy.services.mobility import (
     PrimitiveDriver,
     Vehicle,
     VelocityStateDriver,
+    waypoint_drivers,
 )
+from jauspy.services.mobility.courses import WaypointCourse
 from jauspy.services.ugv import PlatformSpecifications, SkidSteerDriver
 
 A, B = "42.1.1", "42.2.1"
@@ -366,6 +369,23 @@ def elements(*messages) -> SetElement:
         for uid, message in enumerate(messages, 1)
     ]
     return SetElement(SetElement.RequestIDRec(9), records)
+
+
+def test_legs_begin_at_the_waypoint_that_was_passed_just_before(ready, monkeypatch) -> None:
+    """Not at one that was passed before a waypoint of the other frame."""
+    starts: list[tuple[float, float] | None] = []
+
+    class Noted(WaypointCourse):
+        def __init__(self, *args, start=None, **options) -> None:
+            starts.append(None if start is None else (start().x, start().y))
+            super().__init__(*args, start=start, **options)
+
+    monkeypatch.setattr(waypoint_drivers, "WaypointCourse", Noted)
+    near_here = [SetLocalWaypoint(0.1, 0.0), SetLocalWaypoint(0.0, 0.1), SetGlobalWaypoint(60.0, 25.0)]
+    ready.ask(A, elements(*near_here, SetLocalWaypoint(0.2, 0.0)))
+    ready.tell(A, ExecuteList(speed=0.5, element_uid=1))
+    ready.run(2.0)
+    assert starts == [None, near((0.1, 0.0)), None, None]
 
 
 def test_a_list_takes_waypoints_of_both_frames_and_nothing_else(rig) -> None:

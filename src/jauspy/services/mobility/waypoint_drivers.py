@@ -373,6 +373,7 @@ class WaypointListDriver(WaypointFollower, ListDriver):
 
     def on_preempted(self) -> None:
         """Stop the list, unless its next element belongs to another list driver."""
+        self._passed = None
         if self.elements.active and not isinstance(self.vehicle.pilot.driver, WaypointListDriver):
             self.elements.stop()
 
