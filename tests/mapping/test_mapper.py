@@ -10,7 +10,7 @@ import pytest
 
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid, Points
-from jauspy.mapping.mapper import Mapper, match
+from jauspy.mapping.mapper import Mapper, match, search
 
 ANGLES = np.linspace(-math.pi, math.pi, 360, endpoint=False)
 DEVIATION = (0.1, 0.1)
@@ -55,6 +55,23 @@ def test_corridor_keeps_the_guess_along_it() -> None:
     assert found.x == pytest.approx(0.5, abs=0.05)
     assert found.y == pytest.approx(0.2, abs=0.04)
     assert found.yaw == pytest.approx(0.0, abs=0.005)
+
+
+@pytest.mark.parametrize("slip", [(-0.5, 0.0), (0.7, -0.2), (0.0, 0.6)])
+def test_after_a_gap_a_pose_far_off_is_found(slip: tuple[float, float]) -> None:
+    """Tracks slip on a kerb, where the scans of the tilted robot are left out."""
+    mapper, mapped_at, pose = Mapper(OccupancyGrid(30.0)), PlanarPose(), PlanarPose(1.2, 0.0, 0.0)
+    mapper.add(mapped_at, PlanarPose(), ANGLES.tolist(), ranges(mapped_at))
+    odometry = PlanarPose(pose.x + slip[0], pose.y + slip[1], pose.yaw)
+    found = mapper.add(odometry, PlanarPose(), ANGLES.tolist(), ranges(pose))
+    assert math.hypot(found.x - pose.x, found.y - pose.y) < 0.05
+
+
+def test_corridor_keeps_the_guess_along_it_after_a_gap() -> None:
+    pose = PlanarPose(1.5, 0.2, 0.0)
+    found = search(mapped(corridor=True), ends(pose, corridor=True), PlanarPose(1.2, 0.5, 0.0), 0.4)
+    assert found.x == pytest.approx(1.2, abs=0.11), "a step of the search"
+    assert found.y == pytest.approx(0.2, abs=0.1)
 
 
 def test_a_scan_with_few_echoes_is_not_matched() -> None:

@@ -11,8 +11,9 @@ from tests.helpers.robot import described
 
 from jauspy.backends.kinematic import KinematicRobot
 from jauspy.geometry.poses import Pose, Twist
+from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.localization import RTK, GnssSetup, ImuSetup, Localization, LocalizationSetup, PoseEstimate
-from jauspy.platform.localizer import Localizer
+from jauspy.platform.localizer import AttitudeFilter, Localizer
 from jauspy.platform.motion_sensors import Encoders, GnssReceiver, InertialSensor, generator
 
 _, INC1 = described("inc1")
@@ -60,6 +61,16 @@ def test_errors_are_as_large_as_they_are_reported(gnss: GnssSetup) -> None:
     for name, found in ratios.items():
         mean_square = sum(ratio**2 for ratio in found) / len(found)
         assert 0.2 < mean_square < 2.0, f"{name}: {found}"
+
+
+def test_shocks_and_their_rebound_do_not_tilt_the_attitude() -> None:
+    """Tracks that slip against a kerb: each hard, short shock backward is followed by a soft, long one forward."""
+    attitude = AttitudeFilter((0.0, 0.0, GRAVITY), 0.0)
+    for step in range(500):  # ten seconds at 50 Hz; the mean of -6 and four times 1.5 m/s^2 is zero
+        attitude.turn((0.0, 0.0, 0.0), (-6.0 if step % 5 == 0 else 1.5, 0.0, GRAVITY), 0.02)
+    roll, pitch, _ = attitude.angles()
+    assert abs(pitch) < 0.005
+    assert roll == 0.0
 
 
 @pytest.mark.slow

@@ -28,6 +28,18 @@ MIN_TURN: Final = math.radians(5.0)
 """Metres and radians of motion after which a scan is added."""
 ODOMETRY_DEVIATION: Final = (0.05, math.radians(2.0))
 """Standard deviations of odometry between two such scans, metres and radians."""
+GAP: Final = 0.3
+"""Metres between two such scans from which on some were left out, as of a tilted robot: its tracks may have slipped."""
+SLIP: Final = 0.5
+"""Standard deviation of the distance over such a gap, as a part of it."""
+MAX_REACH: Final = 1.0
+"""Metres around the guess that are searched after a gap."""
+SEARCH_STEP: Final = 0.1
+SEARCHED_POINTS: Final = 150
+"""Echoes of a scan, evenly spread, by which places are compared."""
+FIT_WEIGHT: Final = 40.0
+"""Weight of the mean over these echoes: a fifth of them far from any obstacle is as much as a distance of 2.8 deviations.
+"""
 ATTRACTION_WIDTHS: Final = (6, 2)
 """Cells around an occupied cell that attract the ends of rays; coarse first."""
 MAX_ITERATIONS: Final = 12
@@ -73,11 +85,20 @@ class Mapper:
         if self.path and not _moved(guess.relative_to(self.path[-1])):
             return guess
         ends, echoes = self._ends(lidar, angles, ranges)
-        pose = match(self.grid, ends[echoes], guess, ODOMETRY_DEVIATION) if self.path and self._matching else guess
+        pose = self._matched(ends[echoes], guess) if self.path and self._matching else guess
         self.grid.add(np.array((pose @ lidar)[:2]), transformed(pose, ends), echoes)
         self.path.append(pose)
         self._correction = pose @ odometry.inverse()
         return pose
+
+    def _matched(self, points: Points, guess: PlanarPose) -> PlanarPose:
+        """The pose at which a scan fits the map; after a gap, it may be farther from the guess."""
+        step = guess.relative_to(self.path[-1])
+        way = math.hypot(step.x, step.y)
+        if way < GAP:
+            return match(self.grid, points, guess, ODOMETRY_DEVIATION)
+        deviation = SLIP * way, ODOMETRY_DEVIATION[1]
+        return match(self.grid, points, search(self.grid, points, guess, deviation[0]), deviation)
 
     def _ends(
         self, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]
@@ -95,6 +116,30 @@ class Mapper:
 
 def _moved(step: PlanarPose) -> bool:
     return math.hypot(step.x, step.y) >= MIN_DISTANCE or abs(step.yaw) >= MIN_TURN
+
+
+def search(grid: OccupancyGrid, points: Points, guess: PlanarPose, deviation: float) -> PlanarPose:
+    """The place around `guess` where the echoes of a scan, shape (n, 2) in the robot's frame, fit the map best.
+
+    For a guess farther off than walls attract; `deviation` is its standard deviation in metres. The heading stays.
+    """
+    if len(points) < MIN_POINTS:
+        return guess
+    near = _attraction(grid.log_odds > 0.0, ATTRACTION_WIDTHS[-1])
+    known = (grid.log_odds != 0.0) | (near > 0.0)
+    count = round(min(MAX_REACH, 2.0 * deviation) / SEARCH_STEP)
+    along = SEARCH_STEP * np.arange(-count, count + 1)
+    offsets = np.stack(np.meshgrid(along, along), axis=-1).reshape(-1, 2)
+    used = points[np.linspace(0, len(points) - 1, min(len(points), SEARCHED_POINTS)).astype(np.intp)]
+    placed = transformed(guess, used) + offsets[:, np.newaxis]
+    cells = np.clip(np.rint(grid.cell_coordinates(placed)).astype(np.intp), 0, grid.cells - 1)
+    rows, columns = cells[..., 1], cells[..., 0]
+    # ends where nothing is known yet say nothing: otherwise a scan would slide to the part that the map already has
+    counted = known[rows, columns]
+    lacking = ((1.0 - near[rows, columns]) ** 2 * counted).sum(axis=1) / np.maximum(counted.sum(axis=1), 1)
+    costs = FIT_WEIGHT * lacking + (offsets * offsets).sum(axis=1) / deviation**2
+    x, y = offsets[int(costs.argmin())].tolist()
+    return PlanarPose(guess.x + x, guess.y + y, guess.yaw)
 
 
 def match(grid: OccupancyGrid, points: Points, guess: PlanarPose, deviation: tuple[float, float]) -> PlanarPose:

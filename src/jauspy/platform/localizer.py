@@ -399,8 +399,6 @@ class _Globe:
 
 GRAVITY_TIME: Final = 3.0
 """Seconds in which gravity corrects roll and pitch to a part of 1/e."""
-MAX_SHOCK: Final = 2.0
-"""m/s^2 between the measured force and gravity above which it corrects nothing."""
 
 
 class AttitudeFilter:
@@ -435,14 +433,13 @@ class AttitudeFilter:
         """Turn at `rates` (rad/s) for `dt` seconds; `force` (m/s^2) is what holds against gravity alone."""
         wx, wy, wz = rates
         fx, fy, fz = force
-        length = math.sqrt(fx * fx + fy * fy + fz * fz)
-        if abs(length - GRAVITY) < MAX_SHOCK:
-            # turn the estimated vertical towards the measured one: their cross product is axis and sine of the error
-            ux, uy, uz = self.up()
-            gain = 1.0 / (GRAVITY_TIME * length)
-            wx += gain * (fy * uz - fz * uy)
-            wy += gain * (fz * ux - fx * uz)
-            wz += gain * (fx * uy - fy * ux)
+        # turn the estimated vertical towards the measured one: their cross product is axis and sine of the error. It
+        # is linear in the force: what a shock does, its rebound undoes, but not if the larger of both were left out
+        ux, uy, uz = self.up()
+        gain = 1.0 / (GRAVITY_TIME * GRAVITY)
+        wx += gain * (fy * uz - fz * uy)
+        wy += gain * (fz * ux - fx * uz)
+        wz += gain * (fx * uy - fy * ux)
         self.quaternion = _turned(self.quaternion, (wx * dt, wy * dt, wz * dt))
 
 
