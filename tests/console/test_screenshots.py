@@ -12,6 +12,9 @@ PICTURES = {
     for panel, scheme, size in product(
         ("video", "world", "trajectory", "plots", "log", "cell"), ("light", "dark"), ("1440x900", "1024x768")
     )
+} | {
+    f"console_{preset}_{scheme}_1440x900.jpg"
+    for preset, scheme in product(("drive", "arm", "observe"), ("light", "dark"))
 }
 
 

@@ -38,8 +38,7 @@ SEARCH_STEP: Final = 0.1
 SEARCHED_POINTS: Final = 150
 """Echoes of a scan, evenly spread, by which places are compared."""
 FIT_WEIGHT: Final = 40.0
-"""Weight of the mean over these echoes: a fifth of them far from any obstacle is as much as a distance of 2.8 deviations.
-"""
+"""Weight of their mean: a fifth of them far from any obstacle is as much as a distance of 2.8 deviations."""
 ATTRACTION_WIDTHS: Final = (6, 2)
 """Cells around an occupied cell that attract the ends of rays; coarse first."""
 MAX_ITERATIONS: Final = 12
