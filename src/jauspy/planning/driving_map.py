@@ -165,7 +165,7 @@ class DrivingMap:
         return found.x, found.y
 
     def terrain(self, mobility: Mobility, places: Sequence[tuple[float, float]], margin: float = 0.0) -> TerrainCost:
-        """The cost for a robot in a window around some places of the map, in metres.
+        """The cost for a robot in a window around some places of the map, in metres; the first is where it is.
 
         With a `margin`, in metres, the window has it around the places; without, all that is known is in it.
         """
@@ -192,6 +192,7 @@ class DrivingMap:
             points=self._last_echoes(),
             allow_unknown=self.allow_unknown,
             scan_height=self.live.lidar_height,
+            viewpoint=places[0],
         )
 
     def _zone_cells(self, shape: tuple[int, ...], origin: tuple[float, float]) -> NDArray[np.bool_]:

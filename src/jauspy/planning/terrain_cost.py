@@ -44,6 +44,8 @@ SURROUNDED: Final = 0.9
 """Part of the cells around one whose heights must be known for ground to be told from a wall."""
 HIDDEN: Final = 2.0
 """Metres of unknown ground between known ground of which the height is assumed."""
+HIDDEN_REACH: Final = 3.0
+"""Metres around the robot within which it is: the little that is seen from farther away tells no edges."""
 LEVEL: Final = 0.01
 """Slope, as a tangent, below which ground has no way up."""
 START_RADIUS: Final = 0.8
@@ -74,7 +76,8 @@ class TerrainCost:
 
     `occupied` and `known` have the shape of the map. With `allow_unknown`, unknown cells cost more; else they are
     obstacles. Further obstacles, such as echoes of the last scan, are `points`, shape (n, 2). `scan_height` is the
-    height of the plane of the scans in the frame of the elevation, metres: ground that rises to it is no wall.
+    height of the plane of the scans in the frame of the elevation, metres: ground that rises to it is no wall. The
+    robot looks from `viewpoint`; without it, what is hidden is taken for low ground everywhere.
     """
 
     def __init__(
@@ -89,6 +92,7 @@ class TerrainCost:
         points: Points | None = None,
         allow_unknown: bool = True,
         scan_height: float = math.inf,
+        viewpoint: tuple[float, float] | None = None,
     ) -> None:
         self.mobility = mobility
         self.origin = origin
@@ -106,7 +110,7 @@ class TerrainCost:
         """Metres from each cell to the nearest of them, and its row and column."""
         slope_cost = np.zeros(self.shape, np.float32)
         if elevation is not None:
-            slope_cost, known = self._add_elevation(elevation, blocked, known, scan_height)
+            slope_cost, known = self._add_elevation(elevation, blocked, known, scan_height, viewpoint)
         self.known = known
         self.blocked = blocked if allow_unknown else blocked | ~known
         self.centres, self.radius = mobility.circles
@@ -153,11 +157,16 @@ class TerrainCost:
     # --- ground -----------------------------------------------------------------------------------------------------
 
     def _add_elevation(
-        self, elevation: Heights, blocked: Cells, known: Cells, scan_height: float
+        self,
+        elevation: Heights,
+        blocked: Cells,
+        known: Cells,
+        scan_height: float,
+        viewpoint: tuple[float, float] | None,
     ) -> tuple[Array, Cells]:
         """Block what the robot cannot climb; returns the cost of slopes, and the known cells."""
         mobility = self.mobility
-        ground = _with_hidden(elevation.heights, elevation.resolution, mobility.flipper_step)
+        ground = _with_hidden(elevation, mobility.flipper_step, viewpoint)
         heights = self._resampled(elevation, ground, np.nan)
         seen = ~np.isnan(heights)
         walls, steps = (self._resampled(elevation, jumps, 0.0) for jumps in _jumps(ground, mobility.flipper_step))
@@ -356,13 +365,14 @@ class TerrainCost:
         return math.inf if cell is None else self.cost.item(*cell)
 
 
-def _with_hidden(heights: Array, resolution: float, highest: float) -> Array:
+def _with_hidden(elevation: Heights, highest: float, viewpoint: tuple[float, float] | None) -> Array:
     """Heights, with those of ground between known cells that is hidden by what is nearer: as low as the lower end.
 
     Behind an edge, where a sensor on the ground does not see, ground may be as low as what is known beyond. The tops of
-    walls, above steps of `highest` metres, tell nothing about ground beside them.
+    walls, above steps of `highest` metres, tell nothing about ground beside them. Only around `viewpoint`.
     """
-    seen = heights.astype(np.float32)
+    resolution = elevation.resolution
+    seen = elevation.heights.astype(np.float32)
     heights = np.where(_jumps(seen, highest)[0] > highest, np.nan, seen)
     found = heights.copy()
     longest = round(HIDDEN / resolution)
@@ -376,7 +386,12 @@ def _with_hidden(heights: Array, resolution: float, highest: float) -> Array:
         lower = np.minimum(lines[before[rows, columns], columns], lines[after[rows, columns], columns])
         filled = np.moveaxis(found, axis, 0)
         filled[rows, columns] = np.fmin(filled[rows, columns], lower)
-    return np.where(np.isnan(seen), found, seen)
+    hidden = np.isnan(seen)
+    if viewpoint is not None:
+        ys, xs = (np.indices(seen.shape) + 0.5) * resolution
+        left, low = elevation.origin
+        hidden &= np.hypot(xs + left - viewpoint[0], ys + low - viewpoint[1]) < HIDDEN_REACH
+    return np.where(hidden, found, seen)
 
 
 def _is_straight_up(ahead: float, across: float) -> bool:

@@ -17,7 +17,7 @@ SIDE: Final = 22.0
 CELL: Final = 0.1
 """Metres."""
 ABOVE: Final = 4.0
-"""Height, metres, from which rays look down; also that of thin things."""
+"""Height, metres, that thin things are taken to have."""
 HEADROOM: Final = 0.5
 """Metres above the ground from which on what hangs is no obstacle."""
 THIN: Final = 0.12
@@ -57,7 +57,7 @@ def true_heights(model: mujoco.MjModel, data: mujoco.MjData, name_prefix: str, s
         for axis, line in ((0, heights[number]), (1, heights[:, number])):
             for coordinate in rays.thin_things(axis, place, step + RISE):
                 cell = min(count - 1, max(0, math.floor((coordinate - low) / CELL)))
-                if line[cell] < RISE:
+                if line[cell] < step + RISE:
                     line[cell] = ABOVE
     return TrueHeights((low, low), CELL, heights)
 
@@ -69,10 +69,12 @@ class _Rays:
         self._model, self._data = model, data
         self._own = [model.body(body).name.startswith(name_prefix) for body in model.geom_bodyid.tolist()]
         self._found = np.zeros(1, np.int32)
+        self._top = float((data.geom_xpos[:, 2] + model.geom_rbound).max()) + 1.0
+        """Metres above everything: a ray that begins inside of a wall would take its foot for its top."""
 
     def height(self, x: float, y: float) -> float:
         """The height of the highest thing at a point that does not hang above the robot; NaN without any."""
-        down, z, solid = np.array([0.0, 0.0, -1.0]), ABOVE, dict[int, float]()
+        down, z, solid = np.array([0.0, 0.0, -1.0]), self._top, dict[int, float]()
         while (far := self._cast(np.array([x, y, z]), down)) >= 0.0:
             z -= far
             geom = int(self._found[0])

@@ -23,6 +23,8 @@ SHAPES = """
   <geom name="door" type="box" pos="-3.0 0 0.5" size="0.01 1.0 0.5"/>
   <geom name="shelf" type="box" pos="0 -4 1.0" size="0.5 0.5 0.02"/>
   <geom name="step" type="box" pos="-5 5 0.05" size="1 1 0.05"/>
+  <geom name="fence" type="box" pos="-5.02 5 0.5" size="0.01 0.5 0.5"/>
+  <geom name="tower" type="box" pos="5 -4 3.5" size="0.3 0.3 3.5"/>
 """
 CRATE = '<body name="crate" pos="5 5 0.2"><freejoint/><geom type="box" size="0.2 0.2 0.2"/></body>'
 ROBOT = """
@@ -75,13 +77,18 @@ def height(box: Box, x: float, y: float) -> float:
     [
         (8.0, 8.0, 0.0),
         (2.0, 1.0, 1.0),
-        (-5.0, 5.0, 0.1),
+        (-5.5, 5.0, 0.1),
         (-2.99, 0.0, ABOVE),
         (0.0, -4.0, 0.0),
         (0.0, 0.0, 0.0),
         (5.0, 5.0, 0.4),
+        (-5.02, 5.0, ABOVE),
+        (5.0, -4.0, 7.0),
     ],
-    ids=["floor", "wall", "step", "thin door", "below a shelf", "below the robot", "crate"],
+    ids=[
+        *("floor", "wall", "step", "thin door", "below a shelf", "below the robot", "crate"),
+        *("thin fence on a step", "wall higher than 4 m"),
+    ],
 )
 def test_heights_of_the_world_without_the_robot(still: Box, x: float, y: float, wanted: float) -> None:
     assert height(still, x, y) == pytest.approx(wanted, abs=1e-3)
