@@ -20,6 +20,9 @@ NEAR, FAR = 2.0, 12.0
 """Lengths of the shortest ways to goals, metres."""
 ROOM: Final = 0.6
 """Metres from a goal to obstacles."""
+BESIDE: Final = 0.06
+"""Metres that are free beside the footprint on the way to a goal. A blocked cell of the true map is up to half a cell,
+5 cm, inside of its wall, and a robot is some centimetres off its way: through less it passes only with luck."""
 TRIES: Final = 20
 """Goals that are tried for one that the robot can reach."""
 SEARCH_TIME: Final = 3.0
@@ -44,6 +47,7 @@ class TrueMap:
         self.terrain = TerrainCost(
             mobility, ~known, known, heights.origin, heights.resolution, elevation=heights, allow_unknown=False
         )
+        self.terrain.margin = BESIDE
         """The cost of driving there."""
 
     def draw_goal(self, here: PlanarPose, rng: np.random.Generator) -> Goal | None:
@@ -65,13 +69,14 @@ class TrueMap:
     def shortest(self, start: PlanarPose) -> NDArray[np.float64]:
         """Metres of the shortest way from a place to each cell, inf without one.
 
-        It goes to 8 neighbours, half the robot's width away from obstacles, over no step that the robot does not climb.
+        It goes to 8 neighbours, half the robot's width and `BESIDE` away from obstacles, over no step that the robot does
+        not climb.
         """
         terrain, mobility = self.terrain, self.terrain.mobility
         begin = terrain.cell(start.x, start.y)
         if begin is None:  # the robot has left the map
             return np.full(terrain.shape, np.inf)
-        free = terrain.distance >= mobility.half_width
+        free = terrain.distance >= mobility.half_width + BESIDE
         free[begin] = True
         count = free.size
         cells = np.arange(count).reshape(free.shape)

@@ -57,7 +57,7 @@ COMFORTABLE: Final = 0.12
 door of 0.95 m leaves inc1 as much only where it drives straight through the middle."""
 TIGHT_COST: Final = 0.2
 """Added to the cost of a motion with nothing beside the footprint, metres."""
-MARGINS: Final = (MARGIN, 0.01, 0.0, -0.01)
+MARGINS: Final = (0.05, MARGIN, 0.0, -0.01)
 """Metres beside the footprint that are free on a way: the first with which there is one. A cell of the map that noise
 occupied closes a door that the robot just passes, or keeps it from a turn that it needs."""
 
