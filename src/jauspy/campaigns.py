@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 import multiprocessing
 import os
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
+from multiprocessing.connection import wait
 from pathlib import Path
 from typing import Final, TypeVar
 
@@ -46,17 +48,35 @@ def run_parts(
 
 
 def _in_processes(work: Callable[[_Part], _Result], parts: Sequence[_Part], count: int | None) -> Iterator[_Result]:
-    pool = ProcessPoolExecutor(count, mp_context=multiprocessing.get_context("spawn"))
+    others = set(multiprocessing.active_children())
+    pool = ProcessPoolExecutor(count, mp_context=multiprocessing.get_context("spawn"), initializer=_end_with_parent)
+    unfinished = True
     try:
         futures = [pool.submit(work, part) for part in parts]
         for future in as_completed(futures):
             yield future.result()
+        unfinished = False
     except BrokenProcessPool:
         raise ConfigError(
             "a process of the campaign was killed, perhaps for want of memory; use --resume, and fewer --jobs"
         ) from None
     finally:
-        pool.shutdown(cancel_futures=True)  # after an error, or Ctrl-C, no further part is begun
+        if unfinished:  # after an error, or Ctrl-C: nobody wants the results of the parts that were begun
+            for process in set(multiprocessing.active_children()) - others:
+                process.terminate()
+        pool.shutdown(cancel_futures=True)
+
+
+def _end_with_parent() -> None:
+    """End this process when its parent has ended, however that was."""
+    threading.Thread(target=_wait_for_parent, name="parent-watch", daemon=True).start()
+
+
+def _wait_for_parent() -> None:
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    wait([parent.sentinel])
+    os._exit(1)
 
 
 def write_whole(path: Path, text: str) -> None:

@@ -20,8 +20,9 @@ ABOVE: Final = 4.0
 """Height, metres, that thin things are taken to have."""
 HEADROOM: Final = 0.5
 """Metres above the ground from which on what hangs is no obstacle."""
-THIN: Final = 0.12
-"""Metres of what may stand between the rays from above, such as doors and fences: level rays find it."""
+THIN: Final = 0.4
+"""Metres of what level rays find: what stands between the rays from above, such as doors and fences, and walls below
+walls, whose tops a ray from above does not meet."""
 RISE: Final = 0.03
 """Metres above the highest step of the level rays."""
 
@@ -55,10 +56,10 @@ def true_heights(model: mujoco.MjModel, data: mujoco.MjData, name_prefix: str, s
             heights[row, column] = rays.height(x, y)
     for number, place in enumerate(places):
         for axis, line in ((0, heights[number]), (1, heights[:, number])):
-            for coordinate in rays.thin_things(axis, place, step + RISE):
-                cell = min(count - 1, max(0, math.floor((coordinate - low) / CELL)))
-                if line[cell] < step + RISE:
-                    line[cell] = ABOVE
+            for ends in rays.thin_things(axis, place, step + RISE):
+                first, last = (min(count - 1, max(0, math.floor((end - low) / CELL))) for end in ends)
+                passed = line[first : last + 1]
+                passed[passed < step + RISE] = ABOVE
     return TrueHeights((low, low), CELL, heights)
 
 
@@ -88,8 +89,8 @@ class _Rays:
             z -= 1e-3
         return math.nan
 
-    def thin_things(self, axis: int, place: float, height: float) -> list[float]:
-        """Where a level ray passes through thin things: along x (0) or y (1), `place` is its other coordinate."""
+    def thin_things(self, axis: int, place: float, height: float) -> list[tuple[float, float]]:
+        """Where a level ray enters and leaves thin things: along x (0) or y (1), `place` is its other coordinate."""
         way = np.zeros(3)
         way[axis] = 1.0
         start = np.array([place, place, height])
@@ -101,7 +102,7 @@ class _Rays:
             geom, coordinate = int(self._found[0]), float(start[axis])
             if not self._own[geom]:
                 if before is not None and before[0] == geom and coordinate - before[1] < THIN:
-                    thin.append((coordinate + before[1]) / 2.0)
+                    thin.append((before[1], coordinate))
                 before = geom, coordinate
             start[axis] += 1e-3
         return thin

@@ -24,6 +24,8 @@ SHAPES = """
   <geom name="shelf" type="box" pos="0 -4 1.0" size="0.5 0.5 0.02"/>
   <geom name="step" type="box" pos="-5 5 0.05" size="1 1 0.05"/>
   <geom name="fence" type="box" pos="-5.02 5 0.5" size="0.01 0.5 0.5"/>
+  <geom name="above the shop" type="box" pos="7.0 -4 5.0" size="0.15 0.5 2.0"/>
+  <geom name="shop" type="box" pos="7.0 -4 1.5" size="0.15 0.5 1.5"/>
   <geom name="tower" type="box" pos="5 -4 3.5" size="0.3 0.3 3.5"/>
 """
 CRATE = '<body name="crate" pos="5 5 0.2"><freejoint/><geom type="box" size="0.2 0.2 0.2"/></body>'
@@ -92,6 +94,11 @@ def height(box: Box, x: float, y: float) -> float:
 )
 def test_heights_of_the_world_without_the_robot(still: Box, x: float, y: float, wanted: float) -> None:
     assert height(still, x, y) == pytest.approx(wanted, abs=1e-3)
+
+
+def test_a_wall_on_which_another_one_stands_is_an_obstacle(still: Box) -> None:
+    assert height(still, 7.05, -4.0) > 2.9
+    assert height(still, 7.25, -4.0) == pytest.approx(0.0, abs=1e-3)
 
 
 def test_heights_end_at_the_border_of_the_map(still: Box) -> None:
