@@ -69,8 +69,8 @@ class TrueMap:
     def shortest(self, start: PlanarPose) -> NDArray[np.float64]:
         """Metres of the shortest way from a place to each cell, inf without one.
 
-        It goes to 8 neighbours, half the robot's width and `BESIDE` away from obstacles, over no step that the robot does
-        not climb.
+        It goes to 8 neighbours, half the robot's width and `BESIDE` away from obstacles, and over no step that the robot
+        does not climb.
         """
         terrain, mobility = self.terrain, self.terrain.mobility
         begin = terrain.cell(start.x, start.y)

@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable, Coroutine, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, Final
 
 from jauspy.arguments import check_number
@@ -22,7 +23,15 @@ from jauspy.ocu.robot import DEFAULT_SPEED, Robot
 from jauspy.ocu.state import RobotPose
 from jauspy.planning.driving_map import Corners, DrivingMap
 from jauspy.planning.mobility import Mobility, flipper_joints, mobility_of, with_posture
-from jauspy.planning.path_search import NoPath, Path, PathPoint, find_path_with_margins, is_leg_free, way_cost
+from jauspy.planning.path_search import (
+    NoPath,
+    NoStand,
+    Path,
+    PathPoint,
+    find_path_with_margins,
+    is_leg_free,
+    way_cost,
+)
 from jauspy.planning.stall import Stall
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.planning.way_choice import WayChoice
@@ -42,6 +51,9 @@ REVIEW_INTERVAL: Final = 3.0
 """Seconds after which a way is sought again, since the map knows more."""
 ARRIVED: Final = 0.3
 """Metres from the goal within which the robot has arrived, once it stands."""
+CERTAIN: Final = 2.0
+"""Metres from the goal within which it is refused if the robot cannot stand there: what is seen of edges and walls from
+farther away is not certain, so that the robot first drives to the nearest place where it can."""
 CORNER_TOLERANCE: Final = 0.12
 NARROW_TOLERANCE: Final = 0.04
 """Metres within which a corner of the way counts as reached, and one where the robot just fits."""
@@ -139,8 +151,13 @@ class Navigator:
     ) -> tuple[TerrainCost, Path]:
         began = time.thread_time()
         terrain = self.map.terrain(mobility, [(pose.x, pose.y), goal])
+        find = partial(find_path_with_margins, terrain, pose, backward=self._backward)
         try:
-            return terrain, find_path_with_margins(terrain, pose, goal, backward=self._backward, end=began + seconds)
+            return terrain, find(goal, end=began + seconds)
+        except NoStand as reason:
+            if reason.place is None or math.dist(pose[:2], goal) < CERTAIN:
+                raise
+            return terrain, find(reason.place, end=began + seconds)
         finally:
             self.planning_time = time.thread_time() - began
 

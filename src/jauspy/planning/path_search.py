@@ -48,7 +48,7 @@ SMOOTHED: Final = 1.03
 UPWARD: Final = math.cos(math.radians(50.0))
 """Cosine of the greatest angle between an edge of the grid and the way up a step: headings are `STEP_HEADING` off it,
 and edges 45 degrees apart."""
-GOAL_TOLERANCE: Final = 0.15
+GOAL_TOLERANCE: Final = 0.25
 """Metres from the goal at which the search has arrived."""
 STANDING_REACH: Final = 1.0
 """Metres around a goal at an edge within which a place to stand is sought, so that the refusal can name it."""
@@ -64,6 +64,14 @@ occupied closes a door that the robot just passes, or keeps it from a turn that 
 
 class NoPath(RequestError):
     """There is no way; the message says why."""
+
+
+class NoStand(NoPath):
+    """The robot cannot stand at the goal; `place` is the nearest one where it can, if there is one close to it."""
+
+    def __init__(self, message: str, place: tuple[float, float] | None) -> None:
+        super().__init__(message)
+        self.place = place
 
 
 class PathPoint(NamedTuple):
@@ -170,7 +178,10 @@ def _check_ends(terrain: TerrainCost, start: PlanarPose, goal: tuple[float, floa
         far = terrain.distance[terrain.cell(*goal)]
         needed = terrain.mobility.half_width + terrain.margin
         why = f"{far:.2f} m from an obstacle" if far < needed else "where the robot cannot stand with any heading"
-        raise NoPath(f"({goal[0]:.2f}, {goal[1]:.2f}) is {why}; choose a goal {needed:.2f} m from obstacles")
+        raise NoStand(
+            f"({goal[0]:.2f}, {goal[1]:.2f}) is {why}; choose a goal {needed:.2f} m from obstacles",
+            _place_to_stand(terrain, goal),
+        )
     _check_stand(terrain, goal)
 
 
@@ -178,11 +189,7 @@ def _check_stand(terrain: TerrainCost, goal: tuple[float, float]) -> None:
     """Refuse a goal at which the robot would end with its tracks on both sides of a step."""
     if _can_stand(terrain, *goal):
         return
-    side = terrain.resolution
-    reach = math.floor(STANDING_REACH / side)
-    steps = sorted(itertools.product(range(-reach, reach + 1), repeat=2), key=lambda step: math.hypot(*step))
-    places = ((goal[0] + side * right, goal[1] + side * up) for right, up in steps)
-    place = next((place for place in places if _can_stand(terrain, *place)), None)
+    place = _place_to_stand(terrain, goal)
     if place is not None and math.dist(place, goal) <= GOAL_TOLERANCE:
         return
     advice = (
@@ -190,7 +197,17 @@ def _check_stand(terrain: TerrainCost, goal: tuple[float, float]) -> None:
         if place is None
         else f"({place[0]:.2f}, {place[1]:.2f}) is the nearest place where it can stand"
     )
-    raise NoPath(f"({goal[0]:.2f}, {goal[1]:.2f}) is at the edge of a step, astride of which no robot stops; {advice}")
+    edge = f"({goal[0]:.2f}, {goal[1]:.2f}) is at the edge of a step, astride of which no robot stops; {advice}"
+    raise NoStand(edge, place)
+
+
+def _place_to_stand(terrain: TerrainCost, goal: tuple[float, float]) -> tuple[float, float] | None:
+    """The place nearest to a goal where the robot can stand; None if there is none within `STANDING_REACH`."""
+    side = terrain.resolution
+    reach = math.floor(STANDING_REACH / side)
+    steps = sorted(itertools.product(range(-reach, reach + 1), repeat=2), key=lambda step: math.hypot(*step))
+    places = ((goal[0] + side * right, goal[1] + side * up) for right, up in steps)
+    return next((place for place in places if _can_stand(terrain, *place)), None)
 
 
 def _can_stand(terrain: TerrainCost, x: float, y: float) -> bool:
