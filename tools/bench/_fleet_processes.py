@@ -24,7 +24,7 @@ from typing import Final
 
 import psutil
 from _processes import free_port
-from _robot_processes import NotStartedError, Site, cpu_seconds, site
+from _robot_processes import NotStartedError, Site, cpu_seconds, robots_that_fit, site
 
 from jauspy.errors import JausError
 from jauspy.ids import JausID
@@ -240,25 +240,26 @@ class Usage:
 async def started(row: ProcessRow, per_node_manager: int) -> AsyncIterator[tuple[Site, Path]]:
     """Node managers and robots; also yields the folder of the operator's sockets.
 
-    As many robots start at a time as there are processors.
+    All robots start at once: those that have started would take processor time from the others.
     """
     async with AsyncExitStack() as stack:
         folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="jauspy-", ignore_cleanup_errors=True))
         found = await stack.enter_async_context(site(Path(folder), free_port()))
-        at_once = asyncio.Semaphore(os.cpu_count() or 1)
         began = time.monotonic()
         operator = await found.start_node_manager()
         roots = [await found.start_node_manager() for _ in range(math.ceil(row.robots / per_node_manager))]
 
         async def start(number: int) -> None:
-            async with at_once:
-                try:
-                    await found.start_robot(FIRST_ROBOT + number, roots[number // per_node_manager])
-                except NotStartedError as error:
-                    row.failures.append(f"robot {FIRST_ROBOT + number}: not started: {error}")
+            try:
+                await found.start_robot(FIRST_ROBOT + number, roots[number // per_node_manager])
+            except NotStartedError as error:
+                row.failures.append(f"robot {FIRST_ROBOT + number}: not started: {error}")
 
+        count = min(row.robots, robots_that_fit())
+        if count < row.robots:
+            row.failures.append(f"{row.robots - count} robots: not started: there is no memory for them")
         async with asyncio.TaskGroup() as group:
-            for number in range(row.robots):
+            for number in range(count):
                 group.create_task(start(number))
         row.started, row.started_after = len(found.robots), time.monotonic() - began
         row.node_managers = len(found.node_managers)
