@@ -83,7 +83,7 @@ class ProcessRow:
     cpu: dict[str, float] = field(default_factory=dict)
     """While all report: of one robot, of all node managers, of the operator, and of all processes of the machine."""
     memory: float = 0.0
-    """Bytes of one robot (proportional set size), while it reports."""
+    """Bytes of one robot (proportional set size) at the end."""
     memory_free: float = 0.0
     """Bytes that the machine could still give."""
     skipped: float = 0.0
@@ -292,11 +292,11 @@ async def run(robots: int, *, per_node_manager: int, seconds: float) -> ProcessR
             row.cpu = usage.shares()
             after = await asyncio.gather(*(child.counters() for child in children))
             row.skipped = skipped_part(before, after)
-            row.memory = sum(child.memory() for child in children) / max(1, len(children))
-            row.memory_free = psutil.virtual_memory().available
             began = clock()
             await operator.release()
             row.released_after = clock() - began
+        row.memory = sum(child.memory() for child in children) / max(1, len(children))
+        row.memory_free = psutil.virtual_memory().available
         row.failures += [
             f"robot {subsystem}: its process has ended: {child.last_error()}"
             for subsystem, child in place.robots.items()

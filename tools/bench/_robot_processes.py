@@ -50,25 +50,19 @@ class Child:
         lines = self.errors.read_text(errors="replace").strip().splitlines()
         return lines[-1] if lines else "no error was printed"
 
-    def family(self) -> list[psutil.Process]:
-        """The process with all below it; empty when it has ended."""
-        try:
-            own = psutil.Process(self.process.pid)
-            return [own, *own.children(recursive=True)]
-        except psutil.NoSuchProcess:
-            return []
-
     def cpu(self) -> float:
-        """CPU seconds so far."""
-        return sum(cpu_seconds(each) for each in self.family())
+        """CPU seconds so far; 0 when it has ended. Robots that send no video have no further processes."""
+        try:
+            return cpu_seconds(psutil.Process(self.process.pid))
+        except psutil.NoSuchProcess:
+            return 0.0
 
     def memory(self) -> int:
         """Bytes of its proportional set size: pages that several processes share are divided among them."""
-        found = 0
-        for each in self.family():
-            with suppress(psutil.NoSuchProcess):
-                found += each.memory_full_info().pss
-        return found
+        try:
+            return int(psutil.Process(self.process.pid).memory_full_info().pss)
+        except psutil.NoSuchProcess:
+            return 0
 
     async def counters(self) -> dict[str, int]:
         """The counters that `jauspy up` prints on SIGUSR1; empty when it has ended, or prints none."""
@@ -94,11 +88,8 @@ def robots_that_fit() -> int:
 
 
 def cpu_seconds(process: psutil.Process) -> float:
-    """CPU seconds of a process so far; 0 when it has ended."""
-    try:
-        times = process.cpu_times()
-    except psutil.NoSuchProcess:
-        return 0.0
+    """CPU seconds of a process so far."""
+    times = process.cpu_times()
     return float(times.user + times.system)
 
 
