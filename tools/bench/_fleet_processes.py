@@ -53,6 +53,8 @@ SETTLING_TIME: Final = 5.0
 PROJECTED: Final = 10_000
 NEGLIGIBLE: Final = 0.01
 """Part of skipped steps that needs no mention in the projection."""
+MAX_FAILURES: Final = 10
+"""Failures that are printed."""
 DRIVER: Final = "PrimitiveDriver"
 
 
@@ -348,8 +350,10 @@ def show(rows: Sequence[ProcessRow]) -> None:
         )
     for row in rows:
         print(f"\n{row.robots} robots: {verdict(row)}")
-        for failure in row.failures:
+        for failure in row.failures[:MAX_FAILURES]:
             print(f"  {failure}")
+        if len(row.failures) > MAX_FAILURES:
+            print(f"  and {len(row.failures) - MAX_FAILURES} more, which --json tells")
     project(max(rows, key=lambda row: row.started))
 
 

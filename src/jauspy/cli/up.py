@@ -75,7 +75,7 @@ Backend = Annotated[
 
 LAST_SUBSYSTEM: Final = 65534
 CONNECT_TIMEOUT: Final = 15.0
-"""Seconds in which the node manager must have accepted a component: processors may be busy with other robots' starts."""
+"""Seconds in which the node manager must have accepted a component: many robots may be starting on this machine."""
 
 
 def up(
