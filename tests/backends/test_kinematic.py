@@ -5,6 +5,7 @@ import math
 import pytest
 
 from jauspy.backends.kinematic import KinematicBackend, SkidSteerParameters, track_speed_after
+from jauspy.platform.joints import ControlMode, JointState, Target
 from jauspy.robot.robot_files import load, robot_model
 
 INC1 = robot_model(load("inc1"))
@@ -31,3 +32,20 @@ def test_time_is_exact_and_yaw_wraps() -> None:
         robot.advance(0.777)
         assert -math.pi <= robot.drive.pose().yaw <= math.pi
     assert robot.time == pytest.approx(7 * 0.777)
+
+
+def test_states_of_joints_are_made_anew_only_after_a_change() -> None:
+    robot = KinematicBackend().open(INC1, "empty")
+    arm = robot.groups["arm"]
+    rest = arm.state()
+    robot.advance(0.1)
+    assert arm.state() is rest
+    arm.command([Target(ControlMode.EFFORT, joint.effort) for joint in arm.joints])
+    assert arm.state().efforts == tuple(joint.effort for joint in arm.joints)
+    robot.advance(0.1)
+    moved = arm.state()
+    assert all(now != before for now, before in zip(moved.positions, rest.positions, strict=True))
+    assert min(moved.velocities) > 0.0
+    arm.hold()
+    assert arm.state() == JointState(moved.positions, (0.0,) * 5, (0.0,) * 5)
+    robot.close()

@@ -12,6 +12,7 @@ import numpy as np
 
 from jauspy.backends import kinematic_camera
 from jauspy.backends.kinematic import KinematicRobot
+from jauspy.geometry.poses import Pose
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot.robot_files import load, robot_model
@@ -102,3 +103,20 @@ def test_distances_are_those_of_the_floor(eye):
     assert (np.isinf(far) == sky(image)).all()
     below = (np.arange(240) + 0.5 - 120.0) / 160.0  # metres down for each metre ahead, at 90 degrees across
     assert far[120:, 7] == pytest.approx(0.24 / below[120:], rel=1e-4)
+
+
+def test_pictures_of_a_robot_at_rest_have_new_times(robot, eye):
+    robot.advance(0.1)
+    before = eye.look(160, 120)
+    robot.advance(0.1)
+    after = eye.look(160, 120)
+    assert after.taken > before.taken
+    assert (after.image == before.image).all()
+
+
+def test_a_robot_at_rest_that_is_placed_elsewhere_is_seen_there(robot, eye):
+    robot.advance(0.1)
+    before = eye.look(160, 120)
+    robot.place(Pose(x=0.3))
+    robot.advance(0.1)
+    assert (eye.look(160, 120).image != before.image).any()

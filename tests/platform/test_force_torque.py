@@ -64,6 +64,17 @@ def test_computed_weight_matches_a_manual_calculation(angle: float, force: Vecto
     assert found == (pytest.approx(force, abs=1e-9), pytest.approx(torque, abs=1e-9))
 
 
+def test_weight_is_computed_only_when_joints_have_moved() -> None:
+    positions = {"lift": 0.0}
+    weigh = gravity_wrench(CRANE, "arm", lambda: positions)
+    level = weigh()
+    assert weigh() is level
+    positions["lift"] = math.pi / 2
+    assert weigh()[0] == pytest.approx((-3 * 9.81, 0.0, 0.0), abs=1e-9)
+    positions["lift"] = 0.0
+    assert weigh() == level
+
+
 def test_simulated_and_computed_weight_agree() -> None:
     """Also with the wrist bent and rolled: the frames, signs and points of reference agree."""
     pytest.importorskip("mujoco", reason="MuJoCo is not installed")

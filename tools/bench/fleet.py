@@ -1,16 +1,19 @@
 """What a robot more costs: discovery, control and events of 10 to 500 robots in virtual time, and the projection.
 
-python tools/bench/fleet.py [--robots 10 100 500] [--json FILE]
+python tools/bench/fleet.py [--robots 10 100 500] [--processes 10 60] [--json FILE]
 
-Each robot has 8 components on local sockets of one of 25 node managers (gateways), and 20 operators have a node manager
-each. Routers, components and operators' clients are those of jauspy; sockets and clocks are not: datagrams take 2 ms
-through memory, and time does not pass while Python works. So what is counted in seconds of *their* time is what the
-protocols wait for, and what is counted in CPU seconds is the work of all processes together.
+`--robots`, in virtual time: each robot has 8 components on local sockets of one of 25 node managers (gateways), and 20
+operators have a node manager each. Routers, components and operators' clients are those of jauspy; sockets and clocks
+are not: datagrams take 2 ms through memory, and time does not pass while Python works. So what is counted in seconds of
+*their* time is what the protocols wait for, and what is counted in CPU seconds is the work of all processes together.
 
 One run: all operators discover all robots; each takes control of its share; each share is handed to the next
 operator, who has more authority; each robot reports its pose at 10 Hz to the operator in control. The cost of a robot
 is the CPU time of a phase, divided by the robots (of discovery: by robots and operators), as a ratio to that of the
 smallest fleet of the same run. Runs of different sizes take turns, since the machine is not quiet: compare ratios.
+
+`--processes`, in real time: robots, node managers and an operator as processes of this machine (`_fleet_processes.py`).
+One of the two parts is left out by its option without a number, or with 0.
 """
 
 from __future__ import annotations
@@ -19,37 +22,37 @@ import argparse
 import asyncio
 import gc
 import json
+import sys
 import time
-from collections.abc import AsyncIterator, Callable, Iterable, Mapping, Sequence
+from collections.abc import AsyncIterator, Sequence
 from contextlib import AsyncExitStack, asynccontextmanager, suppress
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Final
 
+from jauspy.cli.processes import run as run_until_signal
 from jauspy.component import Component, ComponentOptions
-from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, ReportLocalPoseExt
 from jauspy.ocu import OCU
 from jauspy.ocu.control import Control
 from jauspy.ocu.discovery import COALESCE_TIME, MAX_FOLLOW_UPS, Appeared, Changed
 from jauspy.ocu.subsystems import SubsystemInfo
-from jauspy.protocol import junior
 from jauspy.protocol.address_book import IdBounds
-from jauspy.protocol.addressing import HERE, GroupPort, LocalPort, Location, Port, UdpPort
-from jauspy.protocol.routing import Router
 from jauspy.services.service import Service
 from jauspy.testing import until
-from jauspy.transport.base import Receiver, ignore
 from jauspy.virtual.clock import VirtualClock
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import _fleet_processes as processes
+from _memory_network import Network, Node
 
 GATEWAYS: Final = 25
 OPERATORS: Final = 20
 COMPONENTS: Final = 8
 POSE: Final = 1
 """Number of the component that has a pose and is controlled; the others have the core services."""
-DELAY: Final = 0.002
-"""Seconds of a datagram through the network."""
 RATE: Final = 10.0
 """Hz of events."""
 EVENT_SECONDS: Final = 3.0
@@ -60,7 +63,6 @@ FLAT: Final = 0.2
 FIRST_ROBOT: Final = 1000
 FIRST_OPERATOR: Final = 100
 PROJECTED: Final = 10_000
-PORT: Final = 3794
 
 
 class FixedPose(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
@@ -79,114 +81,6 @@ class FixedPose(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
 
     def update_local_pose_ext(self) -> None:
         """Ignore it."""
-
-
-class Network:
-    """Node managers by their address; datagrams arrive after `DELAY`."""
-
-    def __init__(self) -> None:
-        self.nodes: dict[str, Node] = {}
-        self.datagrams = 0
-
-    def send(self, datagram: bytes, source: UdpPort, destination: UdpPort | GroupPort) -> None:
-        """Send to one node manager, or to all others."""
-        loop = asyncio.get_running_loop()
-        receivers: Iterable[Node | None] = (
-            (self.nodes.get(destination.host),)
-            if isinstance(destination, UdpPort)
-            else (node for node in self.nodes.values() if node.port != source)
-        )
-        for node in receivers:
-            if node is not None:
-                self.datagrams += 1
-                loop.call_later(DELAY, node.receive, datagram, source)
-
-
-class Node:
-    """The router of a node manager, with what `jauspy.node` does for it."""
-
-    def __init__(self, network: Network, number: int, bounds: IdBounds) -> None:
-        host = f"10.0.{number >> 8}.{number & 0xFF}"
-        self.port = UdpPort(host, PORT)
-        self.router = Router(f"/{host}", bounds=bounds)
-        self.members: dict[str, NodeTransport] = {}
-        self._network = network
-        self._timer: asyncio.TimerHandle | None = None
-        network.nodes[host] = self
-
-    def transport(self, id: JausID) -> NodeTransport:
-        """A transport for the component of this id."""
-        return NodeTransport(id, self)
-
-    def receive(self, datagram: bytes, source: Port) -> None:
-        """Route a datagram of a component or another node manager."""
-        loop = asyncio.get_running_loop()
-        self.router.receive(datagram, source, loop.time())
-        self._flush()
-
-    def close(self) -> None:
-        """Stop the timer."""
-        if self._timer is not None:
-            self._timer.cancel()
-
-    def _flush(self) -> None:
-        loop = asyncio.get_running_loop()
-        for port, datagram in self.router.poll_output():
-            if isinstance(port, LocalPort):
-                member = self.members.get(port.path)
-                if member is not None:
-                    loop.call_soon(member.arrive, datagram)
-            elif isinstance(port, UdpPort | GroupPort):
-                self._network.send(datagram, self.port, port)
-        if self._timer is None and (when := self.router.next_timeout()) is not None:
-            self._timer = loop.call_at(when, self._timeout)
-
-    def _timeout(self) -> None:
-        self._timer = None
-        self.router.handle_timeout(asyncio.get_running_loop().time())
-        self._flush()
-
-
-class NodeTransport:
-    """A component's local socket."""
-
-    def __init__(self, id: JausID, node: Node) -> None:
-        self.id = id
-        self.received: Receiver = ignore
-        self.max_age = 0.0
-        self._node = node
-        self._port = LocalPort(f"/{node.port.host}/{int(id)}")
-
-    connected = True
-    waiting = 0
-    counters: Mapping[str, int] = {}
-
-    async def open(self) -> None:
-        """Register."""
-        self._node.members[self._port.path] = self
-        self._node.receive(junior.connect(self.id), self._port)
-
-    async def close(self) -> None:
-        """Leave."""
-        if self._node.members.pop(self._port.path, None) is not None:
-            self._node.receive(junior.cancel(self.id), self._port)
-
-    def move(self, id: JausID, on_leave: Callable[[], None]) -> None:  # noqa: ARG002 - never called
-        """Ids do not change here."""
-        raise ConfigError(f"{self.id} cannot become {id} in this benchmark")
-
-    def send(self, datagram: bytes) -> None:
-        """Send to the node manager."""
-        self._node.receive(datagram, self._port)
-
-    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:  # noqa: ARG002 - the same for all
-        """Everything is in this process."""
-        found(HERE)
-
-    def arrive(self, datagram: bytes) -> None:
-        """Called by the node manager."""
-        if junior.parse(datagram) is None:
-            self.received(datagram)
 
 
 @dataclass
@@ -424,12 +318,27 @@ async def measure(sizes: Sequence[int], repeats: int) -> list[Row]:
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--robots", type=int, nargs="+", default=[10, 100, 500])
-    parser.add_argument("--repeats", type=int, default=1)
+    parser.add_argument("--robots", type=int, nargs="*", default=[10, 100, 500], help="in virtual time")
+    parser.add_argument("--repeats", type=int, default=1, help="of runs in virtual time")
+    parser.add_argument("--processes", type=int, nargs="*", default=[60], help="robots as processes")
+    parser.add_argument("--per-node-manager", type=int, default=10, help="robots that share a node manager's process")
+    parser.add_argument("--seconds", type=float, default=10.0, help="of idling, and of events, of processes")
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
-    rows = asyncio.run(measure(arguments.robots, arguments.repeats))
-    show(rows)
+    rows: list[Row | processes.ProcessRow] = []
+    if sizes := [size for size in arguments.robots if size]:
+        virtual = asyncio.run(measure(sizes, arguments.repeats))
+        show(virtual)
+        rows += virtual
+    if sizes := [size for size in arguments.processes if size]:
+        try:
+            real = run_until_signal(processes.measure(sizes, arguments.per_node_manager, arguments.seconds))
+        except KeyboardInterrupt:
+            real = None
+        if real is None:
+            raise SystemExit("stopped; all processes have ended")
+        processes.show(real)
+        rows += real
     if arguments.json:
         arguments.json.write_text(json.dumps([asdict(row) for row in rows], indent=2))
 

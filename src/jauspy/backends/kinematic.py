@@ -282,6 +282,8 @@ class KinematicJoints:
             SetpointGenerator(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)
         ]
         self._efforts = [0.0] * len(self._joints)
+        self._state: JointState | None = None
+        """State since the last change; None when it has to be made."""
 
     @property
     def joints(self) -> tuple[Joint, ...]:
@@ -295,6 +297,7 @@ class KinematicJoints:
 
     def command(self, targets: Sequence[Target | None]) -> None:
         """Set the targets of the joints, base to tip; None keeps a joint's target."""
+        self._state = None
         for number, (motion, target) in enumerate(zip(self._motions, targets, strict=True)):
             if target is None:
                 continue
@@ -308,16 +311,21 @@ class KinematicJoints:
         for motion in self._motions:
             motion.hold(motion.position)
         self._efforts = [0.0] * len(self._joints)
+        self._state = None
 
     def state(self) -> JointState:
         """Positions and velocities after the last step; efforts as commanded."""
-        positions, velocities = zip(*((motion.position, motion.velocity) for motion in self._motions), strict=True)
-        return JointState(positions, velocities, tuple(self._efforts))
+        if self._state is None:
+            positions, velocities = zip(*((motion.position, motion.velocity) for motion in self._motions), strict=True)
+            self._state = JointState(positions, velocities, tuple(self._efforts))
+        return self._state
 
     def step(self, dt: float) -> None:
         """Move for `dt` seconds."""
         for motion in self._motions:
-            motion.advance(dt)
+            if not motion.arrived:
+                motion.advance(dt)
+                self._state = None
 
 
 def _to_velocity(joint: Joint, target: Target) -> Target:

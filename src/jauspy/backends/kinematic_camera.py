@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Final
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.poses import Pose, Transform
 from jauspy.platform.camera import CameraFrame, CameraSetup, DepthFrame, OutsideView, looking
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
-from jauspy.platform.joints import JointGroup, joint_positions
+from jauspy.platform.joints import JointGroup, JointState, joint_positions
 from jauspy.platform.shared_state import StateReader, StateWriter
 
 if TYPE_CHECKING:
@@ -159,9 +159,12 @@ class KinematicCameras:
         self._drive, self._groups = drive, groups
         self._tree = FrameTree(robot.description)
         self._states = {camera.link: StateWriter(STATE_LENGTH) for camera in robot.cameras}
-        self._positions: Mapping[str, float] = {}
+        self._joints: tuple[JointState, ...] | None = None
+        self._base: Pose | None = None
         self._frames: Mapping[str, Transform] = {}
-        """The links' frames in the root link's frame at `_positions`; kept because joints rarely move."""
+        """The links' frames in the root link's frame at `_joints`; kept because joints rarely move."""
+        self._numbers: Mapping[str, bytes] = {}
+        """What is written for each link at `_joints` and `_base`."""
         self.cameras: Mapping[str, FloorCamera] = {
             setup.name: FloorCamera(setup, self._states[setup.link].descriptor) for setup in robot.cameras
         }
@@ -171,17 +174,23 @@ class KinematicCameras:
         """Write the present frames to the shared states."""
         if not self._states:
             return
-        positions = joint_positions(self._groups.values())
-        if positions != self._positions or not self._frames:
-            self._positions = positions
+        joints, base = tuple(group.state() for group in self._groups.values()), self._drive.pose()
+        if has_moved := joints != self._joints:
+            self._joints = joints
+            positions = joint_positions(self._groups.values())
             self._frames = {link: self._tree.pose(link, positions) if link else Transform() for link in self._states}
-        base = Transform.from_pose(self._drive.pose())
+        if has_moved or base != self._base:
+            self._base = base
+            self._numbers = {link: _numbers(Transform.from_pose(base) @ frame) for link, frame in self._frames.items()}
         for link, state in self._states.items():
-            frame = base @ self._frames[link]
-            state.write(struct.pack(f"={STATE_LENGTH}d", *chain(*frame.rotation), *frame.position))
+            state.write(self._numbers[link])  # also when nothing has moved: the time of writing is that of the picture
 
     def close(self) -> None:
         """Release the shared states. May be called twice."""
         for state in self._states.values():
             state.close()
         self._states = {}
+
+
+def _numbers(frame: Transform) -> bytes:
+    return struct.pack(f"={STATE_LENGTH}d", *chain(*frame.rotation), *frame.position)

@@ -74,6 +74,8 @@ Backend = Annotated[
 
 
 LAST_SUBSYSTEM: Final = 65534
+CONNECT_TIMEOUT: Final = 15.0
+"""Seconds in which the node manager must have accepted a component: many robots may be starting on this machine."""
 
 
 def up(
@@ -250,7 +252,7 @@ def up(
     def runner_of(config: RobotConfig, backend: platform_backend.Backend | str | None, **options: Any) -> RobotRunner:
         return RobotRunner(
             config,
-            lambda component: LocalTransport(component, local_root),
+            lambda component: LocalTransport(component, local_root, timeout=CONNECT_TIMEOUT),
             backend=backend,
             world=world or first_world,
             traffic_log=TrafficLog(LogPlace(config.subsystem, local_root, folder)),

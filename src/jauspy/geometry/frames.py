@@ -114,7 +114,8 @@ def gravity_wrench(
 ) -> Callable[[], tuple[Vector, Vector]]:
     """A function of no arguments: force (N) and torque (Nm) of gravity on a link and all that it carries.
 
-    Both are in the link's frame, for the joint positions, by name, that `positions` returns at the call.
+    Both are in the link's frame, for the joint positions, by name, that `positions` returns at the call. While these
+    stay the same, nothing is computed.
     """
     tree = FrameTree(description)
     carried = _carried(tree, link)
@@ -122,8 +123,8 @@ def gravity_wrench(
     carriers = {joint.child for joint in description.chain(tree.root, link)}
     joints = [joint for joint in tree.joints if joint.child in carriers | carried]
 
-    def weigh() -> tuple[Vector, Vector]:
-        frames = tree.poses(positions(), joints)
+    def weigh(positions: Mapping[str, float]) -> tuple[Vector, Vector]:
+        frames = tree.poses(positions, joints)
         back = frames[link].inverse()
         down = back.rotate(_GRAVITY_VECTOR)
         force = torque = (0.0, 0.0, 0.0)
@@ -134,7 +135,16 @@ def gravity_wrench(
             torque = add(torque, cross(middle, weight))
         return force, torque
 
-    return weigh
+    last_positions: dict[str, float] | None = None
+    last = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+
+    def weigh_if_moved() -> tuple[Vector, Vector]:
+        nonlocal last_positions, last
+        if (present := dict(positions())) != last_positions:
+            last_positions, last = present, weigh(present)
+        return last
+
+    return weigh_if_moved
 
 
 class HoldingEfforts:

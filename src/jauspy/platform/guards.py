@@ -10,6 +10,7 @@ import math
 from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from typing import ClassVar, cast
 
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, RobotParts
@@ -48,6 +49,7 @@ class Guard(OptionalPart):
         """Switch it on or off."""
 
 
+@cache
 def _kind(found: type[Guard]) -> type[Guard]:
     """The contract that a class implements: `SelfCollisionGuard` or `ObstacleGuard`."""
     return next(kind for kind in found.__mro__ if "label" in vars(kind))

@@ -176,8 +176,9 @@ class LocalTransport:
             return why
         if is_alive(Path(self._node)):
             return (
-                f"the node manager on {self._node} does not accept {self.id}: another host uses this id, or it has no "
-                f"room for more components; its log and 'jauspy node-manager --status --local-root {self._root}' tell"
+                f"the node manager on {self._node} does not accept {self.id}: another host uses this id, it has no "
+                "room for more components, or the processors are too busy; its log and 'jauspy node-manager --status "
+                f"--local-root {self._root}' tell"
             )
         return (
             f"no node manager answers on {self._node}; start one with 'jauspy node-manager --local-root {self._root}', "
