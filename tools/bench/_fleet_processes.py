@@ -239,14 +239,14 @@ class Usage:
 
 
 @asynccontextmanager
-async def started(row: ProcessRow, per_node_manager: int) -> AsyncIterator[tuple[Site, Path]]:
+async def started(row: ProcessRow, per_node_manager: int, step: float) -> AsyncIterator[tuple[Site, Path]]:
     """Node managers and robots; also yields the folder of the operator's sockets.
 
     All robots start at once: those that have started would take processor time from the others.
     """
     async with AsyncExitStack() as stack:
         folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="jauspy-", ignore_cleanup_errors=True))
-        found = await stack.enter_async_context(site(Path(folder), free_port()))
+        found = await stack.enter_async_context(site(Path(folder), free_port(), step))
         began = time.monotonic()
         operator = await found.start_node_manager()
         roots = [await found.start_node_manager() for _ in range(math.ceil(row.robots / per_node_manager))]
@@ -268,11 +268,11 @@ async def started(row: ProcessRow, per_node_manager: int) -> AsyncIterator[tuple
         yield found, operator
 
 
-async def run(robots: int, *, per_node_manager: int, seconds: float) -> ProcessRow:
-    """One run."""
+async def run(robots: int, *, per_node_manager: int, step: float, seconds: float) -> ProcessRow:
+    """One run; `step` is that of the robots, in seconds."""
     row = ProcessRow(robots)
     clock = time.monotonic
-    async with started(row, per_node_manager) as (place, root):
+    async with started(row, per_node_manager, step) as (place, root):
         children = place.robots.values()
         row.start_cpu = sum(child.cpu() for child in children) / max(1, len(children))
         await asyncio.sleep(SETTLING_TIME)
@@ -307,11 +307,11 @@ async def run(robots: int, *, per_node_manager: int, seconds: float) -> ProcessR
     return row
 
 
-async def measure(sizes: Sequence[int], per_node_manager: int, seconds: float) -> list[ProcessRow]:
+async def measure(sizes: Sequence[int], per_node_manager: int, step: float, seconds: float) -> list[ProcessRow]:
     """All runs, one after the other."""
     rows = []
     for size in sizes:
-        rows.append(await run(size, per_node_manager=per_node_manager, seconds=seconds))
+        rows.append(await run(size, per_node_manager=per_node_manager, step=step, seconds=seconds))
         print(json.dumps(asdict(rows[-1])), flush=True)
     return rows
 

@@ -96,12 +96,13 @@ def cpu_seconds(process: psutil.Process) -> float:
 class Site:
     """Starts node managers and robots on loopback addresses, with sockets in a folder of their own."""
 
-    def __init__(self, folder: Path, port: int) -> None:
+    def __init__(self, folder: Path, port: int, step: float) -> None:
         self.node_managers: list[Child] = []
         self.robots: dict[int, Child] = {}
         """Robots that have started, by subsystem."""
         self._folder = folder
         self._port = port
+        self._step = step
         self._all: list[Child] = []
 
     async def start_node_manager(self) -> Path:
@@ -116,7 +117,16 @@ class Site:
 
     async def start_robot(self, subsystem: int, root: Path) -> None:
         """Start the robot inc1, with the backend kinematic, at the node manager with these sockets."""
-        options = ("--backend", "kinematic", "--id", str(subsystem), "--local-root", str(root))
+        options = (
+            "--backend",
+            "kinematic",
+            "--id",
+            str(subsystem),
+            "--local-root",
+            str(root),
+            "--step",
+            str(self._step),
+        )
         command = ("up", "inc1", *options, "--no-node-manager", "--plain")
         self.robots[subsystem] = await self._start(f"robot_{subsystem}", "stop it", *command)
 
@@ -170,9 +180,9 @@ async def end(children: Iterable[Child]) -> None:
 
 
 @asynccontextmanager
-async def site(folder: Path, port: int) -> AsyncIterator[Site]:
-    """A site whose processes end with the block."""
+async def site(folder: Path, port: int, step: float) -> AsyncIterator[Site]:
+    """A site whose processes end with the block; its robots take steps of so many seconds."""
     async with AsyncExitStack() as stack:
-        found = Site(folder, port)
+        found = Site(folder, port, step)
         stack.push_async_callback(found.close)
         yield found

@@ -322,6 +322,9 @@ def main() -> None:
     parser.add_argument("--repeats", type=int, default=1, help="of runs in virtual time")
     parser.add_argument("--processes", type=int, nargs="*", default=[60], help="robots as processes")
     parser.add_argument("--per-node-manager", type=int, default=10, help="robots that share a node manager's process")
+    parser.add_argument(
+        "--step", type=float, default=0.02, help="of robots as processes, in seconds (`jauspy up --step`)"
+    )
     parser.add_argument("--seconds", type=float, default=10.0, help="of idling, and of events, of processes")
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
@@ -332,7 +335,9 @@ def main() -> None:
         rows += virtual
     if sizes := [size for size in arguments.processes if size]:
         try:
-            real = run_until_signal(processes.measure(sizes, arguments.per_node_manager, arguments.seconds))
+            real = run_until_signal(
+                processes.measure(sizes, arguments.per_node_manager, arguments.step, arguments.seconds)
+            )
         except KeyboardInterrupt:
             real = None
         if real is None:

@@ -10,6 +10,7 @@ import sys
 from collections.abc import AsyncIterator, Collection, Mapping, Sequence
 from contextlib import AbstractAsyncContextManager, AsyncExitStack, asynccontextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, Final
 
@@ -56,7 +57,8 @@ from jauspy.protocol import junior
 from jauspy.robot import robot_files
 from jauspy.robot.cloud import Clouds
 from jauspy.robot.config import RobotConfig
-from jauspy.robot.runner import RobotRunner
+from jauspy.robot.realtime import MAX_STEP, STEP
+from jauspy.robot.runner import RobotRunner, in_real_time
 from jauspy.robot.several import FurtherRobot, further_robots, shared_backends
 from jauspy.robot.traffic_log import LogPlace, TrafficLog
 from jauspy.transport import LocalTransport, local as local_socket
@@ -126,6 +128,17 @@ def up(
     view: Annotated[
         bool, typer.Option("--view", help="Open MuJoCo's window on the simulation; needs a display.")
     ] = False,
+    step: Annotated[
+        float,
+        typer.Option(
+            "--step",
+            min=STEP,
+            max=MAX_STEP,
+            metavar="SECONDS",
+            help="Time between two steps of the robot, in which it takes commands and measures; longer ones cost less, "
+            "as for many robots on one machine.",
+        ),
+    ] = STEP,
     no_node_manager: Annotated[
         bool, typer.Option("--no-node-manager", help="Do not start a node manager; wait for one in the local root.")
     ] = False,
@@ -256,6 +269,7 @@ def up(
             backend=backend,
             world=world or first_world,
             traffic_log=TrafficLog(LogPlace(config.subsystem, local_root, folder)),
+            realtime=partial(in_real_time, step=step),
             **options,
         )
 

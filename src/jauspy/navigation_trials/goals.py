@@ -69,7 +69,7 @@ class TrueMap:
     def shortest(self, start: PlanarPose) -> NDArray[np.float64]:
         """Metres of the shortest way from a place to each cell, inf without one.
 
-        It goes to 8 neighbours, half the robot's width and `BESIDE` away from obstacles, and over no step that the robot
+        It goes to 8 neighbours, half the robot's width and `BESIDE` from obstacles, and over no step that the robot
         does not climb.
         """
         terrain, mobility = self.terrain, self.terrain.mobility

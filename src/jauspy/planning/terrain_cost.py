@@ -30,7 +30,7 @@ NEAR_COST: Final = 2.0
 SLOPE_COST: Final = 2.0
 STEP_COST: Final = 4.0
 UNKNOWN_COST: Final = 0.5
-LOW_COST: Final = 1.5
+LOW_COST: Final = 2.5
 """Added to the cost of a metre: beside an obstacle, on the steepest slope, at a step for flippers, where nothing is
 known, over low things."""
 LOW: Final = 0.04
@@ -195,7 +195,7 @@ class TerrainCost:
             self._to_step = np.asarray(far * self.resolution, np.float32), nearest
         self._gradient = slope_x, slope_y
         grade = np.arctan(np.hypot(slope_x, slope_y)) / max(mobility.up, 1e-6)
-        low = seen & (steps > LOW) & ~high & ~beside_wall
+        low = seen & (steps > LOW) & ~beside_wall
         under_tracks = ndimage.maximum_filter(low, 2 * round(mobility.half_width / self.resolution) + 1)
         cost = SLOPE_COST * np.minimum(1.0, grade) ** 2 + LOW_COST * under_tracks
         return cost.astype(np.float32), known | seen

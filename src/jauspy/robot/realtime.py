@@ -131,6 +131,9 @@ _LOG: Final = get_logger("jauspy.robot")
 STEP: Final = 0.002
 """Seconds of one step, and so the longest delay of a command; the same as MuJoCo's step."""
 
+MAX_STEP: Final = 0.05
+"""Seconds of the longest step: half of the time that a robot may fall behind the clock."""
+
 MAX_DELAY: Final = 0.1
 """Seconds that the robot may fall behind the clock before missed steps are skipped."""
 

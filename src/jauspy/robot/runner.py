@@ -48,7 +48,7 @@ from jauspy.robot.monitors import (
     tilt_problem,
 )
 from jauspy.robot.operators import command_seals
-from jauspy.robot.realtime import RealTime
+from jauspy.robot.realtime import STEP, RealTime
 from jauspy.robot.robot_files import robot_model, with_place
 from jauspy.robot.sightings import follow_guard, sightings
 from jauspy.robot.traffic_log import TrafficLog
@@ -161,8 +161,9 @@ HEARTBEAT_TIMEOUT: Final = 1.0
 """Seconds without a heartbeat of the event loop after which the robot is stopped."""
 
 
-def _in_real_time(robot: Robot) -> RealTime:
-    return RealTime(robot, heartbeat_timeout=HEARTBEAT_TIMEOUT)
+def in_real_time(robot: Robot, *, step: float = STEP) -> RealTime:
+    """The robot's time on the clock, in steps of so many seconds; it stops when the program hangs."""
+    return RealTime(robot, step=step, heartbeat_timeout=HEARTBEAT_TIMEOUT)
 
 
 class RobotRunner:
@@ -184,7 +185,7 @@ class RobotRunner:
         *,
         backend: str | Backend | None = None,
         world: str | None = None,
-        realtime: Callable[[Robot], RealTime] = _in_real_time,
+        realtime: Callable[[Robot], RealTime] = in_real_time,
         view: bool = False,
         audit_log: Path | None = None,
         audit_heads_to: str | None = None,
