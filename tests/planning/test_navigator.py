@@ -263,6 +263,20 @@ def test_a_zone_covers_what_is_inside(inc1):
     assert PlanarPose() == around.mapper.correction
 
 
+def test_a_goal_where_the_robot_cannot_stand_is_refused_when_it_is_near():
+    """From afar the robot drives to the nearest place where it can stand, and looks again."""
+    cells = np.zeros((200, 200), bool)
+    cells[98:103, 160:165] = True
+    mobility = mobility_of(MODEL)
+    around = SimpleNamespace(terrain=lambda *_: TerrainCost(mobility, cells, np.ones_like(cells), (-5.0, -5.0), 0.05))
+    driver = Navigator(SimpleNamespace(components=()), MODEL, around)  # type: ignore[arg-type]
+    _, path = driver._find(mobility, PlanarPose(-1.0, 0.0, 0.0), (3.1, 0.0), 5.0)
+    end = path.points[-1]
+    assert 0.3 < math.dist(end[:2], (3.1, 0.0)) < 1.2
+    with pytest.raises(NoPath, match="choose a goal"):
+        driver._find(mobility, PlanarPose(end.x, end.y, 0.0), (3.1, 0.0), 5.0)
+
+
 def test_the_rest_of_a_way_does_not_lead_back_to_a_corner_that_is_behind():
     cells = np.zeros((200, 200), bool)
     terrain = TerrainCost(mobility_of(MODEL), cells, ~cells, (-5.0, -5.0), 0.05)

@@ -139,6 +139,27 @@ def test_ground_that_an_edge_hides_is_taken_for_as_low_as_what_is_beyond():
     assert terrain(level).is_free(0.0, 0.0, 0.0)
 
 
+def test_ground_is_taken_for_hidden_only_near_the_robot():
+    """A road, and single places of a pavement 10 cm above it, which are all that is seen of it from afar."""
+
+    def seen(x: float, y: float) -> float:
+        if x < 0.0:
+            return 0.0
+        return 0.1 if x > 1.0 and (round(10.0 * x) + round(10.0 * y)) % 3 == 0 else math.nan
+
+    far, near = (terrain(ground(seen), viewpoint=(x, 0.0)) for x in (-3.9, 0.0))
+    beside = [(1.05 + 0.1 * step, 0.05) for step in range(10)]
+    assert not any(far.needs_flippers(*place) for place in beside)
+    assert any(near.needs_flippers(*place) or near.clearance(*place, 0.0) < 0.0 for place in beside)
+
+
+def test_a_thing_that_the_tracks_would_pass_is_rather_left_beside():
+    found = terrain(ground(lambda x, y: 0.06 * (abs(x) < 0.1 and abs(y) < 0.1)))
+    assert found.is_free(0.0, 0.0, 0.0)
+    assert found.cost_at(0.05, 0.25) > 2.0 + found.cost_at(2.0, 2.0), "a track is on it"
+    assert found.cost_at(0.05, 0.65) == found.cost_at(2.0, 2.0)
+
+
 def test_a_wall_is_where_the_lidar_saw_it():
     """Heights, whose cells are coarser, make a door narrower by a cell at each side."""
     posts = ground(lambda x, y: 1.0 if abs(x) < 0.1 and abs(y - 0.05) > 0.25 else 0.0)
