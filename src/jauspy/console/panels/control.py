@@ -26,7 +26,7 @@ class ControlPanel:
         self._user = user
         self._robot: Robot | None = None
         self._shown = ""
-        """The operation's problem that was shown last."""
+        """The problem that this page was told last."""
         with ui.element("section").classes("panel control") as self._panel:
             attributes(self._panel, aria_label=_("Control"))
             with ui.element("div").classes("row"):
@@ -101,11 +101,9 @@ class ControlPanel:
             if may
             else _("observing ({role})", role=self._user.role)
         )
-        if mine or operation.operator == self._token:
-            operation.refusal(self._token)  # tells why control was lost, before the operator drives
-        if operation.problem != self._shown:  # also when it is over
-            self._shown = operation.problem
-            self._problem.set_text(translated(operation.problem))
+        if (problem := operation.problem_for(self._token)) != self._shown:  # also when it is over
+            self._shown = problem
+            self._problem.set_text(translated(problem))
 
     @property
     def _wanted(self) -> int:
@@ -113,8 +111,9 @@ class ControlPanel:
 
     async def _take_control(self) -> None:
         if (operation := self._operation) is not None:
-            self._problem.set_text(translated(await operation.take(self._token, self._wanted, self._user)))
+            problem = await operation.take(self._token, self._wanted, self._user)
             self._update()
+            self._problem.set_text(translated(problem))
 
     async def _release_control(self) -> None:
         operation = self._operation
@@ -130,8 +129,9 @@ class ControlPanel:
 
     async def _grant(self) -> None:
         if (operation := self._operation) is not None:
-            await operation.answer(self._token, grant=True)
+            problem = await operation.answer(self._token, grant=True)
             self._update()
+            self._problem.set_text(translated(problem))
 
     async def _refuse(self) -> None:
         if (operation := self._operation) is not None:

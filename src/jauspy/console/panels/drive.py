@@ -89,7 +89,7 @@ class DriveModes:
         if event.value == WAYPOINTS:
             self._open_map()
         elif problem := operation.set_mode(self._token, event.value):
-            operation.problem = problem
+            operation.tell(self._token, problem)
             self._update()
 
 
