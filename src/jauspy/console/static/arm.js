@@ -35,6 +35,7 @@ jauspy.jog = {
     const pad = jog.pad();
     jog.connect(pad?.dataset.component ?? "");
     if (!pad) return;
+    if (jog.held.size && jauspy.isSomethingOpen()) jog.held.clear();
     const velocity = [0, 0, 0, 0, 0, 0];
     for (const [axis, sign] of jog.held.values()) velocity[axis] += sign;
     const shares = jauspy.gamepad?.arm() ?? [];
@@ -59,8 +60,7 @@ jauspy.jog = {
     const jog = jauspy.jog;
     addEventListener("keydown", (event) => {
       if (event.code === "Escape" || event.key === "Shift") { jog.release(); return; }
-      if (event.target.closest?.("input, textarea, select, [contenteditable]")) return;
-      if (event.ctrlKey || event.altKey || event.metaKey || event.repeat || !(event.code in jog.keys) || !jog.pad()) return;
+      if (event.repeat || !(event.code in jog.keys) || !jauspy.isForPage(event) || !jog.pad()) return;
       const [axis, sign] = jog.keys[event.code];
       jog.held.set(event.code, [axis + (event.shiftKey ? 3 : 0), sign]);
       event.preventDefault();

@@ -131,6 +131,7 @@ const jauspy = {
     return [clamp(forward), clamp(left)];
   },
   tick() {
+    if ((jauspy.keys.size || jauspy.stick.held) && jauspy.isSomethingOpen()) { jauspy.release_keys(); return; }
     const [forward, left] = jauspy.deflection();
     const moving = forward !== 0 || left !== 0;
     if ((moving || jauspy.moving) && jauspy.driveSocket?.readyState === WebSocket.OPEN) {
@@ -146,16 +147,35 @@ const jauspy = {
     jauspy.stick = { forward: 0, left: 0, held: false };
     jauspy.tick();
   },
-  // Drop-downs and dialogues close by Escape. F8 always stops.
-  isSomethingOpen: () => document.querySelector(".q-menu, .q-dialog, dialog[open]") !== null,
+  // Drop-downs and dialogues, but none that is closing already: while one is open, keys move nothing, and Escape closes it.
+  isSomethingOpen: () => jauspy.whatIsOpen() !== undefined,
+  whatIsOpen: () => [...document.querySelectorAll(":is(.q-menu, .q-dialog__inner):not([class*='-leave-active']), dialog[open]")].at(-1),
+  // True for a key that is none of a text, of the browser, or of what is open.
+  isForPage(event) {
+    const { target } = event;
+    return !event.ctrlKey && !event.altKey && !event.metaKey && !target.closest?.("input, textarea, select, [contenteditable]") && !jauspy.isSomethingOpen();
+  },
+  HAVE_ARROWS: ["slider", "separator", "tab", "menu", "group", "radiogroup", "listbox"].map((role) => `[role=${role}]`).join(", ") + ", .q-btn-toggle",
+  // Escape does only this if it can; else it stops. The rest of one long press then does nothing. F8 always stops.
+  closing: { what: undefined, time: 0, now: false }, // what Escape has closed, when, and whether that is the present press
+  closeByEscape({ repeat, target, timeStamp }) {
+    if (repeat) return jauspy.closing.now;
+    const [what, before] = [jauspy.whatIsOpen(), jauspy.closing];
+    const isClosing = what && what === before.what && timeStamp - before.time < 1000; // the page has not got round to it
+    const now = what ? !isClosing : jauspy.leaveField(target) || jauspy.mission?.cancelArea() || jauspy.video?.closeSettings();
+    jauspy.closing = { what, time: timeStamp, now };
+    return now;
+  },
+  leaveField(field) {
+    const leaves = field.matches?.("input:read-write, textarea:read-write") && field.value !== "";
+    if (leaves) field.blur();
+    return leaves;
+  },
   listenToKeys() {
-    const typing = (event) => event.target.closest?.("input, textarea, select, [contenteditable]");
     addEventListener("keydown", (event) => {
-      if (event.code === "Escape" && jauspy.isSomethingOpen()) return; // which Escape closes
-      if (event.code === "Escape" || event.code === "F8") { jauspy.stop("all"); event.preventDefault(); return; }
-      if (event.key.startsWith("Arrow") && event.target.closest?.("[role=slider], [role=separator]")) return;
-      if (typing(event) || event.ctrlKey || event.altKey || event.metaKey) return;
-      if (event.code in jauspy.bindings) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
+      if (event.code === "F8" || (event.code === "Escape" && !jauspy.closeByEscape(event))) { jauspy.stop("all"); event.preventDefault(); return; }
+      if (event.key.startsWith("Arrow") && event.target.closest?.(jauspy.HAVE_ARROWS)) return;
+      if (event.code in jauspy.bindings && jauspy.isForPage(event)) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
     });
     addEventListener("keyup", (event) => { if (jauspy.keys.delete(event.code)) jauspy.tick(); });
     for (const name of ["blur", "pagehide"]) addEventListener(name, jauspy.release_keys);

@@ -70,7 +70,7 @@ jauspy.desk = {
     });
     document.addEventListener("pointercancel", desk.stop);
     addEventListener("keydown", (event) => {
-      if (event.target.closest?.("input, textarea, select, [contenteditable]") || event.ctrlKey || event.altKey || event.metaKey || event.repeat) return;
+      if (event.repeat || !jauspy.isForPage(event)) return;
       const splitter = event.target.closest?.(".splitter");
       const step = { ArrowLeft: -0.02, ArrowUp: -0.02, ArrowRight: 0.02, ArrowDown: 0.02 }[event.code];
       if (splitter && step) desk.resize(splitter.dataset.split, desk.share(splitter.dataset.split) + step, true);
