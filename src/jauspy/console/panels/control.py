@@ -7,7 +7,7 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.console import Console
-from jauspy.console.markup import attributes
+from jauspy.console.markup import attributes, call
 from jauspy.console.operation import Operation
 from jauspy.console.page_language import _, translated
 from jauspy.console.users import LOCAL, User
@@ -27,6 +27,8 @@ class ControlPanel:
         self._robot: Robot | None = None
         self._shown = ""
         """The problem that this page was told last."""
+        self._operates = False
+        """What the browser was told: a gamepad moves something only while its page operates the robot."""
         with ui.element("section").classes("panel control") as self._panel:
             attributes(self._panel, aria_label=_("Control"))
             with ui.element("div").classes("row"):
@@ -69,6 +71,8 @@ class ControlPanel:
         held = operation is not None and operation.is_controlled
         mine = held and operation is not None and operation.operator == self._token
         others = held and not mine
+        if mine != self._operates:
+            self._tell_browser(operates=mine)
         self._take.set_text(_("take over") if others else _("take"))
         self._take.set_visibility(not mine)
         self._ask.set_visibility(others)
@@ -105,12 +109,17 @@ class ControlPanel:
             self._shown = problem
             self._problem.set_text(translated(problem))
 
+    def _tell_browser(self, *, operates: bool) -> None:
+        self._operates = operates
+        call("jauspy.operate", operates)
+
     @property
     def _wanted(self) -> int:
         return int(self._authority.value or 0)
 
     async def _take_control(self) -> None:
         if (operation := self._operation) is not None:
+            self._tell_browser(operates=False)  # it may have lost control a moment ago
             problem = await operation.take(self._token, self._wanted, self._user)
             self._update()
             self._problem.set_text(translated(problem))

@@ -72,9 +72,7 @@ class StatusBar:
         with ui.element("div").classes("alarms").props('role="alert"') as self._place:
             self._text = ui.label("").classes("alarm-text")
             self._acknowledge = ui.button(_("acknowledge"), on_click=self._acknowledge_all, color=None)
-            self._acknowledge.props("flat dense no-caps").tooltip(_("key Q; it also ends the sound")).classes(
-                "acknowledge"
-            )
+            self._acknowledge.props("flat dense no-caps").classes("acknowledge")  # console.js gives it a title
         with ui.element("div").classes("time-line"):
             line = ui.element("div").props('id=time-line role="img"')
             attributes(line, aria_label=_("events of the last ten minutes; the view Events lists them"))

@@ -62,6 +62,7 @@ const jauspy = {
   },
   stop(target) {
     jauspy.release_keys();
+    jauspy.gamepad?.forget();
     if (jauspy.stopSocket?.readyState === WebSocket.OPEN) {
       jauspy.stopSocket.send(`stop ${target}`);
       jauspy.say(jauspy._("stopping …"));
@@ -80,6 +81,18 @@ const jauspy = {
   say(text) {
     const line = document.getElementById("stop-answer");
     if (line) line.textContent = text;
+  },
+
+  // Whether this page operates the robot, as the panel Control tells when it changes.
+  operates: false,
+  operate(now) {
+    jauspy.operates = now;
+    jauspy.gamepad?.forget();
+    if (now) jauspy.answerDrive("");
+  },
+  answerDrive(text) {
+    const line = document.getElementById("drive-answer");
+    if (line && line.textContent !== text) line.textContent = text;
   },
 
   // --- driving: keys, stick, gamepad; 20 messages a second while something is deflected --------------------------
@@ -108,10 +121,7 @@ const jauspy = {
   connectDrive() {
     if (!jauspy.robot) return;
     const socket = new WebSocket(jauspy.url(`drive/${jauspy.robot}`));
-    socket.onmessage = (event) => {
-      const line = document.getElementById("drive-answer");
-      if (line) line.textContent = event.data;
-    };
+    socket.onmessage = (event) => jauspy.answerDrive(event.data);
     socket.onclose = () => {
       if (jauspy.driveSocket === socket) setTimeout(jauspy.connectDrive, 500);
     };
@@ -155,6 +165,27 @@ const jauspy = {
     const { target } = event;
     return !event.ctrlKey && !event.altKey && !event.metaKey && !target.closest?.("input, textarea, select, [contenteditable]") && !jauspy.isSomethingOpen();
   },
+  // The letter on a key, in lower case; empty for the keys that drive. These are bound by their place, so that on a keyboard
+  // whose key Q drives, what Q does is done by the key at the place of Q; and so are letters that are not Latin.
+  letter({ key = "", code = "" }) {
+    if (code in jauspy.bindings) return "";
+    const letter = key.toLowerCase();
+    return /^[b-z]$/.test(letter) && !"wsd".includes(letter) ? letter : code.startsWith("Key") ? code.slice(3).toLowerCase() : "";
+  },
+  // What is on the keys at the places of W, A, S, D and Q, as far as the browser tells; else as on most keyboards of the language.
+  keyNames: { W: "W", A: "A", S: "S", D: "D", Q: "Q" },
+  named: (text) => text.replace("W A S D", [..."WASD"].map((place) => jauspy.keyNames[place]).join(" ")),
+  async nameKeys() {
+    const layout = await navigator.keyboard?.getLayoutMap?.().catch(() => null);
+    const usual = document.documentElement.lang.startsWith("fr") ? { W: "Z", A: "Q", S: "S", D: "D", Q: "A" } : jauspy.keyNames;
+    for (const place of Object.keys(usual)) jauspy.keyNames[place] = (layout?.get(`Key${place}`) || usual[place]).toUpperCase();
+    for (const element of document.querySelectorAll("[data-keys]")) {
+      if (!element.childElementCount) element.textContent = jauspy.named(element.textContent);
+      const label = element.getAttribute("aria-label");
+      if (label) element.setAttribute("aria-label", jauspy.named(label));
+    }
+    document.querySelector(".acknowledge")?.setAttribute("title", jauspy._("key {key}; it also ends the sound", { key: jauspy.keyNames.Q }));
+  },
   HAVE_ARROWS: ["slider", "separator", "tab", "menu", "group", "radiogroup", "listbox"].map((role) => `[role=${role}]`).join(", ") + ", .q-btn-toggle",
   // Escape does only this if it can; else it stops. The rest of one long press then does nothing. F8 always stops.
   closing: { what: undefined, time: 0, now: false }, // what Escape has closed, when, and whether that is the present press
@@ -174,10 +205,12 @@ const jauspy = {
   listenToKeys() {
     addEventListener("keydown", (event) => {
       if (event.code === "F8" || (event.code === "Escape" && !jauspy.closeByEscape(event))) { jauspy.stop("all"); event.preventDefault(); return; }
-      if (event.key.startsWith("Arrow") && event.target.closest?.(jauspy.HAVE_ARROWS)) return;
+      if (event.key?.startsWith("Arrow") && event.target.closest?.(jauspy.HAVE_ARROWS)) return;
       if (event.code in jauspy.bindings && jauspy.isForPage(event)) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
     });
     addEventListener("keyup", (event) => { if (jauspy.keys.delete(event.code)) jauspy.tick(); });
+    // While Meta is held, macOS tells of no other key that is released.
+    for (const name of ["keydown", "keyup"]) addEventListener(name, (event) => event.key === "Meta" && jauspy.release_keys());
     for (const name of ["blur", "pagehide"]) addEventListener(name, jauspy.release_keys);
     document.addEventListener("visibilitychange", () => document.hidden && jauspy.release_keys());
     document.addEventListener("pointerdown", (event) => {
@@ -226,6 +259,7 @@ const jauspy = {
   restore() {
     if (!window.did_handshake || !document.getElementById("scheme")) { setTimeout(jauspy.restore, 100); return; }
     jauspy.showScheme();
+    jauspy.nameKeys();
     if (jauspy.scheme() !== "system") emitEvent("scheme", jauspy.scheme());
     if (jauspy.chosenBefore) emitEvent("remembered", jauspy.chosenBefore);
   },

@@ -71,7 +71,7 @@ jauspy.timeLine = {
   },
 };
 addEventListener("keydown", (event) => {
-  if (event.code === "KeyQ" && !event.repeat && jauspy.isForPage(event)) emitEvent("alarms_acknowledged");
+  if (jauspy.letter(event) === "q" && !event.repeat && jauspy.isForPage(event)) emitEvent("alarms_acknowledged");
 });
 setInterval(() => {
   jauspy.alarm.show();
