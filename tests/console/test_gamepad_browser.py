@@ -28,12 +28,26 @@ def deflection(page: Any) -> list[float]:
     return found
 
 
+def take(page: Any) -> None:
+    page.get_by_role("button", name="take", exact=True).first.click()
+    page.get_by_text("you operate this robot").wait_for()
+
+
 def test_a_gamepad_drives_while_its_button_is_held(url: str) -> None:
     with page_at(url, GAMEPAD + f"pad.buttons[{HOLD_TO_DRIVE}].pressed = true; pad.axes[1] = -1;") as page:
         page.get_by_text("101 inc1").first.wait_for()
         page.wait_for_function("jauspy.gamepad !== undefined")
         page.bring_to_front()
         assert deflection(page) == [0, 0]  # it was down before
+        press(page, HOLD_TO_DRIVE, down=False)
+        assert deflection(page) == [0, 0]
+        press(page, HOLD_TO_DRIVE)
+        assert deflection(page) == [0, 0]  # without control, as the page says
+        page.locator("#drive-answer").get_by_text("take control first").wait_for()
+        take(page)
+        page.wait_for_function("jauspy.operates")
+        page.locator("#drive-answer").get_by_text("take control first").wait_for(state="hidden")
+        assert deflection(page) == [0, 0]  # it was down when control came
         press(page, HOLD_TO_DRIVE, down=False)
         assert deflection(page) == [0, 0]  # the stick alone
         press(page, HOLD_TO_DRIVE)
@@ -45,8 +59,7 @@ def test_a_gamepad_drives_while_its_button_is_held(url: str) -> None:
         assert deflection(page) == [0, 0]
 
         page.evaluate("pad.axes[1] = 0")
-        page.get_by_role("button", name="take", exact=True).first.click()
-        page.get_by_text("you operate this robot").wait_for()
+        assert deflection(page) == [0, 0]
         press(page, HOLD_TO_DRIVE)
         page.evaluate("pad.axes[1] = -1")
         page.wait_for_function("/x 0\\.[2-9]\\d m/.test(document.body.innerText)")
@@ -54,10 +67,27 @@ def test_a_gamepad_drives_while_its_button_is_held(url: str) -> None:
         assert deflection(page) == [0, 0]
         page.wait_for_function("jauspy.moving === false")
 
+        page.evaluate("document.hasFocus = () => true")
+        press(page, HOLD_TO_DRIVE, down=False)
+        assert deflection(page) == [0, 0]
+        press(page, HOLD_TO_DRIVE)
+        assert deflection(page) == [1, 0]
+        page.keyboard.press("F8")
+        page.get_by_text("components stopped").first.wait_for()
+        assert deflection(page) == [0, 0]
+        page.wait_for_function("!jauspy.operates")
+        page.evaluate("jauspy.operate(true)")  # as after clearing the emergency and taking control
+        assert deflection(page) == [0, 0]  # held through all of it
+        press(page, HOLD_TO_DRIVE, down=False)
+        assert deflection(page) == [0, 0]
+        press(page, HOLD_TO_DRIVE)
+        assert deflection(page) == [1, 0]
+
 
 def test_the_mapping_and_the_calibration_of_a_pad_are_kept(url: str) -> None:
     with page_at(url, GAMEPAD) as page:
         page.locator(".gamepads summary").click()
+        page.evaluate("jauspy.operates = true")
         card = page.locator("[data-pad]")
         assert card.locator("b").first.inner_text() == "<b>pad</b> of a test"
         card.get_by_label("hold to drive").select_option("6")
@@ -74,6 +104,7 @@ def test_the_mapping_and_the_calibration_of_a_pad_are_kept(url: str) -> None:
         calibrate.click()
         page.reload()
         page.locator(".gamepads summary").wait_for()
+        page.evaluate("jauspy.operates = true")
         page.evaluate("pad.axes[2] = 0.6")
         assert deflection(page) == [0, 0]
         press(page, 6)
@@ -89,8 +120,7 @@ def test_the_mapping_and_the_calibration_of_a_pad_are_kept(url: str) -> None:
 def test_escape_closes_what_is_open_and_f8_stops(url: str) -> None:
     with page_at(url) as page:
         page.get_by_text("101 inc1").first.wait_for()
-        page.get_by_role("button", name="take", exact=True).first.click()
-        page.get_by_text("you operate this robot").wait_for()
+        take(page)
         page.locator(".arm .q-select").first.click()
         page.locator(".q-menu").wait_for()
         page.keyboard.press("Escape")

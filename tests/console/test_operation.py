@@ -176,7 +176,8 @@ async def test_refused_control_says_why(virtual_network: VirtualNetwork) -> None
     ):
         problem = await at.operation.take("first", 127)
         assert "held by 42.1.9 with authority 200" in problem
-        assert at.operation.problem == problem
+        assert at.operation.problem_for("first") == problem
+        assert at.operation.problem_for("second") == ""
         assert not at.operation.is_controlled
 
 

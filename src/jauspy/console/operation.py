@@ -62,7 +62,7 @@ class Operation:
         """m/s at full deflection; in the mode EFFORT the share of the full effort, at most 1."""
         self.mode = next(iter(modes_of(robot)), VELOCITY_MODE)
         self.problem = ""
-        """Why the last command had no effect."""
+        """Why the last command had no effect; `problem_for` also has what concerns one page only."""
         self.commanded = (0.0, 0.0)
         """m/s and rad/s of the present drive command, or shares of the full effort."""
         self._sent_mode = self.mode
@@ -76,6 +76,10 @@ class Operation:
         self._dead_man = DeadMan(self._stop_silent)
         self._stop: tuple[str, str] | None = None
         """Token and name of the emergency stop that this console has sent since control was taken."""
+        self._told: dict[str, str] = {}
+        """What only one page is told, by its token: that what it asked for last was refused."""
+        self.taken_from = ""
+        """Token of the browser from which the present one has taken control over; empty if it was handed over."""
         self._busy = asyncio.Lock()
         self._wanted: tuple[float, float] | None = None
         self._sending: asyncio.Task[None] | None = None
@@ -127,7 +131,21 @@ class Operation:
                     user=self.user.name,
                     authority=self.authority,
                 )
-            return await self._enter(token, authority, user)
+            before = self.operator if self.is_controlled else ""
+            problem = await self._enter(token, authority, user)
+            if before and token != before and not problem:
+                self.taken_from = before
+            elif before and token != before and not self.operator:
+                self._told[before] = self._not_granted(user, problem)
+            return problem
+
+    def _not_granted(self, user: User, error: object) -> str:
+        return sentence(
+            "control of robot {robot} was not granted to {user}: {error}",
+            robot=self.robot.id,
+            user=user.name,
+            error=error,
+        )
 
     def ask(self, token: str, authority: int, user: User = LOCAL) -> None:
         """Ask the operator for control."""
@@ -178,22 +196,16 @@ class Operation:
                 await control.__aenter__()
             except JausError as error:
                 self._renewing.user = before
-                self.problem = str(error)
-                self._on_event(
-                    sentence(
-                        "control of robot {robot} was not granted to {user}: {error}",
-                        robot=self.robot.id,
-                        user=user.name,
-                        error=error,
-                    )
-                )
-                return self.problem
+                self._told = {token: str(error)}
+                self._on_event(self._not_granted(user, error))
+                return str(error)
             finally:
                 current.reset(reset)
             self._control, self._stop = control, None
             if self._watchdog is not None:
                 self._watchdog.hold(self.robot.id, control.ids)
         self.operator, self.user, self.authority, self.problem, self._request = token, user, authority, "", None
+        self._told, self.taken_from = {}, ""
         self._renewing.user = user
         self._on_event(
             sentence(
@@ -206,7 +218,7 @@ class Operation:
         return ""
 
     async def _leave(self) -> None:
-        control, self._control, self.operator = self._control, None, ""
+        control, self._control, self.operator, self.problem = self._control, None, "", ""
         self._dead_man.end()
         self._wanted, self.commanded = None, (0.0, 0.0)
         self._missing, self._refused, self._lent = set(), set(), set()
@@ -337,25 +349,31 @@ class Operation:
         """Why a browser may not command the robot now; empty if it may."""
         if token != self.operator or self._control is None:
             return sentence("another browser operates this robot") if self.operator else sentence("take control first")
-        if self._control.lost:
-            self.problem = self._loss(self._control.lost)
-            return self.problem
-        return ""
+        return self._loss(token)
+
+    def problem_for(self, token: str) -> str:
+        """What a page is told: why control was lost, what it asked for and did not get, or why a command failed."""
+        return self._loss(token) or self._told.get(token) or self.problem
+
+    def tell(self, token: str, problem: str) -> None:
+        """Tell one page why it did not get what it asked for."""
+        self._told = {token: problem}
 
     def stopped(self, token: str, what: str) -> None:
         """Take note of an emergency stop from a page of this console, named by its token; `what` as STOP ALL."""
         if self.is_controlled:
             self._stop = token, what
 
-    def _loss(self, reason: str) -> str:
-        """Why control was lost: by a stop of this console, or as the component has told."""
-        if self._stop is None:
+    def _loss(self, token: str) -> str:
+        """Why control was lost, in words for a page: by a stop of this console, or as the component has told."""
+        reason = "" if self._control is None else self._control.lost
+        if self._stop is None or not reason:
             return reason
-        token, what = self._stop
+        by, what = self._stop
         return sentence(
             "{what} by {page} has ended it; clear the emergency, then take control again",
             what=what,
-            page=sentence("this page") if token == self.operator else sentence("another page of this console"),
+            page=sentence("this page") if token == by else sentence("another page of this console"),
         )
 
     def drive(self, token: str, forward: float, left: float) -> str:
@@ -365,6 +383,7 @@ class Operation:
         """
         if why_not := self.refusal(token):
             return why_not
+        self._told.pop(token, None)
         ahead, turn = self._full_deflection()
         is_valid = -1.0 <= forward <= 1.0 and -1.0 <= left <= 1.0
         linear, angular = (ahead * forward, turn * left) if is_valid else (0.0, 0.0)

@@ -7,7 +7,7 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.console import Console
-from jauspy.console.markup import attributes
+from jauspy.console.markup import attributes, call
 from jauspy.console.operation import Operation
 from jauspy.console.page_language import _, translated
 from jauspy.console.users import LOCAL, User
@@ -26,7 +26,9 @@ class ControlPanel:
         self._user = user
         self._robot: Robot | None = None
         self._shown = ""
-        """The operation's problem that was shown last."""
+        """The problem that this page was told last."""
+        self._operates = False
+        """What the browser was told: a gamepad moves something only while its page operates the robot."""
         with ui.element("section").classes("panel control") as self._panel:
             attributes(self._panel, aria_label=_("Control"))
             with ui.element("div").classes("row"):
@@ -69,6 +71,8 @@ class ControlPanel:
         held = operation is not None and operation.is_controlled
         mine = held and operation is not None and operation.operator == self._token
         others = held and not mine
+        if mine != self._operates:
+            self._tell_browser(operates=mine)
         self._take.set_text(_("take over") if others else _("take"))
         self._take.set_visibility(not mine)
         self._ask.set_visibility(others)
@@ -101,11 +105,13 @@ class ControlPanel:
             if may
             else _("observing ({role})", role=self._user.role)
         )
-        if mine or operation.operator == self._token:
-            operation.refusal(self._token)  # tells why control was lost, before the operator drives
-        if operation.problem != self._shown:  # also when it is over
-            self._shown = operation.problem
-            self._problem.set_text(translated(operation.problem))
+        if (problem := operation.problem_for(self._token)) != self._shown:  # also when it is over
+            self._shown = problem
+            self._problem.set_text(translated(problem))
+
+    def _tell_browser(self, *, operates: bool) -> None:
+        self._operates = operates
+        call("jauspy.operate", operates)
 
     @property
     def _wanted(self) -> int:
@@ -113,8 +119,10 @@ class ControlPanel:
 
     async def _take_control(self) -> None:
         if (operation := self._operation) is not None:
-            self._problem.set_text(translated(await operation.take(self._token, self._wanted, self._user)))
+            self._tell_browser(operates=False)  # it may have lost control a moment ago
+            problem = await operation.take(self._token, self._wanted, self._user)
             self._update()
+            self._problem.set_text(translated(problem))
 
     async def _release_control(self) -> None:
         operation = self._operation
@@ -130,8 +138,9 @@ class ControlPanel:
 
     async def _grant(self) -> None:
         if (operation := self._operation) is not None:
-            await operation.answer(self._token, grant=True)
+            problem = await operation.answer(self._token, grant=True)
             self._update()
+            self._problem.set_text(translated(problem))
 
     async def _refuse(self) -> None:
         if (operation := self._operation) is not None:

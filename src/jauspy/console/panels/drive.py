@@ -89,7 +89,7 @@ class DriveModes:
         if event.value == WAYPOINTS:
             self._open_map()
         elif problem := operation.set_mode(self._token, event.value):
-            operation.problem = problem
+            operation.tell(self._token, problem)
             self._update()
 
 
@@ -114,12 +114,13 @@ class DrivePanel:
             attributes(self._panel, aria_label=_("Drive"))
             with ui.element("div").classes("row"):
                 ui.label(_("Drive")).classes("heading")
-                ui.label(_("W A S D, arrows, stick, gamepad")).classes("hint")
+                keys = ui.label(_("W A S D, arrows, stick, gamepad")).classes("hint")
+                attributes(keys, data_keys=True)
             self._modes = DriveModes(console, token, open_map, self._show_limit, conventions)
             with ui.element("div").classes("row"):
                 with ui.element("div").props('id=stick role="img"') as stick:
                     ui.element("div").props("id=stick-knob")
-                attributes(stick, aria_label=_("stick; drive by the keys W A S D or the arrows"))
+                attributes(stick, data_keys=True, aria_label=_("stick; drive by the keys W A S D or the arrows"))
                 with ui.element("div").classes("facts"):
                     with ui.element("div") as self._pose:
                         self._position = plain_text("", tag="b")

@@ -18,6 +18,7 @@ from jauspy.console.page_language import _, translated
 from jauspy.console.panels.battery import BatteryLabel
 from jauspy.console.panels.drive import NAMES, WAYPOINTS
 from jauspy.console.panels.link import LinkPanel
+from jauspy.console.users import LOCAL
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
 
@@ -71,9 +72,7 @@ class StatusBar:
         with ui.element("div").classes("alarms").props('role="alert"') as self._place:
             self._text = ui.label("").classes("alarm-text")
             self._acknowledge = ui.button(_("acknowledge"), on_click=self._acknowledge_all, color=None)
-            self._acknowledge.props("flat dense no-caps").tooltip(_("key Q; it also ends the sound")).classes(
-                "acknowledge"
-            )
+            self._acknowledge.props("flat dense no-caps").classes("acknowledge")  # console.js gives it a title
         with ui.element("div").classes("time-line"):
             line = ui.element("div").props('id=time-line role="img"')
             attributes(line, aria_label=_("events of the last ten minutes; the view Events lists them"))
@@ -141,8 +140,8 @@ class StatusBar:
 
     def _follow_control(self, operation: Operation | None) -> None:
         is_mine = operation is not None and operation.is_controlled and operation.operator == self._token
-        if self._was_mine and not is_mine and operation is not None and operation.problem:
-            self._lost = sentence("control was lost: {problem}", problem=printable(operation.problem))
+        if self._was_mine and not is_mine and operation is not None:
+            self._lost = lost_control(operation, self._token)
         if is_mine:
             self._lost = ""
         self._was_mine = is_mine
@@ -207,6 +206,15 @@ class StatusBar:
             data_level="known" if first.is_acknowledged else "urgent" if first.is_urgent else "warning",
         )
         self._acknowledge.set_visibility(not first.is_acknowledged)
+
+
+def lost_control(operation: Operation, token: str) -> str:
+    """Why a page has lost control, which it had until now; empty if it has released it or handed it over."""
+    if operation.is_controlled and operation.taken_from == token:
+        user = sentence("another browser") if operation.user == LOCAL else operation.user.name
+        return sentence("control was lost: {user} has taken it over", user=user)
+    problem = operation.problem_for(token)
+    return sentence("control was lost: {problem}", problem=printable(problem)) if problem else ""
 
 
 def _mark(time: datetime, text: str, kind: str) -> dict[str, object]:

@@ -60,6 +60,7 @@ class VideoPanel:
         self._side.set_visibility(False)
         with self._side:
             self._refused = ui.label("")
+        ui.on("camera_settings_closed", lambda: self._side.set_visibility(False))
         ui.timer(UPDATE_INTERVAL, self._update)
 
     def show(self, robot: Robot | None) -> None:

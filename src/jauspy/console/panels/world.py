@@ -90,6 +90,7 @@ class MapPanel:
         self._mission_dialog = MissionDialog(self._files, self._mission, self._load, self._begin_area, self._frame)
         self._drawing.set_visibility(False)
         ui.on("waypoint", self._edit)
+        ui.on("area_cancelled", self._cancel_area)
         ui.timer(UPDATE_INTERVAL, self._update)
 
     def show(self, robot: Robot | None) -> None:

@@ -6,7 +6,7 @@ jauspy.jog = {
   component: "",
   moving: false,
   held: new Map(), // what is held, a pointer or a key, to [axis, sign]
-  keys: { KeyI: [0, 1], KeyK: [0, -1], KeyJ: [1, 1], KeyL: [1, -1], KeyU: [2, 1], KeyO: [2, -1] },
+  keys: { i: [0, 1], k: [0, -1], j: [1, 1], l: [1, -1], u: [2, 1], o: [2, -1] },
 
   pad() {
     const pad = document.querySelector(".jog[data-component]");
@@ -35,6 +35,7 @@ jauspy.jog = {
     const pad = jog.pad();
     jog.connect(pad?.dataset.component ?? "");
     if (!pad) return;
+    if (jog.held.size && jauspy.isSomethingOpen()) jog.held.clear();
     const velocity = [0, 0, 0, 0, 0, 0];
     for (const [axis, sign] of jog.held.values()) velocity[axis] += sign;
     const shares = jauspy.gamepad?.arm() ?? [];
@@ -58,16 +59,16 @@ jauspy.jog = {
   listen() {
     const jog = jauspy.jog;
     addEventListener("keydown", (event) => {
-      if (event.code === "Escape" || event.key === "Shift") { jog.release(); return; }
-      if (event.target.closest?.("input, textarea, select, [contenteditable]")) return;
-      if (event.ctrlKey || event.altKey || event.metaKey || event.repeat || !(event.code in jog.keys) || !jog.pad()) return;
-      const [axis, sign] = jog.keys[event.code];
+      if (["Escape", "Shift", "Meta"].includes(event.key)) { jog.release(); return; }
+      const letter = jauspy.letter(event);
+      if (event.repeat || !(letter in jog.keys) || !jauspy.isForPage(event) || !jog.pad()) return;
+      const [axis, sign] = jog.keys[letter];
       jog.held.set(event.code, [axis + (event.shiftKey ? 3 : 0), sign]);
       event.preventDefault();
       jog.tick();
     });
     addEventListener("keyup", (event) => {
-      if (event.key === "Shift") { jog.release(); return; }
+      if (event.key === "Shift" || event.key === "Meta") { jog.release(); return; }
       if (jog.held.delete(event.code)) jog.tick();
     });
     document.addEventListener("pointerdown", (event) => {

@@ -62,6 +62,7 @@ const jauspy = {
   },
   stop(target) {
     jauspy.release_keys();
+    jauspy.gamepad?.forget();
     if (jauspy.stopSocket?.readyState === WebSocket.OPEN) {
       jauspy.stopSocket.send(`stop ${target}`);
       jauspy.say(jauspy._("stopping …"));
@@ -80,6 +81,18 @@ const jauspy = {
   say(text) {
     const line = document.getElementById("stop-answer");
     if (line) line.textContent = text;
+  },
+
+  // Whether this page operates the robot, as the panel Control tells when it changes.
+  operates: false,
+  operate(now) {
+    jauspy.operates = now;
+    jauspy.gamepad?.forget();
+    if (now) jauspy.answerDrive("");
+  },
+  answerDrive(text) {
+    const line = document.getElementById("drive-answer");
+    if (line && line.textContent !== text) line.textContent = text;
   },
 
   // --- driving: keys, stick, gamepad; 20 messages a second while something is deflected --------------------------
@@ -108,10 +121,7 @@ const jauspy = {
   connectDrive() {
     if (!jauspy.robot) return;
     const socket = new WebSocket(jauspy.url(`drive/${jauspy.robot}`));
-    socket.onmessage = (event) => {
-      const line = document.getElementById("drive-answer");
-      if (line) line.textContent = event.data;
-    };
+    socket.onmessage = (event) => jauspy.answerDrive(event.data);
     socket.onclose = () => {
       if (jauspy.driveSocket === socket) setTimeout(jauspy.connectDrive, 500);
     };
@@ -131,6 +141,7 @@ const jauspy = {
     return [clamp(forward), clamp(left)];
   },
   tick() {
+    if ((jauspy.keys.size || jauspy.stick.held) && jauspy.isSomethingOpen()) { jauspy.release_keys(); return; }
     const [forward, left] = jauspy.deflection();
     const moving = forward !== 0 || left !== 0;
     if ((moving || jauspy.moving) && jauspy.driveSocket?.readyState === WebSocket.OPEN) {
@@ -146,18 +157,60 @@ const jauspy = {
     jauspy.stick = { forward: 0, left: 0, held: false };
     jauspy.tick();
   },
-  // Drop-downs and dialogues close by Escape. F8 always stops.
-  isSomethingOpen: () => document.querySelector(".q-menu, .q-dialog, dialog[open]") !== null,
+  // Drop-downs and dialogues, but none that is closing already: while one is open, keys move nothing, and Escape closes it.
+  isSomethingOpen: () => jauspy.whatIsOpen() !== undefined,
+  whatIsOpen: () => [...document.querySelectorAll(":is(.q-menu, .q-dialog__inner):not([class*='-leave-active']), dialog[open]")].at(-1),
+  // True for a key that is none of a text, of the browser, or of what is open.
+  isForPage(event) {
+    const { target } = event;
+    return !event.ctrlKey && !event.altKey && !event.metaKey && !target.closest?.("input, textarea, select, [contenteditable]") && !jauspy.isSomethingOpen();
+  },
+  // The letter on a key, in lower case; empty for the keys that drive. These are bound by their place, so that on a keyboard
+  // whose key Q drives, what Q does is done by the key at the place of Q; and so are letters that are not Latin.
+  letter({ key = "", code = "" }) {
+    if (code in jauspy.bindings) return "";
+    const letter = key.toLowerCase();
+    return /^[b-z]$/.test(letter) && !"wsd".includes(letter) ? letter : code.startsWith("Key") ? code.slice(3).toLowerCase() : "";
+  },
+  // What is on the keys at the places of W, A, S, D and Q, as far as the browser tells; else as on most keyboards of the language.
+  keyNames: { W: "W", A: "A", S: "S", D: "D", Q: "Q" },
+  named: (text) => text.replace("W A S D", [..."WASD"].map((place) => jauspy.keyNames[place]).join(" ")),
+  async nameKeys() {
+    const layout = await navigator.keyboard?.getLayoutMap?.().catch(() => null);
+    const usual = document.documentElement.lang.startsWith("fr") ? { W: "Z", A: "Q", S: "S", D: "D", Q: "A" } : jauspy.keyNames;
+    for (const place of Object.keys(usual)) jauspy.keyNames[place] = (layout?.get(`Key${place}`) || usual[place]).toUpperCase();
+    for (const element of document.querySelectorAll("[data-keys]")) {
+      if (!element.childElementCount) element.textContent = jauspy.named(element.textContent);
+      const label = element.getAttribute("aria-label");
+      if (label) element.setAttribute("aria-label", jauspy.named(label));
+    }
+    document.querySelector(".acknowledge")?.setAttribute("title", jauspy._("key {key}; it also ends the sound", { key: jauspy.keyNames.Q }));
+  },
+  HAVE_ARROWS: ["slider", "separator", "tab", "menu", "group", "radiogroup", "listbox"].map((role) => `[role=${role}]`).join(", ") + ", .q-btn-toggle",
+  // Escape does only this if it can; else it stops. The rest of one long press then does nothing. F8 always stops.
+  closing: { what: undefined, time: 0, now: false }, // what Escape has closed, when, and whether that is the present press
+  closeByEscape({ repeat, target, timeStamp }) {
+    if (repeat) return jauspy.closing.now;
+    const [what, before] = [jauspy.whatIsOpen(), jauspy.closing];
+    const isClosing = what && what === before.what && timeStamp - before.time < 1000; // the page has not got round to it
+    const now = what ? !isClosing : jauspy.leaveField(target) || jauspy.mission?.cancelArea() || jauspy.video?.closeSettings();
+    jauspy.closing = { what, time: timeStamp, now };
+    return now;
+  },
+  leaveField(field) {
+    const leaves = field.matches?.("input:read-write, textarea:read-write") && field.value !== "";
+    if (leaves) field.blur();
+    return leaves;
+  },
   listenToKeys() {
-    const typing = (event) => event.target.closest?.("input, textarea, select, [contenteditable]");
     addEventListener("keydown", (event) => {
-      if (event.code === "Escape" && jauspy.isSomethingOpen()) return; // which Escape closes
-      if (event.code === "Escape" || event.code === "F8") { jauspy.stop("all"); event.preventDefault(); return; }
-      if (event.key.startsWith("Arrow") && event.target.closest?.("[role=slider], [role=separator]")) return;
-      if (typing(event) || event.ctrlKey || event.altKey || event.metaKey) return;
-      if (event.code in jauspy.bindings) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
+      if (event.code === "F8" || (event.code === "Escape" && !jauspy.closeByEscape(event))) { jauspy.stop("all"); event.preventDefault(); return; }
+      if (event.key?.startsWith("Arrow") && event.target.closest?.(jauspy.HAVE_ARROWS)) return;
+      if (event.code in jauspy.bindings && jauspy.isForPage(event)) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
     });
     addEventListener("keyup", (event) => { if (jauspy.keys.delete(event.code)) jauspy.tick(); });
+    // While Meta is held, macOS tells of no other key that is released.
+    for (const name of ["keydown", "keyup"]) addEventListener(name, (event) => event.key === "Meta" && jauspy.release_keys());
     for (const name of ["blur", "pagehide"]) addEventListener(name, jauspy.release_keys);
     document.addEventListener("visibilitychange", () => document.hidden && jauspy.release_keys());
     document.addEventListener("pointerdown", (event) => {
@@ -206,6 +259,7 @@ const jauspy = {
   restore() {
     if (!window.did_handshake || !document.getElementById("scheme")) { setTimeout(jauspy.restore, 100); return; }
     jauspy.showScheme();
+    jauspy.nameKeys();
     if (jauspy.scheme() !== "system") emitEvent("scheme", jauspy.scheme());
     if (jauspy.chosenBefore) emitEvent("remembered", jauspy.chosenBefore);
   },

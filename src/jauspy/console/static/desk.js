@@ -70,12 +70,12 @@ jauspy.desk = {
     });
     document.addEventListener("pointercancel", desk.stop);
     addEventListener("keydown", (event) => {
-      if (event.target.closest?.("input, textarea, select, [contenteditable]") || event.ctrlKey || event.altKey || event.metaKey || event.repeat) return;
+      if (event.repeat || !jauspy.isForPage(event)) return;
       const splitter = event.target.closest?.(".splitter");
       const step = { ArrowLeft: -0.02, ArrowUp: -0.02, ArrowRight: 0.02, ArrowDown: 0.02 }[event.code];
       if (splitter && step) desk.resize(splitter.dataset.split, desk.share(splitter.dataset.split) + step, true);
       else if (/^Digit[1-4]$/.test(event.code) && !event.shiftKey) emitEvent("desk", { preset: Number(event.code.slice(5)) });
-      else if (event.code === "KeyF") desk.toggleFull();
+      else if (jauspy.letter(event) === "f") desk.toggleFull();
       else return;
       event.preventDefault();
     });

@@ -12,7 +12,7 @@ jauspy.gamepad = {
   axes: {
     forward: jauspy._("drive forward"), left: jauspy._("turn left"), armX: jauspy._("arm forward"), armY: jauspy._("arm left"), armZ: jauspy._("arm up"), armYaw: jauspy._("turn tool left"),
   },
-  armed: new Map(), // index of a pad to the names of dead-man's buttons that were seen released since the page has the focus
+  armed: new Map(), // index of a pad to the names of dead-man's buttons seen released since the page has focus and control
   pressed: new Map(), // index of a pad to the names of gripper buttons that are down
   calibration: null, // while it runs: { pad, least, most }
 
@@ -53,7 +53,8 @@ jauspy.gamepad = {
     const moved = Math.abs(value) < zone ? 0 : (Math.sign(value) * (Math.abs(value) - zone)) / (1 - zone);
     return axis.startsWith("-") ? -moved : moved;
   },
-  // True while a dead-man's button is held that was seen released since this page has the focus.
+  // True while a dead-man's button is held that was seen released since this page has the focus, and since a stop and a
+  // change of control.
   holds(pad, settings, name) {
     const gamepad = jauspy.gamepad;
     const down = pad.buttons[settings.map[name]]?.pressed === true;
@@ -66,7 +67,7 @@ jauspy.gamepad = {
     if (!down) armed.add(name);
     return down && armed.has(name) && gamepad.calibration === null;
   },
-  // What drives: [forward, left].
+  // What drives: [forward, left]. Without control nothing is sent: what is held when control comes must move nothing.
   drive() {
     const gamepad = jauspy.gamepad;
     let [forward, left] = [0, 0];
@@ -76,7 +77,8 @@ jauspy.gamepad = {
       forward += gamepad.value(pad, settings, settings.map.forward);
       left += gamepad.value(pad, settings, settings.map.left);
     }
-    return [forward, left];
+    if ((forward || left) && !jauspy.operates) jauspy.answerDrive(jauspy._("take control first"));
+    return jauspy.operates ? [forward, left] : [0, 0];
   },
   // What moves the tool of the arm: shares of its limits along x, y, z and about x, y, z.
   arm() {
@@ -85,6 +87,7 @@ jauspy.gamepad = {
     for (const pad of gamepad.pads()) {
       const settings = gamepad.settings(pad);
       if (!gamepad.holds(pad, settings, "armHold")) continue;
+      if (!jauspy.operates) continue;
       for (const [axis, name] of [[0, "armX"], [1, "armY"], [2, "armZ"], [5, "armYaw"]]) {
         velocity[axis] += gamepad.value(pad, settings, settings.map[name]);
       }
@@ -99,7 +102,7 @@ jauspy.gamepad = {
       const before = gamepad.pressed.get(pad.index) ?? new Set();
       const now = new Set(["close", "open"].filter((name) => pad.buttons[settings.map[name]]?.pressed === true));
       gamepad.pressed.set(pad.index, now);
-      if (!gamepad.holds(pad, settings, "armHold")) continue;
+      if (!gamepad.holds(pad, settings, "armHold") || !jauspy.operates) continue;
       for (const name of now) if (!before.has(name)) document.querySelector(`button.grip-${name}`)?.click();
     }
   },

@@ -15,6 +15,15 @@ jauspy.mission = {
   setTiles(least, most, attribution) { jauspy.mission.tiles = { least, most, attribution }; jauspy.world.changed(); },
   setAreas(areas, corners, drawing) { Object.assign(jauspy.mission, { areas, corners, drawing }); jauspy.world.changed(); },
 
+  // End the drawing of an area; true if one was being drawn where it is seen.
+  cancelArea() {
+    const { mission } = jauspy;
+    if (!mission.drawing || !document.getElementById("world-map")?.offsetParent) return false;
+    mission.drawing = false;
+    emitEvent("area_cancelled");
+    return true;
+  },
+
   // --- between the local frame and Web Mercator as parts of the world (0..1, y downwards) -----------------------------
   toMercator([x, y]) {
     const [latitude, longitude, heading] = jauspy.world.geo;

@@ -52,7 +52,7 @@ jauspy.settings = {
     const { make } = jauspy;
     let dialog = document.getElementById("key-help");
     if (!dialog) {
-      const rows = jauspy.settings.KEYS.flatMap(([group, keys]) => [make("h3", {}, group), make("dl", {}, ...keys.flatMap(([key, what]) => [make("dt", {}, make("kbd", {}, key)), make("dd", {}, what)]))]);
+      const rows = jauspy.settings.KEYS.flatMap(([group, keys]) => [make("h3", {}, group), make("dl", {}, ...keys.flatMap(([key, what]) => [make("dt", {}, make("kbd", {}, jauspy.named(key))), make("dd", {}, what)]))]);
       dialog = make("dialog", { id: "key-help", "aria-label": jauspy._("keyboard help") }, make("h2", {}, jauspy._("Keys")), ...rows, make("button", { class: "quiet", onclick: () => dialog.close() }, jauspy._("close")));
       document.body.append(dialog);
     }

@@ -71,8 +71,7 @@ jauspy.timeLine = {
   },
 };
 addEventListener("keydown", (event) => {
-  if (event.code !== "KeyQ" || event.repeat || event.ctrlKey || event.altKey || event.metaKey) return;
-  if (!event.target.closest?.("input, textarea, select, [contenteditable]")) emitEvent("alarms_acknowledged");
+  if (jauspy.letter(event) === "q" && !event.repeat && jauspy.isForPage(event)) emitEvent("alarms_acknowledged");
 });
 setInterval(() => {
   jauspy.alarm.show();

@@ -88,6 +88,15 @@ jauspy.video = {
     jauspy.video.wasOld = old;
   },
 
+  // Close the column of the camera's settings; true if it was shown, and the server is not closing it already.
+  closeSettings() {
+    const now = performance.now();
+    if (!document.querySelector(".video-settings")?.offsetParent || now - (jauspy.video.settingsClosed ?? -Infinity) < 1000) return false;
+    jauspy.video.settingsClosed = now;
+    emitEvent("camera_settings_closed");
+    return true;
+  },
+
   ageText: (age) => (age < 10_000 ? `${Math.round(age)} ms` : `${Math.round(age / 1000)} s`),
 
   save(component, name) {
