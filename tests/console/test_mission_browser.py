@@ -89,6 +89,9 @@ def test_a_mission_is_planned_saved_driven_and_loaded(url: str, tmp_path: Path) 
 
         page.get_by_role("button", name="start", exact=True).click()
         page.locator(".progress").get_by_text("drives to waypoint 1 of 2").wait_for()
+        buttons = page.locator(".execution button:visible").all_inner_texts()
+        assert buttons[0] == "stop", "the first of a mission that runs"
+        assert "clear" not in buttons
         page.locator(".progress").get_by_text("at waypoint 1 of 2: wait 3 s").wait_for()
         page.locator(".progress").get_by_text("the mission ended at waypoint 2 of 2").wait_for()
         x, y = page.evaluate("jauspy.world.pose.slice(0, 2).map((each, axis) => each - start[axis])")

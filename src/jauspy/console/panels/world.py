@@ -72,6 +72,8 @@ class MapPanel:
                 self._progress = ui.label("").classes("hint progress")
                 self._problem = ui.label("").classes("problem")
                 with ui.element("div").classes("row tight"):
+                    self._stop = ui.button(_("stop"), on_click=self._motion.stop).props("outline no-caps color=negative")
+                    attributes(self._stop, aria_label=_("stop the mission"))
                     self._start = ui.button(_("start"), on_click=self._on_start).props("unelevated no-caps")
                     self._pause = ui.button(_("pause"), on_click=self._on_pause).props("outline no-caps")
                     self._speed = ui.number(
@@ -88,7 +90,8 @@ class MapPanel:
                     ui.button(_("cancel"), on_click=self._cancel_area).props("outline no-caps")
         self._step_dialog = StepDialog(self._set_step)
         self._mission_dialog = MissionDialog(self._files, self._mission, self._load, self._begin_area, self._frame)
-        self._drawing.set_visibility(False)
+        for hidden in (self._drawing, self._stop):
+            hidden.set_visibility(False)
         ui.on("waypoint", self._edit)
         ui.timer(UPDATE_INTERVAL, self._update)
 
@@ -289,7 +292,8 @@ class MapPanel:
         self._start.set_enabled(mine and not self._busy and bool(points) and may_start)
         self._pause.set_enabled(mine and not self._busy and runs)
         self._clear.set_enabled(not self._busy and (mine or self._draft is not None) and bool(points))
-        self._clear.set_text(_("stop") if is_run else _("clear"))
+        self._clear.set_visibility(not is_run)
+        self._stop.set_visibility(is_run)
         self._around.set_enabled(not self._busy and bool(self._draft) and not is_run)
         self._discard.set_visibility(self._draft is not None and not is_run)
 
@@ -428,10 +432,7 @@ class MapPanel:
 
     async def _on_clear(self) -> None:
         world = self._world()
-        if world is None:
-            return
-        if self._motion.is_running:
-            self._motion.stop()
+        if world is None or self._motion.is_running:
             return
         self._steps, self._run = (), None
         if (
