@@ -34,15 +34,24 @@ JOINTS_TIME: Final = 0.6
 
 
 class Pointing:
-    """The pointer in the pictures of one page, which `token` names; `chosen` returns the large camera's component."""
+    """The pointer in the pictures of one page, which `token` names; `chosen` returns the large camera's component.
+
+    `say` shows a text; if its second argument is one, only in place of that.
+    """
 
     def __init__(
-        self, console: Console, token: str, chosen: Callable[[], ComponentInfo | None], say: Callable[[str], object]
+        self,
+        console: Console,
+        token: str,
+        chosen: Callable[[], ComponentInfo | None],
+        say: Callable[[str, str | None], object],
     ) -> None:
         self._console = console
         self._token = token
         self._chosen = chosen
         self._say = say
+        self._problem = ""
+        """Why the last act failed; empty after one that did not."""
         self._robot: Robot | None = None
         self._world: World | None = None
         """Followed since something was measured."""
@@ -115,7 +124,11 @@ class Pointing:
             await act
         except JausError as error:
             with self._button:  # of this page
-                self._say(printable(translated(str(error))))
+                self._problem = printable(translated(str(error)))
+                self._say(self._problem, None)
+        else:
+            self._say("", self._problem)
+            self._problem = ""
 
     def _head(self, component: ComponentInfo) -> CameraHead:
         robot = self._robot

@@ -24,6 +24,8 @@ from jauspy.printable import printable
 
 UPDATE_INTERVAL: Final = 0.5
 """Seconds between two updates of recordings."""
+NAMING_INTERVAL: Final = 3.0
+"""Seconds after which a camera that did not tell its name is asked again."""
 HEADINGS: Final = {VIDEO: sentence("Stream"), LENS: sentence("Lens"), LIGHTS: sentence("Lights")}
 
 
@@ -37,6 +39,9 @@ class VideoPanel:
         self._robot: Robot | None = None
         self._figures: dict[str, ui.element] = {}
         self._captions: dict[str, ui.label] = {}
+        self._unnamed: set[str] = set()
+        """Cameras that have not told their names."""
+        self._naming = False
         self._chosen = ""
         self._filling = False
         with ui.element("div").classes("video-bar"):
@@ -61,6 +66,7 @@ class VideoPanel:
         with self._side:
             self._refused = ui.label("")
         ui.timer(UPDATE_INTERVAL, self._update)
+        ui.timer(NAMING_INTERVAL, self._name_cameras)
 
     def show(self, robot: Robot | None) -> None:
         """Show the cameras of this robot."""
@@ -70,6 +76,7 @@ class VideoPanel:
         cameras = [component for component in components if component.find(VIDEO)]
         self._place.clear()
         self._figures, self._captions, self._chosen = {}, {}, ""
+        self._unnamed = {str(camera.id) for camera in cameras}
         self._said.set_text("")
         with self._place:
             for camera in cameras:
@@ -89,8 +96,10 @@ class VideoPanel:
         """Handle the end of the page; recordings continue."""
         self._pointing.close()
 
-    def _say(self, text: str) -> None:
-        self._said.set_text(text)
+    def _say(self, text: str, instead_of: str | None = None) -> None:
+        """Show a text, or only where another one is still shown."""
+        if instead_of is None or self._said.text == instead_of:
+            self._said.set_text(text)
 
     # --- cameras ----------------------------------------------------------------------------------------------------
 
@@ -123,13 +132,21 @@ class VideoPanel:
             ui.timer(0.0, self._fill_settings, once=True)
 
     async def _name_cameras(self) -> None:
+        """Ask the cameras whose names are not known, one after another."""
         robot = self._robot
-        for id, caption in list(self._captions.items()):
-            if robot is not None:
+        if robot is None or self._naming or not self._unnamed:
+            return
+        self._naming = True
+        try:
+            for id in sorted(self._unnamed):
                 with suppress(JausError):
                     name = await sensor_name(robot.component(id))
-                    if self._robot is robot:
-                        caption.set_text(f"{printable(name)}  {id}")
+                    if self._robot is not robot or id not in self._captions:
+                        return
+                    self._captions[id].set_text(f"{printable(name)}  {id}")
+                    self._unnamed.discard(id)
+        finally:
+            self._naming = False
 
     def _camera(self) -> SharedCamera | None:
         component = self._component()

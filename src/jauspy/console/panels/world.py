@@ -72,7 +72,9 @@ class MapPanel:
                 self._progress = ui.label("").classes("hint progress")
                 self._problem = ui.label("").classes("problem")
                 with ui.element("div").classes("row tight"):
-                    self._stop = ui.button(_("stop"), on_click=self._motion.stop).props("outline no-caps color=negative")
+                    self._stop = ui.button(_("stop"), on_click=self._motion.stop).props(
+                        "outline no-caps color=negative"
+                    )
                     attributes(self._stop, aria_label=_("stop the mission"))
                     self._start = ui.button(_("start"), on_click=self._on_start).props("unelevated no-caps")
                     self._pause = ui.button(_("pause"), on_click=self._on_pause).props("outline no-caps")
