@@ -12,6 +12,7 @@ pytest.importorskip("nicegui", reason="needs the extra 'console'")
 from nicegui import Client
 from nicegui.page import page as make_page
 
+from jauspy.console.conventions import Conventions
 from jauspy.console.panels import video
 from jauspy.console.panels.video import VideoPanel
 from jauspy.console.users import LOCAL
@@ -21,7 +22,7 @@ from jauspy.errors import ConfigError, ResponseTimeout
 def panel() -> VideoPanel:
     console: Any = SimpleNamespace(camera=lambda _: None)
     with Client(make_page(""), request=None):
-        return VideoPanel(console, "page", LOCAL)
+        return VideoPanel(console, "page", LOCAL, Conventions())
 
 
 async def test_a_camera_is_asked_for_its_name_until_it_tells(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -35,7 +36,7 @@ async def test_a_camera_is_asked_for_its_name_until_it_tells(monkeypatch: pytest
         return "arm"
 
     monkeypatch.setattr(video, "sensor_name", sensor_name)
-    robot: Any = SimpleNamespace(component=lambda id: id)
+    robot: Any = SimpleNamespace(component=lambda component: component)
     label = SimpleNamespace(text="101.1.106  CM-VIS")
     label.set_text = lambda text: setattr(label, "text", text)
     shown._robot, shown._unnamed = robot, {"101.1.106"}

@@ -9,6 +9,7 @@ from typing import Any, Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.conventions import Conventions
 from jauspy.console.languages import sentence
 from jauspy.console.markup import call
 from jauspy.console.page_language import _, translated
@@ -45,7 +46,9 @@ class Pointing:
         token: str,
         chosen: Callable[[], ComponentInfo | None],
         say: Callable[[str, str | None], object],
+        conventions: Conventions,
     ) -> None:
+        self._conventions = conventions
         self._console = console
         self._token = token
         self._chosen = chosen
@@ -177,4 +180,4 @@ class Pointing:
         share = 0.0 if width is None else lens.width_share(width, found.distance)
         mark = {"component": str(component.id), "x": x, "y": y, "width": share}
         with self._button:  # of this page
-            call("jauspy.sight.show", {**mark, "text": translated(shown(found, width))})
+            call("jauspy.sight.show", {**mark, "text": translated(shown(found, width, self._conventions))})

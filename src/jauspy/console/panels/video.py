@@ -10,6 +10,7 @@ from nicegui import events, ui
 
 from jauspy.console.camera_settings import LENS, LIGHTS, VIDEO, Setting, read_settings, sensor_name, write_setting
 from jauspy.console.console import Console
+from jauspy.console.conventions import Conventions
 from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes, call
 from jauspy.console.page_language import _, translated
@@ -32,7 +33,7 @@ HEADINGS: Final = {VIDEO: sentence("Stream"), LENS: sentence("Lens"), LIGHTS: se
 class VideoPanel:
     """The cameras of the chosen robot, for the page of this token."""
 
-    def __init__(self, console: Console, token: str, user: User) -> None:
+    def __init__(self, console: Console, token: str, user: User, conventions: Conventions) -> None:
         self._console = console
         self._token = token
         self._user = user
@@ -46,7 +47,7 @@ class VideoPanel:
         self._filling = False
         with ui.element("div").classes("video-bar"):
             ui.element("div").classes("space")
-            self._pointing = Pointing(console, token, self._component, self._say)
+            self._pointing = Pointing(console, token, self._component, self._say, conventions)
             self._still = _button(_("still"), self._take_still, _("save a picture"))
             self._record = _button(
                 _("record"), self._toggle_recording, _("record what arrives, on the console's machine")

@@ -257,14 +257,14 @@ jauspy.Run = class {
       pen.fillStyle = colours.text;
       pen.fillText(name, right + 12 * ratio, down - 10 * ratio);
     });
-    const length = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100].find((each) => each * place.scale > 50 * ratio) ?? 200;
+    const { metres: length, text } = jauspy.settings.scaleBar((50 * ratio) / place.scale);
     const [x, y] = [12 * ratio, this.map.height - 12 * ratio];
     pen.strokeStyle = pen.fillStyle = colours.text;
     pen.lineWidth = 1.5 * ratio;
     pen.beginPath();
     for (const [right, up] of [[0, 5], [0, 0], [length * place.scale, 0], [length * place.scale, 5]]) pen.lineTo(x + right, y - up * ratio);
     pen.stroke();
-    pen.fillText(`${length} m`, x + 4 * ratio, y - 7 * ratio);
+    pen.fillText(text, x + 4 * ratio, y - 7 * ratio);
   }
   seekOnMap(event) {
     const place = this.place();
