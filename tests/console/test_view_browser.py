@@ -85,6 +85,8 @@ def test_the_help_opens_by_a_key_and_escape_closes_it_without_a_stop(url: str) -
         page.get_by_text("101 inc1").first.wait_for()
         page.keyboard.press("?")
         page.get_by_role("dialog", name="keyboard help").get_by_text("stop all robots, always").wait_for()
+        keys = page.locator("#key-help kbd").all_inner_texts()
+        assert {"1 2 3 4", "F", "Q", "Shift", "arrows"} <= set(keys)
         page.keyboard.press("Escape")
         page.get_by_role("dialog", name="keyboard help").wait_for(state="hidden")
         page.wait_for_timeout(500)

@@ -9,7 +9,13 @@ jauspy.settings = {
       [jauspy._("W A S D, arrows"), jauspy._("drive while held; the robot brakes when the key is released")],
       [jauspy._("stick, gamepad"), jauspy._("drive; a gamepad drives while its enable button is held")],
     ]],
-    [jauspy._("The tool of an arm (panel Arm, tool)"), [["I K", jauspy._("forward, backward")], ["J L", jauspy._("left, right")], ["U O", jauspy._("up, down")]]],
+    [jauspy._("The tool of an arm (panel Arm, tool)"), [["I K", jauspy._("forward, backward")], ["J L", jauspy._("left, right")], ["U O", jauspy._("up, down")], ["Shift", jauspy._("with these keys: about these axes")]]],
+    [jauspy._("Views and alarms"), [
+      ["1 2 3 4", jauspy._("arrangements: one view, drive, arm, observe")],
+      ["F", jauspy._("the view that was used last in all of the window, and again the others")],
+      [jauspy._("arrows"), jauspy._("move the line between views that has the focus")],
+      ["Q", jauspy._("acknowledge the alarms")],
+    ]],
     [jauspy._("Everywhere"), [
       ["Esc", jauspy._("stop all robots; closes what is open first")],
       ["F8", jauspy._("stop all robots, always")],
