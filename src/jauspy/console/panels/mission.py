@@ -18,7 +18,7 @@ from jauspy.console.mission import MAX_SPEED, MAX_WAIT, Action, Look, Mission, S
 from jauspy.console.page_language import _, translated
 from jauspy.console.panels.quantity_field import QuantityField
 from jauspy.console.saved_files import SavedByOther, SavedFiles, checked_name
-from jauspy.console.trajectory import MAX_FILE
+from jauspy.console.trajectory import MAX_FILE, not_taken
 from jauspy.errors import ConfigError
 from jauspy.printable import printable
 
@@ -153,7 +153,7 @@ class MissionDialog:
                 ui.button(_("delete"), on_click=self._delete).props("flat no-caps")
             with ui.element("div").classes("row"):
                 self._upload = ui.upload(on_upload=self._upload_file, auto_upload=True, max_file_size=MAX_FILE)
-                self._upload.props('accept=".json"').classes("hidden")
+                self._upload.props('accept=".json"').classes("hidden").on_rejected(self._rejected)
                 ui.button(_("upload")).props("outline no-caps dense").on(
                     "click", js_handler="() => jauspy.pickFile('.mission')"
                 )
@@ -242,6 +242,9 @@ class MissionDialog:
             self._said.set_text(translated(str(error)))
         self._upload.reset()
         self._show_areas()
+
+    def _rejected(self) -> None:
+        self._said.set_text(translated(not_taken(".json")))
 
     def _download(self) -> None:
         try:
