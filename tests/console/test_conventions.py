@@ -7,6 +7,7 @@ import math
 import pytest
 
 from jauspy.console.conventions import AXES, CHOICES, Conventions
+from jauspy.console.mission import Look, Step
 
 YAW = math.radians(20.0)
 
@@ -43,6 +44,21 @@ def test_feet_and_radians() -> None:
     assert found.speed(0.3048) == "1.0 ft/s"
     assert found.yaw(YAW) == "yaw 0.35 rad"
     assert found.plotted("VelocityState", "velocity_x", "m/s") == (pytest.approx(1.0 / 0.3048), "ft/s")
+
+
+def test_texts_of_waypoints_ranges_and_steps_follow_the_choice() -> None:
+    rep, feet = chosen(), chosen(length="ft", axes="JAUS")
+    assert (rep.place(1.0, -0.001), rep.distance(2.5, 1), rep.exact_speed(0.4)) == ("1.00, 0.00 m", "2.5 m", "0.4 m/s")
+    assert (feet.place(0.3048, 0.3048), feet.distance(0.3048)) == ("1.00, -1.00 ft", "1.00 ft")
+    step = Step(0.3048, Look(pan=math.radians(90.0), tilt=0.0))
+    assert step.shown(rep) == "0.3 m/s, look 90\u00b0, 0\u00b0"
+    assert step.shown(chosen(length="ft", angle="rad")) == "1 ft/s, look 1.57 rad, 0.00 rad"
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.001, -0.001, math.tau - 0.001])
+def test_a_heading_is_less_than_a_full_turn(yaw: float) -> None:
+    assert chosen(axes="JAUS").yaw(yaw) == "heading 0\u00b0"
+    assert chosen(axes="JAUS", angle="rad").yaw(yaw) == "heading 0.00 rad"
 
 
 def test_only_choices_that_exist_are_taken() -> None:

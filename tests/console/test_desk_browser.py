@@ -89,6 +89,9 @@ def test_one_view_fills_the_window_and_stop_stays(url: str) -> None:
     with page_at(url) as page:
         page.get_by_text("101 inc1").first.wait_for()
         page.locator("figure.large").wait_for()
+        page.locator(".part-name").get_by_text("flippers").wait_for()
+        cut = "each.getBoundingClientRect().right > each.parentElement.getBoundingClientRect().right + 1"
+        assert page.evaluate(f"[...document.querySelectorAll('.part-name')].filter((each) => {cut}).length") == 0
         press(page, "Digit2")
         page.locator(".desk.arranged").wait_for()
         before = box(page, "Video")
@@ -105,6 +108,17 @@ def test_one_view_fills_the_window_and_stop_stays(url: str) -> None:
         page.keyboard.press("KeyF")
         page.locator(".side").wait_for()
         assert box(page, "Video") == before
+
+        page.keyboard.press("KeyF")
+        page.locator(".side").wait_for(state="hidden")
+        page.keyboard.press("Digit4")
+        page.locator(".side").wait_for()
+        page.wait_for_function("document.querySelector('.pane[data-view=Events]').offsetParent !== null")
+        page.keyboard.press("KeyF")
+        page.locator(".side").wait_for(state="hidden")
+        page.get_by_role("button", name="Video: close").click()
+        page.locator(".side").wait_for()
+        assert shown(page) == ["World", "Events"]
 
 
 @pytest.mark.parametrize(("width", "height"), [(1280, 800), (1024, 768)])
@@ -145,3 +159,17 @@ def test_waypoints_and_their_buttons_have_room(url: str, width: int, height: int
         assert held["height"] > 100.0
         assert held["y"] + held["height"] <= execution["y"]
         assert execution["y"] + execution["height"] <= route["y"] + route["height"] + 0.5
+        for key, others in (("Digit2", ["Video", "World"]), ("Digit4", ["Video", "World", "Events"])):
+            press(page, key)
+            page.wait_for_function(
+                f"[...document.querySelectorAll('.pane')].filter((pane) => pane.offsetParent).length === {len(others)}"
+            )
+            assert page.evaluate(COVERED) == [], key
+
+
+COVERED = """[...document.querySelectorAll(".execution :is(button, .q-field)")].filter((each) => {
+    const { left, right, top, bottom } = each.getBoundingClientRect();
+    const isSeen = ([x, y]) => each.contains(document.elementFromPoint(x, y));
+    return each.offsetParent && ![[left + 6, top + 6], [right - 6, bottom - 6]].every(isSeen);
+}).map((each) => each.innerText)"""
+"""The buttons and fields below the waypoints that are not in sight as a whole."""

@@ -89,6 +89,9 @@ def test_a_mission_is_planned_saved_driven_and_loaded(url: str, tmp_path: Path) 
 
         page.get_by_role("button", name="start", exact=True).click()
         page.locator(".progress").get_by_text("drives to waypoint 1 of 2").wait_for()
+        buttons = page.locator(".execution button:visible").all_inner_texts()
+        assert buttons[0] == "stop", "the first of a mission that runs"
+        assert "clear" not in buttons
         page.locator(".progress").get_by_text("at waypoint 1 of 2: wait 3 s").wait_for()
         page.locator(".progress").get_by_text("the mission ended at waypoint 2 of 2").wait_for()
         x, y = page.evaluate("jauspy.world.pose.slice(0, 2).map((each, axis) => each - start[axis])")
@@ -108,3 +111,5 @@ def test_a_mission_is_planned_saved_driven_and_loaded(url: str, tmp_path: Path) 
         page.get_by_role("button", name="mission …").click()
         page.locator(".mission input[type=file]").set_input_files(bad)
         page.get_by_text("bad.json: format: Input should be 'jauspy-mission'").wait_for()
+        page.locator(".mission input[type=file]").set_input_files({**bad, "buffer": bytes((1 << 20) + 1)})
+        page.get_by_text("the file was not taken: it has more than 1 MiB").wait_for()

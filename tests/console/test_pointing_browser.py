@@ -57,6 +57,7 @@ def test_a_camera_is_turned_by_drag_click_and_name(url: str, robot: RunningRobot
             page.wait_for_timeout(120)
         page.mouse.up()
         right, _ = until(robot, page, lambda right, up: right > 0.2 and abs(up) < 0.05)
+        page.wait_for_function("document.querySelector('.video-said').innerText === ''")
         page.mouse.click(x + 150, y - 60)
         until(robot, page, lambda now, up: now > right + 0.1 and up > 0.05)
         page.get_by_role("button", name="look").click()

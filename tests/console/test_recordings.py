@@ -47,7 +47,9 @@ class Browser:
 
 
 def test_the_list_has_recordings_only_the_newest_first(tmp_path: Path) -> None:
-    for age, name in enumerate(("new.mcap", "old.mp4", "notes.txt", ".hidden.mcap", "<b>.mcap", "run.mcap.part")):
+    for age, name in enumerate(
+        ("new.mcap", "old.mp4", "notes.txt", ".hidden.mcap", "<b>.mcap", "50%.mp4", " a.mp4", "run.mcap.part")
+    ):
         (tmp_path / name).write_bytes(bytes(100))
         os.utime(tmp_path / name, (1e9 - age, 1e9 - age))
     (tmp_path / "folder.mcap").mkdir()
@@ -58,7 +60,7 @@ def test_the_list_has_recordings_only_the_newest_first(tmp_path: Path) -> None:
         ("new.mcap", "run", 100),
         ("old.mp4", "film", 100),
     ]
-    assert found["others"] == 7
+    assert (found["misnamed"], found["others"]) == (4, 5)
     assert listed(tmp_path / "missing")["files"] == []
 
 

@@ -21,6 +21,8 @@ pytestmark = BROWSER_MARKS
 def url(tmp_path: Path) -> Iterator[str]:
     run = write_run(tmp_path / "circle.mcap")
     (tmp_path / "cut.mcap").write_bytes(run.read_bytes()[:5000])
+    for name in ("50%.mp4", "a&b?c#d.mp4", " film.mp4", "notes.txt"):
+        (tmp_path / name).touch()
     with (
         shared_robot(few_pictures=True) as robot,
         console_for(robot.local, "--recordings", str(tmp_path)) as (address, _),
@@ -31,6 +33,8 @@ def url(tmp_path: Path) -> Iterator[str]:
 def test_a_run_is_played_and_downloaded(url: str, tmp_path: Path) -> None:
     with page_at(url) as page:
         page.get_by_role("tab", name="Recordings").click()
+        page.get_by_text("Not listed for their names: 3. Names begin with a letter or digit").wait_for()
+        page.get_by_text("Not listed as they are no recordings: 1").wait_for()
         page.get_by_role("button", name="play circle.mcap").click()
         canvas = page.locator("canvas[data-topic='/101.1.106/video']")
         canvas.wait_for()

@@ -7,6 +7,7 @@ import math
 
 import pytest
 
+from jauspy.console.conventions import Conventions
 from jauspy.console.panels.world import progress_of, state_of
 from jauspy.console.route import MAX_WAYPOINTS, Route, Waypoint, waypoint_of
 from jauspy.errors import ConfigError, JausError
@@ -54,14 +55,16 @@ async def test_a_list_is_sent_carried_out_paused_and_cleared(virtual_network: Vi
             await route.set_speed(0.0)
             assert route.is_paused
             assert state_of(0, route, is_draft=False) == "waits"
-            assert progress_of(route, RobotPose())[0] == "waits on the way to waypoint 1 of 2: 1.0 m left"
+            assert (
+                progress_of(route, RobotPose(), Conventions())[0] == "waits on the way to waypoint 1 of 2: 1.0 m left"
+            )
             await route.set_speed(0.8)
             await arrive(route, 1)
-            text, part = progress_of(route, RobotPose(x=1.5, y=0.1))
+            text, part = progress_of(route, RobotPose(x=1.5, y=0.1), Conventions())
             assert (text, 0.5 < part < 1.0) == ("drives to waypoint 2 of 2: 0.5 m left", True)
             pose = RobotPose(x=2.0)
             await arrive(route, None)
-            assert progress_of(route, None) == ("ended at waypoint 2 of 2", 1.0)
+            assert progress_of(route, None, Conventions()) == ("ended at waypoint 2 of 2", 1.0)
             assert state_of(1, route, is_draft=False) == "reached"
             assert math.dist(((end := await robot.pose()).x, end.y), (2.0, 0.0)) < 0.2
             await route.clear()
@@ -88,7 +91,7 @@ async def test_the_end_is_where_the_robot_stands(
             await route.start([Waypoint(1.0, 0.2), Waypoint(2.0, 0.0)], 0.5)
             await robot.stop()
             await arrive(route, None)
-            assert progress_of(route, pose)[0] == text
+            assert progress_of(route, pose, Conventions())[0] == text
 
 
 @pytest.mark.slow

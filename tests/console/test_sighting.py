@@ -9,6 +9,7 @@ import pytest
 
 pytest.importorskip("nicegui", reason="the console needs the extra `console`")
 
+from jauspy.console.conventions import Conventions
 from jauspy.console.sighting import Lens, Sight, depth_along, echo_along, floor_along, shown
 from jauspy.console.world import CLOUD_HEADER
 
@@ -65,5 +66,7 @@ def test_the_floor_is_below() -> None:
     assert found.distance == pytest.approx(1.25)
     assert floor_along(0.0, (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)) is None
     assert floor_along(2.0, (0.0, 0.0, 1.0), (0.6, 0.0, -0.8)) is None
-    assert shown(Sight(1.25, "lidar"), 0.06) == "1.25 m (lidar), gripper 60 mm"
-    assert shown(Sight(1.25, "lidar"), None) == "1.25 m (lidar)"
+    page = Conventions()
+    assert shown(Sight(1.25, "lidar"), 0.06, page) == "1.25 m (lidar), gripper 60 mm"
+    page.set({"length": "ft"})
+    assert shown(Sight(1.25, "lidar"), None, page) == "4.10 ft (lidar)"

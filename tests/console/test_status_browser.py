@@ -43,6 +43,9 @@ def test_an_emergency_is_an_alarm_that_is_acknowledged(url: str) -> None:
             box = part.bounding_box()
             assert box["x"] + box["width"] <= 1024.0
             assert box["y"] + box["height"] <= bar["y"] + bar["height"] + 1.0
+        assert page.locator("#alarm-sound").is_visible()
+        page.locator(".alarms .alarm-text").hover()
+        page.locator(".alarm-list").get_by_text("the robot is in emergency").wait_for()
         page.keyboard.press("KeyQ")
         page.wait_for_function(
             "document.querySelector('.lines').innerText.match(/acknowledged: .*the robot is in emergency/)"

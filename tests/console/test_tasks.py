@@ -14,6 +14,7 @@ pytest.importorskip("numpy", reason="sound needs NumPy")
 
 import numpy as np
 
+from jauspy.console.conventions import Conventions
 from jauspy.console.listening import RATE, SILENT, Levels, _wav
 from jauspy.console.panels.following import state_text
 from jauspy.console.panels.way_back import result_text
@@ -62,12 +63,12 @@ async def test_sound_is_a_wav_file_with_levels() -> None:
 
 
 def test_the_end_of_a_way_back_is_explained() -> None:
-    assert result_text(WayBack(5.0, "distance"), 5.0) == "drove 5.0 m back"
-    assert result_text(WayBack(3.04, "path"), 50.0) == "drove 3.0 m back of 50 m: its path begins here"
+    assert result_text(WayBack(5.0, "distance"), 5.0, Conventions()) == "drove 5.0 m back"
+    assert result_text(WayBack(3.04, "path"), 50.0, Conventions()) == "drove 3.0 m back of 50.0 m: its path begins here"
 
 
 def test_the_follower_is_described() -> None:
     following = Following(is_following=True, leader=JausID(102, 1, 102), gap=2.5, lag=0.0, max_gap=None, offset=None)
-    assert state_text(following) == "follows 102.1.102 at 2.5 m"
+    assert state_text(following, Conventions()) == "follows 102.1.102 at 2.5 m"
     nobody = Following(is_following=False, leader=None, gap=None, lag=None, max_gap=None, offset=None)
-    assert state_text(nobody) == "follows nobody"
+    assert state_text(nobody, Conventions()) == "follows nobody"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -68,9 +69,15 @@ def test_axes_and_units_are_chosen_and_kept(url: str) -> None:
         page.get_by_role("dialog", name="axes and units").get_by_role("button", name="close").click()
         page.get_by_text("heading 0°").wait_for()
         page.locator(".facts b").get_by_text("ft").wait_for()
+        page.locator("figure.large .numbers").get_by_text("0.0 ft/s").wait_for()
         page.reload()
         page.get_by_text("heading 0°").wait_for()
         page.get_by_text("limit 1.6 ft/s").wait_for()
+        page.get_by_role("tab", name="World").click()
+        page.locator("#world-map canvas").click(position={"x": 60, "y": 60})
+        page.locator(".waypoint").get_by_text(re.compile(r"^-?\d+\.\d\d, -?\d+\.\d\d ft$")).wait_for()
+        page.get_by_label("ft/s", exact=True).wait_for()
+        assert page.evaluate("jauspy.settings.scaleBar(0.5)") == {"metres": 2 * 0.3048, "text": "2 ft"}
 
 
 def test_the_help_opens_by_a_key_and_escape_closes_it_without_a_stop(url: str) -> None:
@@ -78,6 +85,8 @@ def test_the_help_opens_by_a_key_and_escape_closes_it_without_a_stop(url: str) -
         page.get_by_text("101 inc1").first.wait_for()
         page.keyboard.press("?")
         page.get_by_role("dialog", name="keyboard help").get_by_text("stop all robots, always").wait_for()
+        keys = page.locator("#key-help kbd").all_inner_texts()
+        assert {"1 2 3 4", "F", "Q", "Shift", "arrows"} <= set(keys)
         page.keyboard.press("Escape")
         page.get_by_role("dialog", name="keyboard help").wait_for(state="hidden")
         page.wait_for_timeout(500)
@@ -86,7 +95,7 @@ def test_the_help_opens_by_a_key_and_escape_closes_it_without_a_stop(url: str) -
 
 def test_a_slider_follows_fast_presses_and_the_events_follow_again(url: str) -> None:
     with page_at(url) as page:
-        slider = page.get_by_role("slider", name="limit of the speed in m/s")
+        slider = page.get_by_role("slider", name="limit of the speed")
         slider.focus()
         for _ in range(8):
             page.keyboard.press("ArrowRight")

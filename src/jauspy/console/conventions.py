@@ -72,11 +72,21 @@ class Conventions:
         x, y = self._length(x), self._turned(self._length(y))
         return f"x {x:.2f} {self.length}, y {y:.2f} {self.length}"
 
+    def place(self, x: float, y: float) -> str:
+        """A position in metres as a short text, without names of the axes."""
+        return f"{self._length(x):.2f}, {self._turned(self._length(y)):.2f} {self.length}"
+
+    def distance(self, metres: float, digits: int = 2) -> str:
+        """A distance in metres as text."""
+        return f"{self._scaled(metres):.{digits}f} {self.length}"
+
     def yaw(self, yaw: float) -> str:
-        """A yaw of REP-103 in radians as text: of JAUS as a heading of 0 to 360 degrees."""
+        """A yaw of REP-103 in radians as text: of JAUS as a heading from 0 up to less than 360 degrees."""
         if self.axes == REP_103:
             return sentence("yaw {angle}", angle=self.angle_text(math.remainder(yaw, math.tau)))
-        return sentence("heading {angle}", angle=self.angle_text(-yaw % math.tau))
+        heading = -yaw % math.tau
+        is_full = self.angle_text(heading) == self.angle_text(math.tau)
+        return sentence("heading {angle}", angle=self.angle_text(0.0 if is_full else heading))
 
     def attitude(self, pitch: float, roll: float) -> str:
         """Pitch and roll of REP-103 in radians as text."""
@@ -96,6 +106,20 @@ class Conventions:
         """A speed in m/s as text."""
         return f"{self._length(speed):.1f} {self.length}/s"
 
+    def exact_speed(self, speed: float) -> str:
+        """A speed in m/s as text, with as many digits as were entered, at most two."""
+        return f"{self._length(speed):g} {self.length}/s"
+
+    def unit(self, kind: str) -> str:
+        """The unit of a `length` (with "/s" that of a speed) or an `angle`."""
+        return self.length if kind == "length" else "\u00b0" if self.angle == DEGREES else self.angle
+
+    def factor(self, kind: str) -> float:
+        """How many of this unit are a metre or a radian."""
+        if kind == "length":
+            return self._scaled(1.0)
+        return math.degrees(1.0) if self.angle == DEGREES else 1.0
+
     def plotted(self, report: str, path: str, unit: str) -> tuple[float, str]:
         """Factor and unit with which a field of a report, as `LocalPose` and `y`, is shown."""
         factor = -1.0 if self.axes == REP_103 and report in _VEHICLE and path in _TURNED else 1.0
@@ -109,9 +133,11 @@ class Conventions:
         """What the page's scripts need."""
         return self.chosen
 
+    def _scaled(self, metres: float) -> float:
+        return metres if self.length == METRES else metres / FOOT
+
     def _length(self, metres: float) -> float:
-        value = metres if self.length == METRES else metres / FOOT
-        return round(value, 2) + 0.0
+        return round(self._scaled(metres), 2) + 0.0
 
     def _turned(self, value: float) -> float:
         return (-value if self.axes == JAUS else value) + 0.0

@@ -15,6 +15,7 @@ from typing import Annotated, Any, Final, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from jauspy.console.conventions import Conventions
 from jauspy.console.geographic_frame import GeographicFrame
 from jauspy.console.languages import joined, sentence
 from jauspy.console.route import MAX_WAYPOINTS, Waypoint
@@ -62,10 +63,12 @@ class Look(_Strict):
     @property
     def text(self) -> str:
         """The action in words."""
+        return self.shown(Conventions())
+
+    def shown(self, conventions: Conventions) -> str:
+        """The action in words, with the unit of a page."""
         return sentence(
-            "look {pan:.0f}\u00b0, {tilt:.0f}\u00b0",
-            pan=math.degrees(self.pan),
-            tilt=math.degrees(self.tilt),
+            "look {pan}, {tilt}", pan=conventions.angle_text(self.pan), tilt=conventions.angle_text(self.tilt)
         )
 
 
@@ -120,11 +123,14 @@ class Step:
     speed: float | None = None
     action: Action | None = None
 
-    @property
-    def text(self) -> str:
-        """Speed and action in words; empty without both."""
-        speed = [] if self.speed is None else [f"{self.speed:g} m/s"]
-        return joined([*speed, *([] if self.action is None else [self.action.text])], ", ")
+    def shown(self, conventions: Conventions) -> str:
+        """Speed and action in words, with the units of a page; empty without both."""
+        parts = [] if self.speed is None else [conventions.exact_speed(self.speed)]
+        if isinstance(self.action, Look):
+            parts.append(self.action.shown(conventions))
+        elif self.action is not None:
+            parts.append(self.action.text)
+        return joined(parts, ", ")
 
 
 PLAIN: Final = Step()

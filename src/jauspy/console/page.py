@@ -134,7 +134,7 @@ class _Page:
                 self._control = ControlPanel(console, token, user)
                 self._link = self._status.link = LinkPanel()
                 self._drive = DrivePanel(console, token, lambda: self._want_tab("World"), self._conventions)
-                self._guards = GuardsPanel(console, token)
+                self._guards = GuardsPanel(console, token, self._conventions)
                 self._arm = ArmPanel(console, token)
                 self._conveyor = ConveyorPanel(console, token)
         self._of_robot = (
@@ -206,13 +206,13 @@ class _Page:
                 self._hint = ui.label("").classes("choose").props('role="status"')
         with self._desk.frame():
             with self._desk.pane("Video"), ui.element("div").classes("videos"):
-                self._videos = VideoPanel(self._console, token, user)
+                self._videos = VideoPanel(self._console, token, user, self._conventions)
             with self._desk.pane("World"), ui.element("div").classes("panel plots"):
-                self._world = WorldPanel(self._console, token)
+                self._world = WorldPanel(self._console, token, self._conventions)
             with self._desk.pane("Trajectory"), ui.element("div").classes("panel trajectory"):
                 self._trajectory = TrajectoryPanel(self._console, token)
             with self._desk.pane("Tasks"), ui.element("div").classes("panel tasks"):
-                self._tasks = TasksPanel(self._console, token, user)
+                self._tasks = TasksPanel(self._console, token, user, self._conventions)
             with self._desk.pane("Plots"), ui.element("div").classes("panel plots"):
                 self._plots = PlotsPanel(self._console.ocu, self._conventions)
             with self._desk.pane("Log"), ui.element("div").classes("panel messages"):

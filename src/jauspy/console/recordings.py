@@ -68,9 +68,9 @@ def checked_file(folder: Path, name: str) -> tuple[Path, os.stat_result]:
 
 
 def listed(folder: Path) -> dict[str, Any]:
-    """The recordings of the folder as JSON, the newest first."""
+    """The recordings of the folder as JSON, the newest first, and how many files are left out for which reason."""
     files: list[dict[str, Any]] = []
-    others = 0
+    misnamed = others = 0
     try:
         with os.scandir(folder) as entries:
             names = [entry.name for entry in islice(entries, MAX_LOOKED_AT)]
@@ -82,7 +82,8 @@ def listed(folder: Path) -> dict[str, Any]:
         try:
             path, found = checked_file(folder, name)
         except ConfigError:
-            others += 1
+            is_misnamed = Path(name).suffix.lower() in KINDS and not _NAME.fullmatch(name)
+            misnamed, others = misnamed + is_misnamed, others + (not is_misnamed)
             continue
         kind = KINDS[path.suffix.lower()][0]
         files.append({"name": name, "kind": kind, "size": found.st_size, "time": found.st_mtime})
@@ -91,6 +92,7 @@ def listed(folder: Path) -> dict[str, Any]:
         "folder": printable(str(folder)),
         "files": files[:MAX_LISTED],
         "left_out": max(0, len(files) - MAX_LISTED),
+        "misnamed": misnamed,
         "others": others,
     }
 

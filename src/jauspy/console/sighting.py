@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.console.camera_settings import LENS, sensor_name
+from jauspy.console.conventions import Conventions
 from jauspy.console.languages import sentence
 from jauspy.console.world import CLOUD_HEADER, World
 from jauspy.errors import ConfigError, JausError
@@ -217,9 +218,9 @@ def floor_along(floor: float, origin: Sequence[float], direction: Sequence[float
     return Sight((floor - origin[2]) / direction[2], sentence("floor, if level"))
 
 
-def shown(found: Sight, width: float | None) -> str:
+def shown(found: Sight, width: float | None, conventions: Conventions) -> str:
     """The distance as text, with the width of the gripper in metres if it is drawn."""
-    text = sentence("{distance:.2f} m ({source})", distance=found.distance, source=found.source)
+    text = sentence("{distance} ({source})", distance=conventions.distance(found.distance), source=found.source)
     return text if width is None else sentence("{text}, gripper {width:.0f} mm", text=text, width=1000.0 * width)
 
 

@@ -170,6 +170,15 @@ class Trajectory:
         )
 
 
+def not_taken(suffix: str) -> str:
+    """Why a browser has not sent a file that was chosen."""
+    return sentence(
+        "the file was not taken: it has more than {most} MiB, or its name does not end with {suffix}",
+        most=MAX_FILE >> 20,
+        suffix=suffix,
+    )
+
+
 def read_model(model: type[Model], text: str | bytes, name: str, *, guide: str) -> Model:
     """The content of a JSON file; raises `ConfigError` with place, reason, and the guide that has the form."""
     if len(text) > MAX_FILE:

@@ -8,10 +8,12 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.conventions import Conventions
 from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes
 from jauspy.console.motion import Motion
 from jauspy.console.page_language import _, translated
+from jauspy.console.panels.quantity_field import QuantityField
 from jauspy.errors import JausError, RequestError
 from jauspy.ocu.following import Following
 from jauspy.ocu.robot import Robot
@@ -28,7 +30,8 @@ POSE: Final = "GlobalPoseSensor"
 class FollowingCard:
     """Leader, gap, start and stop, for one page; hidden for robots that follow nobody."""
 
-    def __init__(self, console: Console, token: str) -> None:
+    def __init__(self, console: Console, token: str, conventions: Conventions) -> None:
+        self._conventions = conventions
         self._console = console
         self._motion = Motion(console, token)
         self._robot: Robot | None = None
@@ -41,8 +44,9 @@ class FollowingCard:
             self._hint = ui.label(_("follows another robot along its path")).classes("hint")
             with ui.element("div").classes("row start"):
                 self._leader = ui.select({}, label=_("leader")).props("dense outlined").classes("wide")
-                self._gap = ui.number(_("gap in metres"), value=3.0, min=0.0, max=100.0, step=0.5)
-                self._gap.props("dense outlined")
+                self._gap = QuantityField(
+                    conventions, "length", lambda unit: _("gap in {unit}", unit=unit), 0.0, 100.0, value=3.0, step=0.5
+                )
             with ui.element("div").classes("row start"):
                 self._go = ui.button(_("follow"), on_click=self._begin).props("unelevated no-caps")
                 stop = ui.button(_("stop"), on_click=self._motion.stop)
@@ -84,7 +88,7 @@ class FollowingCard:
         self._problem.set_text(translated(self._motion.problem))
         self._asks = True
         try:
-            text = state_text(await robot.following())
+            text = state_text(await robot.following(), self._conventions)
         except JausError:
             text = _("the robot does not answer")
         finally:
@@ -119,10 +123,10 @@ async def follow_until_stopped(robot: Robot, leader: int, gap: float) -> None:
     raise RequestError(sentence("it follows no more: the leader is lost or too far ahead, or the robot was stopped"))
 
 
-def state_text(state: Following) -> str:
+def state_text(state: Following, conventions: Conventions) -> str:
     """Whom the robot follows, at which gap."""
     if not state.is_following:
         return _("follows nobody")
     if state.gap is None:
         return _("follows {leader}", leader=state.leader)
-    return _("follows {leader} at {gap:.1f} m", leader=state.leader, gap=state.gap)
+    return _("follows {leader} at {gap}", leader=state.leader, gap=conventions.distance(state.gap, 1))

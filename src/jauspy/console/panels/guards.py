@@ -9,6 +9,7 @@ from typing import Any, Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.conventions import Conventions
 from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes
 from jauspy.console.motion import Motion
@@ -26,7 +27,8 @@ LABELS: Final = {"self_collision": sentence("self collision"), "obstacle": sente
 class GuardsPanel:
     """The guards of the chosen robot, for one page, which `token` names; hidden if it reports none."""
 
-    def __init__(self, console: Console, token: str) -> None:
+    def __init__(self, console: Console, token: str, conventions: Conventions) -> None:
+        self._conventions = conventions
         self._console = console
         self._motion = Motion(console, token)
         self._robot: Robot | None = None
@@ -97,17 +99,17 @@ class GuardsPanel:
                 switch.set_visibility(True)
                 switch.set_value(guard.enabled)
                 switch.set_enabled(not refusal)
-        self._state.set_text(distances_text(found))
+        self._state.set_text(distances_text(found, self._conventions))
         self._problem.set_text(problems_text(found) or printable(translated(self._motion.problem)))
 
 
-def distances_text(found: Iterable[Guard]) -> str:
+def distances_text(found: Iterable[Guard], conventions: Conventions) -> str:
     """A text with the distances that the guards report, and whether they act."""
     parts = []
     for guard in found:
         if guard.enabled and math.isfinite(guard.distance):
             what = translated(LABELS.get(guard.name, sentence("unknown")))
-            text = f"{what} {guard.distance:.2f} m"
+            text = f"{what} {conventions.distance(guard.distance)}"
             parts.append(_("{guard}, slows down", guard=text) if guard.active else text)
     return "; ".join(parts)
 

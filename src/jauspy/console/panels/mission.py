@@ -10,13 +10,15 @@ from nicegui import ui
 from nicegui.events import UploadEventArguments
 
 from jauspy.console.confirmation import confirmed
+from jauspy.console.conventions import Conventions
 from jauspy.console.geographic_frame import GeographicFrame
 from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes
 from jauspy.console.mission import MAX_SPEED, MAX_WAIT, Action, Look, Mission, Step, Still, Wait
 from jauspy.console.page_language import _, translated
+from jauspy.console.panels.quantity_field import QuantityField
 from jauspy.console.saved_files import SavedByOther, SavedFiles, checked_name
-from jauspy.console.trajectory import MAX_FILE
+from jauspy.console.trajectory import MAX_FILE, not_taken
 from jauspy.errors import ConfigError
 from jauspy.printable import printable
 
@@ -32,12 +34,19 @@ DEFAULT_NAME: Final = "mission"
 class StepDialog:
     """Speed and action of one waypoint; `on_change` is called with its index and the new step."""
 
-    def __init__(self, on_change: Callable[[int, Step], None]) -> None:
+    def __init__(self, on_change: Callable[[int, Step], None], conventions: Conventions) -> None:
         self._on_change = on_change
+        self._conventions = conventions
         self._index = 0
         with attributes(ui.dialog(), aria_label=_("speed and action")) as self._dialog, ui.card().classes("mission"):
             self._title = ui.label("").classes("heading")
-            self._speed = _number(_("speed in m/s; empty: that of the list"), 0.05, MAX_SPEED)
+            self._speed = QuantityField(
+                conventions,
+                "length",
+                lambda unit: _("speed in {unit}/s; empty: that of the list", unit=unit),
+                0.05,
+                MAX_SPEED,
+            )
             self._kind = ui.select(
                 {kind: translated(label) for kind, label in ACTIONS.items()},
                 label=_("at the waypoint"),
@@ -46,8 +55,12 @@ class StepDialog:
             )
             self._kind.props("dense outlined options-dense")
             self._seconds = _number(_("seconds"), 0.1, MAX_WAIT)
-            self._pan = _number(_("pan in degrees, to the left"), -180.0, 180.0)
-            self._tilt = _number(_("tilt in degrees, downwards"), -180.0, 180.0)
+            self._pan = QuantityField(
+                conventions, "angle", lambda unit: _("pan in {unit}, to the left", unit=unit), -math.pi, math.pi
+            )
+            self._tilt = QuantityField(
+                conventions, "angle", lambda unit: _("tilt in {unit}, downwards", unit=unit), -math.pi, math.pi
+            )
             self._camera = ui.input(_("name of the camera, if there are several")).props("dense outlined")
             self._problem = ui.label("").classes("problem").props('role="status"')
             with ui.element("div").classes("row"):
@@ -63,8 +76,8 @@ class StepDialog:
         action = step.action
         self._kind.set_value("" if action is None else action.kind)
         self._seconds.set_value(action.seconds if isinstance(action, Wait) else 5.0)
-        self._pan.set_value(round(math.degrees(action.pan), 1) if isinstance(action, Look) else 0.0)
-        self._tilt.set_value(round(math.degrees(action.tilt), 1) if isinstance(action, Look) else 0.0)
+        self._pan.set_value(action.pan if isinstance(action, Look) else 0.0)
+        self._tilt.set_value(action.tilt if isinstance(action, Look) else 0.0)
         self._camera.set_value(action.camera if isinstance(action, Still) else "")
         self._show_fields()
         self._dialog.open()
@@ -73,7 +86,7 @@ class StepDialog:
         kind = self._kind.value
         self._seconds.set_visibility(kind == "wait")
         for field in (self._pan, self._tilt):
-            field.set_visibility(kind == "look")
+            field.element.set_visibility(kind == "look")
         self._camera.set_visibility(kind == "still")
 
     def _apply(self) -> None:
@@ -86,9 +99,10 @@ class StepDialog:
         self._dialog.close()
 
     def _speed_value(self) -> float | None:
-        speed = None if self._speed.value in (None, "") else float(self._speed.value)
+        speed = self._speed.value
         if speed is not None and not 0.0 < speed <= MAX_SPEED:
-            raise ValueError(sentence("a speed is more than 0 and at most {most:g} m/s", most=MAX_SPEED))
+            most = self._conventions.exact_speed(MAX_SPEED)
+            raise ValueError(sentence("a speed is more than 0 and at most {most}", most=most))
         return speed
 
     def _action(self) -> Action | None:
@@ -99,10 +113,10 @@ class StepDialog:
                     raise ValueError(sentence("a robot waits more than 0 and at most {most:g} s", most=MAX_WAIT))
                 return Wait(seconds=seconds)
             case "look":
-                pan, tilt = (float(field.value or 0.0) for field in (self._pan, self._tilt))
-                if not (abs(pan) <= 180.0 and abs(tilt) <= 180.0):
+                pan, tilt = (field.value or 0.0 for field in (self._pan, self._tilt))
+                if not (abs(pan) <= math.pi and abs(tilt) <= math.pi):
                     raise ValueError(sentence("pan and tilt are -180 to 180 degrees"))
-                return Look(pan=math.radians(pan), tilt=math.radians(tilt))
+                return Look(pan=pan, tilt=tilt)
             case "still":
                 return Still(camera=str(self._camera.value or "")[:64])
         return None
@@ -139,7 +153,7 @@ class MissionDialog:
                 ui.button(_("delete"), on_click=self._delete).props("flat no-caps")
             with ui.element("div").classes("row"):
                 self._upload = ui.upload(on_upload=self._upload_file, auto_upload=True, max_file_size=MAX_FILE)
-                self._upload.props('accept=".json"').classes("hidden")
+                self._upload.props('accept=".json"').classes("hidden").on_rejected(self._rejected)
                 ui.button(_("upload")).props("outline no-caps dense").on(
                     "click", js_handler="() => jauspy.pickFile('.mission')"
                 )
@@ -228,6 +242,9 @@ class MissionDialog:
             self._said.set_text(translated(str(error)))
         self._upload.reset()
         self._show_areas()
+
+    def _rejected(self) -> None:
+        self._said.set_text(translated(not_taken(".json")))
 
     def _download(self) -> None:
         try:

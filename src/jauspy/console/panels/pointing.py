@@ -9,6 +9,7 @@ from typing import Any, Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.conventions import Conventions
 from jauspy.console.languages import sentence
 from jauspy.console.markup import call
 from jauspy.console.page_language import _, translated
@@ -34,15 +35,26 @@ JOINTS_TIME: Final = 0.6
 
 
 class Pointing:
-    """The pointer in the pictures of one page, which `token` names; `chosen` returns the large camera's component."""
+    """The pointer in the pictures of one page, which `token` names; `chosen` returns the large camera's component.
+
+    `say` shows a text; if its second argument is one, only in place of that.
+    """
 
     def __init__(
-        self, console: Console, token: str, chosen: Callable[[], ComponentInfo | None], say: Callable[[str], object]
+        self,
+        console: Console,
+        token: str,
+        chosen: Callable[[], ComponentInfo | None],
+        say: Callable[[str, str | None], object],
+        conventions: Conventions,
     ) -> None:
+        self._conventions = conventions
         self._console = console
         self._token = token
         self._chosen = chosen
         self._say = say
+        self._problem = ""
+        """Why the last act failed; empty after one that did not."""
         self._robot: Robot | None = None
         self._world: World | None = None
         """Followed since something was measured."""
@@ -115,7 +127,11 @@ class Pointing:
             await act
         except JausError as error:
             with self._button:  # of this page
-                self._say(printable(translated(str(error))))
+                self._problem = printable(translated(str(error)))
+                self._say(self._problem, None)
+        else:
+            self._say("", self._problem)
+            self._problem = ""
 
     def _head(self, component: ComponentInfo) -> CameraHead:
         robot = self._robot
@@ -164,4 +180,4 @@ class Pointing:
         share = 0.0 if width is None else lens.width_share(width, found.distance)
         mark = {"component": str(component.id), "x": x, "y": y, "width": share}
         with self._button:  # of this page
-            call("jauspy.sight.show", {**mark, "text": translated(shown(found, width))})
+            call("jauspy.sight.show", {**mark, "text": translated(shown(found, width, self._conventions))})

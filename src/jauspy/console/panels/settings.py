@@ -34,9 +34,9 @@ class SettingsButton:
             ui.label(_("another language loads the page again, and releases the robot")).classes("hint")
             self._toggles = {name: self._toggle(name) for name in _LABELS}
             self._axes = ui.label(translated(conventions.axes_text)).classes("hint")
-            ui.label(_("joints of arms stay in radians and metres, the log in the values of the messages")).classes(
-                "hint"
-            )
+            ui.label(
+                _("arms, grippers and belts stay in radians and metres, events, files and the log as they are")
+            ).classes("hint")
             ui.button(_("close"), on_click=dialog.close).props("outline no-caps")
         button = ui.button(_("view"), on_click=dialog.open, color=None).props("flat no-caps dense")
         attributes(button, aria_label=_("axes and units"))

@@ -19,7 +19,7 @@ from jauspy.console.languages import sentence
 from jauspy.console.listening import SILENT
 from jauspy.console.markup import attributes
 from jauspy.console.page_language import _, translated
-from jauspy.console.trajectory import MAX_FILE
+from jauspy.console.trajectory import MAX_FILE, not_taken
 from jauspy.console.users import User
 from jauspy.errors import JausError
 from jauspy.ids import JausID
@@ -55,7 +55,7 @@ class SoundCard:
                 self._player = ui.element("div")
             with ui.element("div").classes("row start") as self._mouth:
                 self._upload = ui.upload(on_upload=self._announce, auto_upload=True, max_file_size=MAX_FILE)
-                self._upload.props('accept=".wav"').classes("hidden")
+                self._upload.props('accept=".wav"').classes("hidden").on_rejected(self._rejected)
                 announce = ui.button(_("announce a WAV file")).props("outline no-caps")
                 self._pick = announce.on("click", js_handler="() => jauspy.pickFile('.sound')")
                 self._end = ui.button(_("stop"), on_click=self._stop).props("outline no-caps color=negative")
@@ -108,6 +108,9 @@ class SoundCard:
             return
         self._said, self._playing = "", name
         self._task = background_tasks.create(self._play(robot, data), name=f"console: announcement by {robot.id}")
+
+    def _rejected(self) -> None:
+        self._said = not_taken(".wav")
 
     async def _play(self, robot: Robot, data: bytes) -> None:
         try:

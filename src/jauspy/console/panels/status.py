@@ -70,7 +70,8 @@ class StatusBar:
         self._link = ui.label("").classes("status-link")
         ui.html('<span id="video-age"></span>', sanitize=False).tooltip(_("age of the large picture when it was drawn"))
         with ui.element("div").classes("alarms").props('role="alert"') as self._place:
-            self._text = ui.label("").classes("alarm-text")
+            with ui.label("").classes("alarm-text") as self._text:
+                self._all = ui.tooltip("").classes("alarm-list")
             self._acknowledge = ui.button(_("acknowledge"), on_click=self._acknowledge_all, color=None)
             self._acknowledge.props("flat dense no-caps").classes("acknowledge")  # console.js gives it a title
         with ui.element("div").classes("time-line"):
@@ -198,6 +199,7 @@ class StatusBar:
             _("{alarm} (is over)", alarm=alarm.text) if alarm.has_ended else translated(alarm.text) for alarm in shown
         ]
         self._text.set_text("; ".join(texts))
+        self._all.set_text("\n".join(texts))
         if not shown:
             return
         first = shown[0]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.console.console import Console
+from jauspy.console.conventions import Conventions
 from jauspy.console.panels.following import FollowingCard
 from jauspy.console.panels.handoff import HandoffCard
 from jauspy.console.panels.sound import SoundCard
@@ -23,10 +24,10 @@ OFFERED: Final = (
 class TasksPanel:
     """The cards of one page, which `token` names."""
 
-    def __init__(self, console: Console, token: str, user: User) -> None:
+    def __init__(self, console: Console, token: str, user: User, conventions: Conventions) -> None:
         self._cards: list[Card] = [
-            WayBackCard(console, token),
-            FollowingCard(console, token),
+            WayBackCard(console, token, conventions),
+            FollowingCard(console, token, conventions),
             HandoffCard(console, token, user),
             SoundCard(console, token, user),
         ]

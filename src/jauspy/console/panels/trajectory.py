@@ -19,7 +19,7 @@ from jauspy.console.markup import attributes, style_number
 from jauspy.console.motion import Motion
 from jauspy.console.page_language import _, translated
 from jauspy.console.saved_files import SavedByOther, SavedFiles, checked_name
-from jauspy.console.trajectory import MAX_FILE, MAX_SECONDS, Trajectory, TrajectoryRow, is_modular
+from jauspy.console.trajectory import MAX_FILE, MAX_SECONDS, Trajectory, TrajectoryRow, is_modular, not_taken
 from jauspy.errors import ConfigError, JausError
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
@@ -66,7 +66,7 @@ class TrajectoryPanel:
         with ui.element("div").classes("row"):
             ui.label(_("0 s: as fast as the limits allow")).classes("hint grow")
             self._upload = ui.upload(on_upload=self._upload_file, auto_upload=True, max_file_size=MAX_FILE)
-            self._upload.props('accept=".json"').classes("hidden")
+            self._upload.props('accept=".json"').classes("hidden").on_rejected(self._rejected)
             ui.button(_("upload")).props("outline no-caps dense").on(
                 "click", js_handler="() => jauspy.pickFile('.trajectory')"
             )
@@ -355,6 +355,9 @@ class TrajectoryPanel:
         except ConfigError as error:
             self._problem_here = str(error)
         self._upload.reset()
+
+    def _rejected(self) -> None:
+        self._problem_here = not_taken(".json")
 
     def _download(self) -> None:
         text = self.trajectory.to_json(self._robot.name if self._robot is not None else "")

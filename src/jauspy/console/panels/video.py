@@ -10,6 +10,7 @@ from nicegui import events, ui
 
 from jauspy.console.camera_settings import LENS, LIGHTS, VIDEO, Setting, read_settings, sensor_name, write_setting
 from jauspy.console.console import Console
+from jauspy.console.conventions import Conventions
 from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes, call
 from jauspy.console.page_language import _, translated
@@ -24,24 +25,29 @@ from jauspy.printable import printable
 
 UPDATE_INTERVAL: Final = 0.5
 """Seconds between two updates of recordings."""
+NAMING_INTERVAL: Final = 3.0
+"""Seconds after which a camera that did not tell its name is asked again."""
 HEADINGS: Final = {VIDEO: sentence("Stream"), LENS: sentence("Lens"), LIGHTS: sentence("Lights")}
 
 
 class VideoPanel:
     """The cameras of the chosen robot, for the page of this token."""
 
-    def __init__(self, console: Console, token: str, user: User) -> None:
+    def __init__(self, console: Console, token: str, user: User, conventions: Conventions) -> None:
         self._console = console
         self._token = token
         self._user = user
         self._robot: Robot | None = None
         self._figures: dict[str, ui.element] = {}
         self._captions: dict[str, ui.label] = {}
+        self._unnamed: set[str] = set()
+        """Cameras that have not told their names."""
+        self._naming = False
         self._chosen = ""
         self._filling = False
         with ui.element("div").classes("video-bar"):
             ui.element("div").classes("space")
-            self._pointing = Pointing(console, token, self._component, self._say)
+            self._pointing = Pointing(console, token, self._component, self._say, conventions)
             self._still = _button(_("still"), self._take_still, _("save a picture"))
             self._record = _button(
                 _("record"), self._toggle_recording, _("record what arrives, on the console's machine")
@@ -62,6 +68,7 @@ class VideoPanel:
             self._refused = ui.label("")
         ui.on("camera_settings_closed", lambda: self._side.set_visibility(False))
         ui.timer(UPDATE_INTERVAL, self._update)
+        ui.timer(NAMING_INTERVAL, self._name_cameras)
 
     def show(self, robot: Robot | None) -> None:
         """Show the cameras of this robot."""
@@ -71,6 +78,7 @@ class VideoPanel:
         cameras = [component for component in components if component.find(VIDEO)]
         self._place.clear()
         self._figures, self._captions, self._chosen = {}, {}, ""
+        self._unnamed = {str(camera.id) for camera in cameras}
         self._said.set_text("")
         with self._place:
             for camera in cameras:
@@ -90,8 +98,10 @@ class VideoPanel:
         """Handle the end of the page; recordings continue."""
         self._pointing.close()
 
-    def _say(self, text: str) -> None:
-        self._said.set_text(text)
+    def _say(self, text: str, instead_of: str | None = None) -> None:
+        """Show a text, or only where another one is still shown."""
+        if instead_of is None or self._said.text == instead_of:
+            self._said.set_text(text)
 
     # --- cameras ----------------------------------------------------------------------------------------------------
 
@@ -124,13 +134,21 @@ class VideoPanel:
             ui.timer(0.0, self._fill_settings, once=True)
 
     async def _name_cameras(self) -> None:
+        """Ask the cameras whose names are not known, one after another."""
         robot = self._robot
-        for id, caption in list(self._captions.items()):
-            if robot is not None:
+        if robot is None or self._naming or not self._unnamed:
+            return
+        self._naming = True
+        try:
+            for id in sorted(self._unnamed):
                 with suppress(JausError):
                     name = await sensor_name(robot.component(id))
-                    if self._robot is robot:
-                        caption.set_text(f"{printable(name)}  {id}")
+                    if self._robot is not robot or id not in self._captions:
+                        return
+                    self._captions[id].set_text(f"{printable(name)}  {id}")
+                    self._unnamed.discard(id)
+        finally:
+            self._naming = False
 
     def _camera(self) -> SharedCamera | None:
         component = self._component()

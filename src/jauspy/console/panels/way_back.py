@@ -7,10 +7,12 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.console import Console
+from jauspy.console.conventions import Conventions
 from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes
 from jauspy.console.motion import Motion
 from jauspy.console.page_language import _, translated
+from jauspy.console.panels.quantity_field import QuantityField
 from jauspy.ocu.comms_lost import WayBack
 from jauspy.ocu.robot import Robot
 
@@ -23,7 +25,8 @@ MAX_DISTANCE: Final = 10_000.0
 class WayBackCard:
     """Distance, speed, progress and stop, for one page; hidden for robots that keep no path."""
 
-    def __init__(self, console: Console, token: str) -> None:
+    def __init__(self, console: Console, token: str, conventions: Conventions) -> None:
+        self._conventions = conventions
         self._motion = Motion(console, token)
         self._robot: Robot | None = None
         self._said = ""
@@ -36,10 +39,25 @@ class WayBackCard:
                 self._state = ui.label("").classes("state grow").props('role="status"')
             ui.label(_("drives back along the path by which it came; it sees no obstacles")).classes("hint")
             with ui.element("div").classes("row start"):
-                self._distance = ui.number(_("metres"), value=5.0, min=0.1, max=MAX_DISTANCE, step=1.0)
-                self._distance.props("dense outlined")
-                self._speed = ui.number(_("m/s, 0: as it came"), value=0.0, min=0.0, max=5.0, step=0.1)
-                self._speed.props("dense outlined").classes("wide")
+                self._distance = QuantityField(
+                    conventions,
+                    "length",
+                    lambda unit: _("distance in {unit}", unit=unit),
+                    0.1,
+                    MAX_DISTANCE,
+                    value=5.0,
+                    step=1.0,
+                )
+                self._speed = QuantityField(
+                    conventions,
+                    "length",
+                    lambda unit: _("{unit}/s, 0: as it came", unit=unit),
+                    0.0,
+                    5.0,
+                    value=0.0,
+                    step=0.1,
+                )
+                self._speed.element.classes("wide")
             with ui.element("div").classes("row start"):
                 self._go = ui.button(_("drive back"), on_click=self._begin).props("unelevated no-caps")
                 stop = ui.button(_("stop"), on_click=self._motion.stop)
@@ -70,7 +88,8 @@ class WayBackCard:
         self._motion.begin(robot.id, self._drive(robot, distance, speed or None), sentence("driving back"))
 
     async def _drive(self, robot: Robot, distance: float, speed: float | None) -> None:
-        self._said = result_text(await robot.retrotraverse(distance, speed=speed, progress=self._note), distance)
+        way = await robot.retrotraverse(distance, speed=speed, progress=self._note)
+        self._said = result_text(way, distance, self._conventions)
 
     def _note(self, share: float) -> None:
         self._share = share
@@ -90,10 +109,13 @@ class WayBackCard:
         self._problem.set_text(translated(self._motion.problem))
 
 
-def result_text(way: WayBack, asked: float) -> str:
+def result_text(way: WayBack, asked: float, conventions: Conventions) -> str:
     """How far the robot drove, and why it ended there if that is less than was asked for."""
+    driven = conventions.distance(way.distance, 1)
     if way.ended_by != "path":
-        return sentence("drove {distance:.1f} m back", distance=way.distance)
+        return sentence("drove {distance} back", distance=driven)
     return sentence(
-        "drove {distance:.1f} m back of {asked:g} m: its path begins here", distance=way.distance, asked=asked
+        "drove {distance} back of {asked}: its path begins here",
+        distance=driven,
+        asked=conventions.distance(asked, 1),
     )

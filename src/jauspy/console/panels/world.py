@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from nicegui import ui
 
+from jauspy.console.conventions import Conventions
 from jauspy.console.geographic_frame import GeographicFrame
 from jauspy.console.languages import Sentence, sentence
 from jauspy.console.markup import attributes, call, plain_text
@@ -17,6 +18,7 @@ from jauspy.console.motion import Motion
 from jauspy.console.page_language import _, translated
 from jauspy.console.panels.mission import MissionDialog, StepDialog
 from jauspy.console.panels.planned_motion import PlannedMotionRow
+from jauspy.console.panels.quantity_field import QuantityField
 from jauspy.console.route import LIST_DRIVER, MAX_WAYPOINTS, Route, Waypoint
 from jauspy.console.saved_files import SavedFiles
 from jauspy.console.way_around import way_around
@@ -39,11 +41,12 @@ MAX_SPEED: Final = 5.0
 class MapPanel:
     """The map and the list, for one page with this token. Edits stay in this page until they are sent."""
 
-    def __init__(self, console: Console, token: str) -> None:
+    def __init__(self, console: Console, token: str, conventions: Conventions) -> None:
         self.visible = False
         """Set by the page; the robot's list is queried only while it is shown."""
         self._console = console
         self._token = token
+        self._conventions = conventions
         self._robot: Robot | None = None
         self._draft: list[Waypoint] | None = None
         """Waypoints edited here and not sent; None while the list is the robot's."""
@@ -68,30 +71,44 @@ class MapPanel:
                     self._count = ui.label("").classes("hint")
                 self._list = ui.element("div").classes("waypoints")
             with ui.element("div").classes("execution"):
-                self._bar = ui.linear_progress(0.0, show_value=False, size="6px").props("instant-feedback")
-                self._progress = ui.label("").classes("hint progress")
-                self._problem = ui.label("").classes("problem")
-                with ui.element("div").classes("row tight"):
-                    self._start = ui.button(_("start"), on_click=self._on_start).props("unelevated no-caps")
-                    self._pause = ui.button(_("pause"), on_click=self._on_pause).props("outline no-caps")
-                    self._speed = ui.number(
-                        "m/s", value=DEFAULT_SPEED, min=0.1, max=MAX_SPEED, step=0.1, on_change=self._on_speed
-                    )
-                    self._speed.props("dense outlined debounce=600").classes("short")
-                    ui.button(_("mission …"), on_click=self._open_mission).props("outline no-caps")
-                    self._around = ui.button(_("around obstacles"), on_click=self._on_around).props("outline no-caps")
-                    self._clear = ui.button(_("clear"), on_click=self._on_clear).props("outline no-caps")
-                    self._discard = ui.button(_("undo edits"), on_click=self._on_discard).props("flat no-caps")
-                with ui.element("div").classes("row tight") as self._drawing:
-                    ui.label(_("click the corners")).classes("hint grow")
-                    ui.button(_("done"), on_click=self._end_area).props("unelevated no-caps")
-                    ui.button(_("cancel"), on_click=self._cancel_area).props("outline no-caps")
-        self._step_dialog = StepDialog(self._set_step)
+                self._build_execution()
+        self._step_dialog = StepDialog(self._set_step, conventions)
         self._mission_dialog = MissionDialog(self._files, self._mission, self._load, self._begin_area, self._frame)
-        self._drawing.set_visibility(False)
+        for hidden in (self._drawing, self._stop):
+            hidden.set_visibility(False)
         ui.on("waypoint", self._edit)
         ui.on("area_cancelled", self._cancel_area)
         ui.timer(UPDATE_INTERVAL, self._update)
+
+    def _build_execution(self) -> None:
+        """The progress, and the buttons that carry the waypoints out."""
+        self._bar = ui.linear_progress(0.0, show_value=False, size="6px").props("instant-feedback")
+        self._progress = ui.label("").classes("hint progress")
+        self._problem = ui.label("").classes("problem")
+        with ui.element("div").classes("row tight"):
+            self._stop = ui.button(_("stop"), on_click=self._motion.stop).props("outline no-caps color=negative")
+            attributes(self._stop, aria_label=_("stop the mission"))
+            self._start = ui.button(_("start"), on_click=self._on_start).props("unelevated no-caps")
+            self._pause = ui.button(_("pause"), on_click=self._on_pause).props("outline no-caps")
+            self._speed = QuantityField(
+                self._conventions,
+                "length",
+                "{}/s".format,
+                0.1,
+                MAX_SPEED,
+                value=DEFAULT_SPEED,
+                step=0.1,
+                on_change=self._on_speed,
+            )
+            self._speed.element.props("debounce=600").classes("short")
+            ui.button(_("mission …"), on_click=self._open_mission).props("outline no-caps")
+            self._around = ui.button(_("around obstacles"), on_click=self._on_around).props("outline no-caps")
+            self._clear = ui.button(_("clear"), on_click=self._on_clear).props("outline no-caps")
+            self._discard = ui.button(_("undo edits"), on_click=self._on_discard).props("flat no-caps")
+        with ui.element("div").classes("row tight") as self._drawing:
+            ui.label(_("click the corners")).classes("hint grow")
+            ui.button(_("done"), on_click=self._end_area).props("unelevated no-caps")
+            ui.button(_("cancel"), on_click=self._cancel_area).props("outline no-caps")
 
     def show(self, robot: Robot | None) -> None:
         """Show another robot; edits of the one before are dropped."""
@@ -255,7 +272,8 @@ class MapPanel:
         route, mine = world.route, self._operates()
         points = list(self._draft if self._draft is not None else route.waypoints)
         states = [self._state_of(index, route) for index in range(len(points))]
-        listed = (tuple(points), self._steps, route.is_offered)
+        units = tuple(self._conventions.chosen.items())
+        listed = (tuple(points), self._steps, route.is_offered, units)
         if listed != self._listed:
             self._listed = listed
             self._show_list(points)
@@ -266,7 +284,7 @@ class MapPanel:
                 label.set_text(translated(STATE_NAMES[state]))
             drawn = [{"x": p.x, "y": p.y, "state": s} for p, s in zip(points, states, strict=True) if p.is_point]
             call("jauspy.world.setRoute", drawn)
-        text, fraction = progress_of(route, world.pose)
+        text, fraction = progress_of(route, world.pose, self._conventions)
         is_run = self._motion.is_running and self._run is not None
         if self._run is not None:
             text, fraction = run_progress(self._run, is_running=is_run, is_paused=route.is_paused)
@@ -290,7 +308,8 @@ class MapPanel:
         self._start.set_enabled(mine and not self._busy and bool(points) and may_start)
         self._pause.set_enabled(mine and not self._busy and runs)
         self._clear.set_enabled(not self._busy and (mine or self._draft is not None) and bool(points))
-        self._clear.set_text(_("stop") if is_run else _("clear"))
+        self._clear.set_visibility(not is_run)
+        self._stop.set_visibility(is_run)
         self._around.set_enabled(not self._busy and bool(self._draft) and not is_run)
         self._discard.set_visibility(self._draft is not None and not is_run)
 
@@ -315,7 +334,7 @@ class MapPanel:
                 with ui.element("div").classes("waypoint") as element:
                     ui.label(str(index + 1)).classes("number")
                     where = (
-                        f"{round(point.x, 2) + 0.0:.2f}, {round(point.y, 2) + 0.0:.2f} m"
+                        self._conventions.place(point.x, point.y)
                         if point.is_point
                         else getattr(point.element, "NAME", "data")
                     )
@@ -323,7 +342,8 @@ class MapPanel:
                     step = self._steps[index] if index < len(self._steps) else PLAIN
                     self._states.append((element, ui.label("").classes("hint")))
                     edit = ui.button(
-                        translated(step.text) or _("drive on"), on_click=lambda at=index: self._edit_step(at)
+                        translated(step.shown(self._conventions)) or _("drive on"),
+                        on_click=lambda at=index: self._edit_step(at),
                     )
                     attributes(
                         edit.props("flat dense no-caps align=left").classes("step"),
@@ -369,7 +389,7 @@ class MapPanel:
         world = self._world()
         if world is None:
             return
-        route, draft, speed = world.route, self._draft, float(self._speed.value or DEFAULT_SPEED)
+        route, draft, speed = world.route, self._draft, self._speed.value or DEFAULT_SPEED
         if route.is_paused and (draft is None or self._motion.is_running):
             await self._command(
                 sentence("go on through the waypoints at {speed:g} m/s", speed=speed), route.set_speed(speed)
@@ -419,7 +439,7 @@ class MapPanel:
 
     async def _on_speed(self) -> None:
         """Change the speed of a robot that drives through its list immediately."""
-        world, speed = self._world(), float(self._speed.value or 0.0)
+        world, speed = self._world(), self._speed.value or 0.0
         if world is None or not 0.0 < speed <= MAX_SPEED:
             return
         if self._operates() and world.route.active is not None and not world.route.is_paused:
@@ -429,10 +449,7 @@ class MapPanel:
 
     async def _on_clear(self) -> None:
         world = self._world()
-        if world is None:
-            return
-        if self._motion.is_running:
-            self._motion.stop()
+        if world is None or self._motion.is_running:
             return
         self._steps, self._run = (), None
         if (
@@ -480,7 +497,7 @@ def state_of(index: int, route: Route, *, is_draft: bool) -> str:
     return "reached" if index < route.active else "on the robot"
 
 
-def progress_of(route: Route, pose: RobotPose | None) -> tuple[str, float]:
+def progress_of(route: Route, pose: RobotPose | None, conventions: Conventions) -> tuple[str, float]:
     """The robot's progress in its list: as text, and from 0 to 1."""
     many = len(route.waypoints)
     if route.active is None:
@@ -499,7 +516,8 @@ def progress_of(route: Route, pose: RobotPose | None) -> tuple[str, float]:
     left = math.dist((pose.x, pose.y), (goal.x, goal.y))
     leg = left if route.began_at is None else math.dist(route.began_at, (goal.x, goal.y))
     part = max(0.0, 1.0 - left / leg) if leg > 0.0 else 0.0
-    return sentence("{text}: {distance:.1f} m left", text=text, distance=left), (route.active + part) / many
+    shown = sentence("{text}: {distance} left", text=text, distance=conventions.distance(left, 1))
+    return shown, (route.active + part) / many
 
 
 STATE_NAMES: Final = {
@@ -520,7 +538,7 @@ _THREE_JS: Final = ui.scene
 class WorldPanel:
     """The views and their switches, for one page; changing data arrive by a separate socket (`world_socket`)."""
 
-    def __init__(self, console: Console, token: str) -> None:
+    def __init__(self, console: Console, token: str, conventions: Conventions) -> None:
         with ui.element("div").props("id=world").classes("world"):
             with ui.element("div").classes("choice"):
                 view = ui.toggle({name: translated(label) for name, label in VIEWS.items()}, value="both").props(
@@ -538,7 +556,7 @@ class WorldPanel:
                 with ui.element("div").classes("three"):
                     ui.element("div").props("id=world-3d")
                     ui.html('<p data-line="waiting" class="waiting" role="status"></p>', sanitize=False)
-                self.map = MapPanel(console, token)
+                self.map = MapPanel(console, token, conventions)
             self._planned = PlannedMotionRow(console, token)
             with ui.element("div").classes("row notes"):
                 ui.html('<span data-line="source" class="hint"></span>', sanitize=False)

@@ -35,12 +35,23 @@ jauspy.desk = {
   // One view in all of the window below the bar, which keeps STOP: in the full screen of browsers, Escape would end that
   // and stop no robot.
   toggleFull() {
+    if (jauspy.desk.endFull()) return;
     const shown = [...document.querySelectorAll(".pane")].filter((pane) => pane.offsetParent !== null);
+    const pane = shown.find((each) => each.dataset.view === jauspy.desk.used) ?? shown[0];
+    if (!pane) return;
+    pane.dataset.full = "yes";
+    document.body.classList.add("full");
+    jauspy.desk.closing.observe(pane, { attributes: true, attributeFilter: ["class"] });
+  },
+  // Shows the other views again; returns whether one had filled the window.
+  endFull() {
     const full = document.querySelector(".pane[data-full]");
     if (full) delete full.dataset.full;
-    else (shown.find((pane) => pane.dataset.view === jauspy.desk.used) ?? shown[0])?.setAttribute("data-full", "yes");
-    document.body.classList.toggle("full", !full && shown.length > 0);
+    document.body.classList.remove("full");
+    jauspy.desk.closing.disconnect();
+    return full !== null;
   },
+  closing: new MutationObserver(() => { if (document.querySelector(".pane[data-full].hidden")) jauspy.desk.endFull(); }),
 
   listen() {
     const desk = jauspy.desk;
@@ -74,8 +85,10 @@ jauspy.desk = {
       const splitter = event.target.closest?.(".splitter");
       const step = { ArrowLeft: -0.02, ArrowUp: -0.02, ArrowRight: 0.02, ArrowDown: 0.02 }[event.code];
       if (splitter && step) desk.resize(splitter.dataset.split, desk.share(splitter.dataset.split) + step, true);
-      else if (/^Digit[1-4]$/.test(event.code) && !event.shiftKey) emitEvent("desk", { preset: Number(event.code.slice(5)) });
-      else if (jauspy.letter(event) === "f") desk.toggleFull();
+      else if (/^Digit[1-4]$/.test(event.code) && !event.shiftKey) {
+        desk.endFull();
+        emitEvent("desk", { preset: Number(event.code.slice(5)) });
+      } else if (jauspy.letter(event) === "f") desk.toggleFull();
       else return;
       event.preventDefault();
     });

@@ -226,7 +226,7 @@ jauspy.map = {
   },
   drawScale(pen, colours, unit) {
     const map = jauspy.map;
-    const length = [0.5, 1, 2, 5, 10, 20, 50].find((each) => each * unit > 50 * map.ratio) ?? 100;
+    const { metres: length, text } = jauspy.settings.scaleBar((50 * map.ratio) / unit);
     const [x, y] = [12 * map.ratio, map.canvas.height - 12 * map.ratio];
     pen.strokeStyle = pen.fillStyle = colours.text;
     pen.lineWidth = 1.5 * map.ratio;
@@ -236,6 +236,6 @@ jauspy.map = {
     pen.textAlign = "left";
     pen.textBaseline = "bottom";
     pen.font = `${11 * map.ratio}px system-ui, sans-serif`;
-    pen.fillText(`${length} m`, x + 4 * map.ratio, y - 5 * map.ratio);
+    pen.fillText(text, x + 4 * map.ratio, y - 5 * map.ratio);
   },
 };

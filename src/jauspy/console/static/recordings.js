@@ -60,7 +60,12 @@ jauspy.recordings = {
       jauspy.make("div", { class: "recorded-buttons" },
         ...(kind === "capture" ? [] : [jauspy.make("button", { class: "quiet", "aria-label": jauspy._("play {name}", { name }), onclick: () => self.open(name, kind) }, jauspy._("play"))]),
         jauspy.make("a", { class: "quiet", href: self.url("file", name), download: name, "aria-label": jauspy._("download {name}", { name }) }, jauspy._("download")))));
-    const more = found.left_out ? [jauspy.make("p", { class: "hint" }, jauspy._("{count} older ones are not listed", { count: found.left_out }))] : [];
+    const notes = [
+      found.left_out && jauspy._("{count} older ones are not listed", { count: found.left_out }),
+      found.misnamed && jauspy._("Not listed for their names: {count}. Names begin with a letter or digit, and have only these, spaces and . _ + @ , ( ) -", { count: found.misnamed }),
+      found.others && jauspy._("Not listed as they are no recordings: {count}", { count: found.others }),
+    ];
+    const more = notes.filter(Boolean).map((note) => jauspy.make("p", { class: "hint" }, note));
     const empty = found.files.length ? [] : [jauspy.make("p", { class: "hint" }, found.problem ?? jauspy._("no recordings yet: record a camera in the tab Video, or a run with"), " ", ...(found.problem ? [] : [jauspy.make("code", {}, `jauspy record ${found.folder}/run.mcap`)]))];
     panel.querySelector(".recorded").replaceChildren(
       jauspy.make("div", { class: "heading" }, jauspy._("Recordings")), jauspy.make("div", { class: "hint folder" }, found.folder), ...empty, jauspy.make("ul", {}, ...rows), ...more);
@@ -257,14 +262,14 @@ jauspy.Run = class {
       pen.fillStyle = colours.text;
       pen.fillText(name, right + 12 * ratio, down - 10 * ratio);
     });
-    const length = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100].find((each) => each * place.scale > 50 * ratio) ?? 200;
+    const { metres: length, text } = jauspy.settings.scaleBar((50 * ratio) / place.scale);
     const [x, y] = [12 * ratio, this.map.height - 12 * ratio];
     pen.strokeStyle = pen.fillStyle = colours.text;
     pen.lineWidth = 1.5 * ratio;
     pen.beginPath();
     for (const [right, up] of [[0, 5], [0, 0], [length * place.scale, 0], [length * place.scale, 5]]) pen.lineTo(x + right, y - up * ratio);
     pen.stroke();
-    pen.fillText(`${length} m`, x + 4 * ratio, y - 7 * ratio);
+    pen.fillText(text, x + 4 * ratio, y - 7 * ratio);
   }
   seekOnMap(event) {
     const place = this.place();

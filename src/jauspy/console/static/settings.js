@@ -9,7 +9,13 @@ jauspy.settings = {
       [jauspy._("W A S D, arrows"), jauspy._("drive while held; the robot brakes when the key is released")],
       [jauspy._("stick, gamepad"), jauspy._("drive; a gamepad drives while its enable button is held")],
     ]],
-    [jauspy._("The tool of an arm (panel Arm, tool)"), [["I K", jauspy._("forward, backward")], ["J L", jauspy._("left, right")], ["U O", jauspy._("up, down")]]],
+    [jauspy._("The tool of an arm (panel Arm, tool)"), [["I K", jauspy._("forward, backward")], ["J L", jauspy._("left, right")], ["U O", jauspy._("up, down")], ["Shift", jauspy._("with these keys: about these axes")]]],
+    [jauspy._("Views and alarms"), [
+      ["1 2 3 4", jauspy._("arrangements: one view, drive, arm, observe")],
+      ["F", jauspy._("the view that was used last in all of the window, and again the others")],
+      [jauspy._("arrows"), jauspy._("move the line between views that has the focus")],
+      ["Q", jauspy._("acknowledge the alarms")],
+    ]],
     [jauspy._("Everywhere"), [
       ["Esc", jauspy._("stop all robots; closes what is open first")],
       ["F8", jauspy._("stop all robots, always")],
@@ -37,8 +43,28 @@ jauspy.settings = {
     document.cookie = `jauspy-language=${encodeURIComponent(language)}; path=/; max-age=31536000; samesite=strict`;
     location.reload();
   },
-  show({ axes }) {
-    document.body.dataset.axes = axes;
+  show({ axes, length, angle }) {
+    Object.assign(document.body.dataset, { axes, length, angle });
+    jauspy.world.changed();
+    for (const view of jauspy.video.views.values()) view.overlay.refresh();
+  },
+  // A length in metres, or a speed with `per` "/s", and an angle in degrees, in the units of this page.
+  FOOT: 0.3048, // metres
+  length(metres, digits, per = "") {
+    const isFeet = document.body.dataset.length === "ft";
+    const number = (isFeet ? metres / jauspy.settings.FOOT : metres).toFixed(digits);
+    return `${jauspy.settings.signed(number)} ${isFeet ? "ft" : "m"}${per}`;
+  },
+  angle(degrees) {
+    const number = document.body.dataset.angle === "rad" ? `${((degrees * Math.PI) / 180).toFixed(2)} rad` : `${Math.round(degrees)}°`;
+    return jauspy.settings.signed(number);
+  },
+  signed: (text) => text.replace("-", /[1-9]/.test(text) ? "−" : ""),
+  // The bar of a map: the shortest round length of at least `least` metres, in metres, and its text.
+  scaleBar(least) {
+    const unit = document.body.dataset.length === "ft" ? jauspy.settings.FOOT : 1;
+    const count = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200].find((each) => each * unit > least) ?? 500;
+    return { metres: count * unit, text: `${count} ${unit === 1 ? "m" : "ft"}` };
   },
   restore() {
     if (!window.did_handshake || !document.getElementById("scheme")) { setTimeout(jauspy.settings.restore, 100); return; }

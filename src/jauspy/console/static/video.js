@@ -317,7 +317,7 @@ jauspy.Overlay = class {
       const x = 4 * angle;
       const long = angle % 10 === 0;
       ticks.push(`<path d="M${x} 0v${long ? 9 : 5}"/>`);
-      if (angle % 30 === 0) ticks.push(`<text class="of-jaus" x="${x}" y="22">${(angle + 360) % 360}</text><text class="of-rep" x="${x}" y="22">${180 - ((angle + 540 + 720) % 360)}</text>`);
+      if (angle % 30 === 0) ticks.push(`<text data-heading="${angle}" x="${x}" y="22"></text>`);
     }
     const ladder = [-20, -10, 10, 20].map((angle) => `<path d="M${angle % 20 ? -9 : -14} ${-1.4 * angle}h${angle % 20 ? 18 : 28}"/>`).join("");
     element.innerHTML = `
@@ -333,22 +333,41 @@ jauspy.Overlay = class {
     this.element = element;
   }
 
+  // The heading, in degrees clockwise, in the axes and the unit of this page.
+  headingText(heading) {
+    if (document.body.dataset.axes !== "JAUS") return jauspy.settings.angle(180 - ((((heading + 180) % 360) + 360) % 360));
+    const text = jauspy.settings.angle((heading + 360) % 360);
+    return text === jauspy.settings.angle(360) ? jauspy.settings.angle(0) : text;
+  }
+  showTicks() {
+    const { axes, angle } = document.body.dataset;
+    if (this.chosen === axes + angle) return;
+    this.chosen = axes + angle;
+    for (const tick of this.element.querySelectorAll("[data-heading]")) tick.textContent = this.headingText(Number(tick.dataset.heading)).replace(/°| rad/, "");
+  }
   // Degrees: heading clockwise, pitch up, roll to the right; speed in m/s. What the robot does not report is null.
-  show({ heading, pitch, roll, speed }) {
+  show(attitude) {
+    this.shown = attitude;
+    this.refresh();
+  }
+  refresh() {
+    if (!this.shown) return;
+    const { heading, pitch, roll, speed } = this.shown;
     const { scale, number, turn, lift, tape, dial } = this.parts;
     const known = (value) => value !== null && value !== undefined;
     tape.style.display = known(heading) ? "" : "none";
     dial.style.display = known(pitch) && known(roll) ? "" : "none";
     if (known(heading)) {
       scale.setAttribute("transform", `translate(${-4 * heading})`);
-      const isJaus = document.body.dataset.axes === "JAUS";
-      number.textContent = `${isJaus ? Math.round(heading) % 360 : Math.round(180 - ((heading + 180) % 360))}°`.replace("-", "−");
+      number.textContent = this.headingText(heading);
     }
     turn.setAttribute("transform", `rotate(${-(roll ?? 0)})`);
     lift.setAttribute("transform", `translate(0 ${1.4 * Math.max(-30, Math.min(30, pitch ?? 0))})`);
-    const degrees = (value) => `${Math.round(value) || 0}°`.replace("-", "−");
-    this.speed.textContent = known(speed) ? `${speed.toFixed(1).replace("-0.0", "0.0").replace("-", "−")} m/s` : "";
-    this.angles.textContent = known(pitch) && known(roll) ? jauspy._("pitch {pitch}, roll {roll}", { pitch: degrees(pitch), roll: degrees(roll) }) : "";
+    const { length, angle } = jauspy.settings;
+    const upwards = document.body.dataset.axes === "JAUS" ? 1 : -1; // REP-103 counts pitch downwards
+    this.showTicks();
+    this.speed.textContent = known(speed) ? length(speed, 1, "/s") : "";
+    this.angles.textContent = known(pitch) && known(roll) ? jauspy._("pitch {pitch}, roll {roll}", { pitch: angle(upwards * pitch), roll: angle(roll) }) : "";
     this.element.dataset.known = "yes";
   }
 };
