@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from tests.helpers.browser import BROWSER_MARKS, console_for, page_at
+from tests.helpers.browser import BROWSER_MARKS, GAMEPAD, HOLD_FOR_CAMERA, console_for, page_at
 from tests.helpers.command_line import RunningRobot, camera_direction, shared_robot
 
 pytest.importorskip("av", reason="the extra 'video' is not installed")
@@ -63,6 +63,34 @@ def test_a_camera_is_turned_by_drag_click_and_name(url: str, robot: RunningRobot
         page.get_by_role("button", name="look").click()
         page.get_by_text("ahead", exact=True).click()
         until(robot, page, lambda right, up: abs(right) < 0.02 and abs(up) < 0.02)
+        page.get_by_role("button", name="release", exact=True).click()
+
+
+def test_a_gamepad_turns_the_camera_while_its_button_is_held(url: str, robot: RunningRobot) -> None:
+    with page_at(url, GAMEPAD) as page:
+        page.wait_for_function("jauspy.video.views.size === 3")
+        page.locator("figure[aria-label='camera 101.1.107']").click()
+        page.get_by_role("button", name="look").wait_for()
+        page.bring_to_front()
+        before, _ = camera_direction(robot)
+        page.evaluate("pad.axes[2] = 1")
+        hold = f"pad.buttons[{HOLD_FOR_CAMERA}].pressed = "
+        page.evaluate(hold + "true")
+        page.wait_for_timeout(600)
+        assert camera_direction(robot)[0] == pytest.approx(before, abs=0.01), "nobody operates the robot"
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_text("you operate this robot").wait_for()
+        page.wait_for_timeout(600)
+        assert camera_direction(robot)[0] == pytest.approx(before, abs=0.01), "it was held before"
+        page.evaluate(hold + "false")
+        page.wait_for_timeout(200)
+        page.evaluate(hold + "true")
+        until(robot, page, lambda right, _: right > before + 0.15)
+        page.evaluate(hold + "false")
+        page.wait_for_timeout(1000)
+        after, _ = camera_direction(robot)
+        page.wait_for_timeout(600)
+        assert camera_direction(robot)[0] == pytest.approx(after, abs=0.02), "the stick alone"
         page.get_by_role("button", name="release", exact=True).click()
 
 

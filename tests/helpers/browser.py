@@ -40,7 +40,7 @@ window.pad = {
 navigator.getGamepads = () => [window.pad, null];
 """
 """A script of a page that then has a gamepad, `pad`, whose axes and buttons a test sets."""
-HOLD_TO_DRIVE, HOLD_FOR_ARM = 4, 5
+HOLD_TO_DRIVE, HOLD_FOR_ARM, HOLD_FOR_CAMERA = 4, 5, 6
 """Buttons of a gamepad, one of which is held while its sticks move something."""
 
 

@@ -30,6 +30,8 @@ from jauspy.ocu.subsystems import ComponentInfo
 from jauspy.printable import printable
 
 MAX_ASPECT: Final = 10.0
+TURN_STEP: Final = 0.1
+"""Radians of one turn by a gamepad, which sends five a second."""
 JOINTS_TIME: Final = 0.6
 """Seconds after which the joints of a robot that was not watched are known."""
 
@@ -108,7 +110,10 @@ class Pointing:
         if not (-1.0 <= x <= 2.0 and -1.0 <= y <= 2.0 and 1.0 / MAX_ASPECT <= aspect <= MAX_ASPECT):
             return
         turns = pans_and_tilts(component)
-        if asked.get("what") == "measure" or not turns:
+        if asked.get("what") == "turn":
+            if turns:
+                self._begin(self._turn(component, x, y))
+        elif asked.get("what") == "measure" or not turns:
             self._begin(self._measure(component, x, y, aspect))
         elif asked.get("what") == "look":
             self._begin(self._look_at(component, x, y, aspect))
@@ -154,6 +159,12 @@ class Pointing:
         lens = await lens_of(self._robot, component, aspect)
         now, off = await head.direction(), lens.angles(x, y)
         await head.look(now[0] + off[0], now[1] + off[1])
+
+    async def _turn(self, component: ComponentInfo, right: float, up: float) -> None:
+        """Turn the camera a little, by shares of `TURN_STEP`."""
+        head = self._head(component)
+        now = await head.direction()
+        await head.look(now[0] + TURN_STEP * right, now[1] + TURN_STEP * up)
 
     async def _drag(self, component: ComponentInfo, x: float, y: float, aspect: float, *, is_first: bool) -> None:
         """Turn the camera against the way of the pointer, as if it held the picture; x and y are that way."""

@@ -5,15 +5,18 @@ jauspy.gamepad = {
   DEAD_ZONE: 0.15,
   // Standard layout of the Gamepad API: axes 0 to 3 are the left and the right stick, buttons 4 and 5 the shoulders.
   usual: {
-    driveHold: 4, armHold: 5, close: 0, open: 1,
-    forward: "-1", left: "-0", armX: "-1", armY: "-0", armZ: "-3", armYaw: "-2",
+    driveHold: 4, armHold: 5, cameraHold: 6, close: 0, open: 1,
+    forward: "-1", left: "-0", armX: "-1", armY: "-0", armZ: "-3", armYaw: "-2", cameraRight: "2", cameraUp: "-3",
   },
-  buttons: { driveHold: jauspy._("hold to drive"), armHold: jauspy._("hold to move the arm"), close: jauspy._("close gripper"), open: jauspy._("open gripper") },
+  buttons: { driveHold: jauspy._("hold to drive"), armHold: jauspy._("hold to move the arm"), cameraHold: jauspy._("hold to turn the camera"), close: jauspy._("close gripper"), open: jauspy._("open gripper") },
   axes: {
     forward: jauspy._("drive forward"), left: jauspy._("turn left"), armX: jauspy._("arm forward"), armY: jauspy._("arm left"), armZ: jauspy._("arm up"), armYaw: jauspy._("turn tool left"),
+    cameraRight: jauspy._("camera right"), cameraUp: jauspy._("camera up"),
   },
   armed: new Map(), // index of a pad to the names of dead-man's buttons seen released since the page has focus and control
   pressed: new Map(), // index of a pad to the names of gripper buttons that are down
+  CAMERA_PERIOD: 200, // milliseconds between two turns of the camera
+  turned: 0, // when the camera was turned last, by performance.now()
   calibration: null, // while it runs: { pad, least, most }
 
   key: (pad) => `jauspy-gamepad:${pad.id}`,
@@ -93,6 +96,22 @@ jauspy.gamepad = {
       }
     }
     return velocity;
+  },
+  // Turns the camera of the large picture; each turn is small, so that it stops soon after the button is released.
+  camera() {
+    const gamepad = jauspy.gamepad;
+    const now = performance.now();
+    let [right, up] = [0, 0];
+    for (const pad of gamepad.pads()) {
+      const settings = gamepad.settings(pad);
+      if (!gamepad.holds(pad, settings, "cameraHold") || !jauspy.operates) continue;
+      right += gamepad.value(pad, settings, settings.map.cameraRight);
+      up += gamepad.value(pad, settings, settings.map.cameraUp);
+    }
+    if (!(right || up) || now - gamepad.turned < gamepad.CAMERA_PERIOD) return;
+    gamepad.turned = now;
+    const share = (value) => Math.max(-1, Math.min(1, value));
+    emitEvent("camera_pointed", { what: "turn", x: share(right), y: share(up), aspect: 1 });
   },
   // Gripper buttons act once a press, and while the button for the arm is held.
   grip() {
@@ -194,7 +213,7 @@ jauspy.gamepad = {
     }
     pads.forEach((pad, place) => {
       const settings = gamepad.settings(pad);
-      const holds = ["driveHold", "armHold"].filter((name) => gamepad.holds(pad, settings, name));
+      const holds = ["driveHold", "armHold", "cameraHold"].filter((name) => gamepad.holds(pad, settings, name));
       const text = holds.length ? jauspy._("held: {buttons}", { buttons: holds.map((name) => gamepad.buttons[name]).join(", ") })
         : document.hasFocus() ? jauspy._("nothing moves without a held button") : jauspy._("this page has not the focus: nothing moves");
       const state = panel.children[place].querySelector(".pad-state");
@@ -204,6 +223,7 @@ jauspy.gamepad = {
   tick() {
     jauspy.gamepad.measure();
     jauspy.gamepad.grip();
+    jauspy.gamepad.camera();
   },
   start() {
     for (const name of ["blur", "pagehide", "gamepaddisconnected"]) addEventListener(name, jauspy.gamepad.forget);
