@@ -28,12 +28,22 @@ MAX_AREAS: Final = 50
 MAX_CORNERS: Final = 100
 MAX_DISTANCE: Final = 10_000.0
 """Metres from the origin of the local frame."""
+MIN_SPEED: Final = 0.01
+"""m/s; a robot that is slower seems to stand, and reaches no waypoint in useful time."""
 MAX_SPEED: Final = 5.0
 """m/s; the robot also has its own limits."""
 MAX_WAIT: Final = 3600.0
 """Seconds."""
 
 Point: TypeAlias = tuple[float, float]
+
+
+def check_speed(speed: float) -> None:
+    """Raise `ConfigError` for a speed with which no mission can be driven."""
+    if not MIN_SPEED <= speed <= MAX_SPEED:
+        raise ConfigError(
+            sentence("a speed is at least {least:g} and at most {most:g} m/s", least=MIN_SPEED, most=MAX_SPEED)
+        )
 
 
 class _Strict(BaseModel):
@@ -94,7 +104,7 @@ class _PointModel(_Strict):
 
 
 class _WaypointModel(_PointModel):
-    speed: Annotated[float, Field(gt=0.0, le=MAX_SPEED)] | None = None
+    speed: Annotated[float, Field(ge=MIN_SPEED, le=MAX_SPEED)] | None = None
     action: Annotated[Action, Field(discriminator="kind")] | None = None
 
 

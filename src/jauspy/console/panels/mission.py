@@ -13,7 +13,18 @@ from jauspy.console.confirmation import confirmed
 from jauspy.console.geographic_frame import GeographicFrame
 from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes
-from jauspy.console.mission import MAX_SPEED, MAX_WAIT, Action, Look, Mission, Step, Still, Wait
+from jauspy.console.mission import (
+    MAX_SPEED,
+    MAX_WAIT,
+    MIN_SPEED,
+    Action,
+    Look,
+    Mission,
+    Step,
+    Still,
+    Wait,
+    check_speed,
+)
 from jauspy.console.page_language import _, translated
 from jauspy.console.saved_files import SavedByOther, SavedFiles, checked_name
 from jauspy.console.trajectory import MAX_FILE
@@ -37,7 +48,7 @@ class StepDialog:
         self._index = 0
         with attributes(ui.dialog(), aria_label=_("speed and action")) as self._dialog, ui.card().classes("mission"):
             self._title = ui.label("").classes("heading")
-            self._speed = _number(_("speed in m/s; empty: that of the list"), 0.05, MAX_SPEED)
+            self._speed = _number(_("speed in m/s; empty: that of the list"), MIN_SPEED, MAX_SPEED)
             self._kind = ui.select(
                 {kind: translated(label) for kind, label in ACTIONS.items()},
                 label=_("at the waypoint"),
@@ -79,7 +90,7 @@ class StepDialog:
     def _apply(self) -> None:
         try:
             step = Step(self._speed_value(), self._action())
-        except (TypeError, ValueError) as error:
+        except (TypeError, ValueError, ConfigError) as error:
             self._problem.set_text(printable(translated(str(error))).partition("\n")[0])
             return
         self._on_change(self._index, step)
@@ -87,8 +98,8 @@ class StepDialog:
 
     def _speed_value(self) -> float | None:
         speed = None if self._speed.value in (None, "") else float(self._speed.value)
-        if speed is not None and not 0.0 < speed <= MAX_SPEED:
-            raise ValueError(sentence("a speed is more than 0 and at most {most:g} m/s", most=MAX_SPEED))
+        if speed is not None:
+            check_speed(speed)
         return speed
 
     def _action(self) -> Action | None:
