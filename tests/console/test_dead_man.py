@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from jauspy.console.dead_man import DEAD_MAN_TIME, GRACE, LATE, DeadMan
+from jauspy.console.dead_man import DEAD_MAN_TIME, GRACE, LATE, MAX_GRACES, DeadMan
 
 BLOCKED = DEAD_MAN_TIME + LATE + 0.05
 
@@ -58,3 +58,35 @@ async def test_a_browser_that_is_silent_beside_a_blocked_console_is_stopped(stop
         while not stops:
             await asyncio.sleep(0.01)
     assert stops[0] - awake >= GRACE - 0.01
+
+
+async def turn() -> None:
+    """Let the event loop call the timers that are due."""
+    for _ in range(3):
+        await asyncio.sleep(0)
+
+
+async def block_again(times: int) -> None:
+    """Block the event loop beyond the dead-man's time, and again whenever it has begun to read."""
+    time.sleep(BLOCKED)  # noqa: ASYNC251 - this blocks the event loop
+    for _ in range(times):
+        await turn()
+        time.sleep(GRACE + LATE + 0.05)  # noqa: ASYNC251 - this blocks the event loop
+    await turn()
+
+
+async def test_a_console_that_is_blocked_again_while_it_reads_stops_nobody(stops: list[float]) -> None:
+    switch = dead_man(stops)
+    switch.repeat()
+    await block_again(1)
+    assert stops == []
+    switch.repeat()  # the message that waited
+    await turn()
+    assert stops == []
+    switch.end()
+
+
+async def test_a_silent_browser_is_stopped_by_a_console_that_is_always_late(stops: list[float]) -> None:
+    dead_man(stops).repeat()
+    await block_again(MAX_GRACES)
+    assert len(stops) == 1

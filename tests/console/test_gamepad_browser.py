@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from contextlib import suppress
 from typing import Any
 
 import pytest
-from tests.helpers.browser import BROWSER_MARKS, GAMEPAD, HOLD_FOR_ARM, HOLD_TO_DRIVE, console_for, page_at
+from tests.helpers.browser import BROWSER_MARKS, GAMEPAD, HOLD_FOR_ARM, HOLD_TO_DRIVE, console_for, page_at, sync_api
 from tests.helpers.command_line import shared_robot
 
 pytestmark = BROWSER_MARKS
@@ -29,8 +30,13 @@ def deflection(page: Any) -> list[float]:
 
 
 def take(page: Any) -> None:
-    page.get_by_role("button", name="take", exact=True).first.click()
-    page.get_by_text("you operate this robot").wait_for()
+    """Take control, again when it is refused: on a busy machine a component may not be Ready in time."""
+    for _ in range(6):
+        page.get_by_role("button", name="take", exact=True).first.click()
+        with suppress(sync_api.TimeoutError):
+            page.get_by_text("you operate this robot").wait_for(timeout=15_000)
+            return
+    pytest.fail("control is not granted")
 
 
 def test_a_gamepad_drives_while_its_button_is_held(url: str) -> None:
@@ -62,7 +68,7 @@ def test_a_gamepad_drives_while_its_button_is_held(url: str) -> None:
         assert deflection(page) == [0, 0]
         press(page, HOLD_TO_DRIVE)
         page.evaluate("pad.axes[1] = -1")
-        page.wait_for_function("/x 0\\.[2-9]\\d m/.test(document.body.innerText)")
+        page.wait_for_function("/x ([1-9]|0\\.[2-9])/.test(document.body.innerText)")
         page.evaluate("document.hasFocus = () => false")
         assert deflection(page) == [0, 0]
         page.wait_for_function("jauspy.moving === false")

@@ -77,6 +77,7 @@ HOSTILE = [
     ({"waypoints": [{"x": 1e300, "y": 2.0}]}, "waypoints.0.x"),
     ({"waypoints": [{"x": 0.0, "y": 0.0, "speed": -1.0}]}, "waypoints.0.speed"),
     ({"waypoints": [{"x": 0.0, "y": 0.0, "speed": 1e9}]}, "waypoints.0.speed"),
+    ({"waypoints": [{"x": 0.0, "y": 0.0, "speed": 1e-9}]}, "waypoints.0.speed"),
     ({"waypoints": [{"x": 0.0, "y": 0.0, "action": {"kind": "fire"}}]}, "waypoints.0.action"),
     ({"waypoints": [{"x": 0.0, "y": 0.0, "action": {"kind": "wait", "seconds": 1e9}}]}, "waypoints.0.action"),
     ({"waypoints": [{"x": 0.0, "y": 0.0, "action": {"kind": "still", "camera": "x" * 65}}]}, "waypoints.0.action"),

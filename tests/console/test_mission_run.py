@@ -10,10 +10,11 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("pydantic", reason="needs the extra 'console'")
+pytest.importorskip("nicegui", reason="needs the extra 'console'")
 
-from jauspy.console.mission import Mission, Step, Still, Wait
+from jauspy.console.mission import Look, Mission, Step, Still, Wait, check_speed
 from jauspy.console.mission_run import MissionRun, needs_run
+from jauspy.console.panels.world import run_progress
 from jauspy.console.route import Waypoint
 from jauspy.errors import ConfigError
 from jauspy.ocu.state import RobotPose
@@ -129,3 +130,61 @@ def test_a_still_is_saved_under_a_name_of_letters_only(tmp_path: Path) -> None:
     assert path.parent == tmp_path / "new"
     assert path.name.startswith("_etc_b_-")
     assert path.read_bytes() == b"\xff\xd8\xff"
+
+
+def stopped(run: MissionRun) -> str:
+    return run_progress(run, is_running=False, is_paused=False)[0]
+
+
+def test_a_mission_that_is_stopped_where_the_robot_acts_says_so() -> None:
+    run = run_of(FakeRoute(), Step(), Step(None, Wait(seconds=60.0)))
+
+    async def work() -> None:
+        task = asyncio.create_task(run.run())
+        await asyncio.sleep(1.0)
+        assert stopped(run) == "the mission was stopped before waypoint 1 of 2"
+        await asyncio.sleep(9.0)
+        task.cancel()
+        await asyncio.wait({task})
+        assert stopped(run) == "the mission was stopped at waypoint 2 of 2"
+
+    on_virtual_time(work())
+
+
+def test_a_mission_whose_action_fails_was_stopped_at_its_waypoint() -> None:
+    robot = SimpleNamespace(components=())
+    run = run_of(FakeRoute(), Step(None, Look(pan=0.5)), robot=robot)
+
+    async def work() -> None:
+        with pytest.raises(ConfigError, match="no camera that turns"):
+            await run.run()
+        assert stopped(run) == "the mission was stopped at waypoint 1 of 1"
+
+    on_virtual_time(work())
+
+
+def test_what_the_robot_does_not_have_is_told_before_it_drives() -> None:
+    class Camera:
+        def __init__(self, name: str | None) -> None:
+            self.name = name
+
+        async def check_still(self) -> None:
+            if self.name not in (None, "front"):
+                raise ConfigError(f"no camera is called {self.name}")
+
+    robot = SimpleNamespace(components=(), camera=Camera)
+    for step, problem in (
+        (Step(None, Still(camera="rear")), "waypoint 2: no camera is called rear"),
+        (Step(None, Look(pan=0.5)), "waypoint 2: this robot has no camera that turns, and the mission asks for a look"),
+    ):
+        run = run_of(FakeRoute(), Step(None, Still(camera="front")), step, robot=robot)
+        with pytest.raises(ConfigError) as raised:
+            asyncio.run(run.check())
+        assert str(raised.value) == problem
+    asyncio.run(run_of(FakeRoute(), Step(None, Still()), Step(0.3), robot=robot).check())
+
+
+@pytest.mark.parametrize("speed", [1e-9, 0.0, -1.0, 5.1, float("nan")])
+def test_a_speed_without_use_is_refused_in_a_sentence(speed: float) -> None:
+    with pytest.raises(ConfigError, match=r"a speed is at least 0\.01 m/s and at most 5 m/s"):
+        check_speed(speed)

@@ -12,22 +12,26 @@ LATE: Final = 0.05
 """Seconds by which the event loop of the console is late before its own silence is not the browser's."""
 GRACE: Final = 0.1
 """Seconds in which a console that was late reads what the browser has sent meanwhile."""
+MAX_GRACES: Final = 3
+"""How often this time is given before a stop: a console on a loaded machine may be late again within it."""
 
 
 class DeadMan:
     """Calls `stop` when a motion has not been repeated for `DEAD_MAN_TIME`.
 
     When this process did not run, as on a loaded machine, messages of the browser wait in its socket. They are read
-    first; a browser that is really silent is stopped `GRACE` later.
+    first; a browser that is really silent is stopped `GRACE` later, or at most `MAX_GRACES` times this.
     """
 
     def __init__(self, stop: Callable[[], None]) -> None:
         self._stop = stop
         self._timer: asyncio.TimerHandle | None = None
+        self._graces = 0
 
     def repeat(self) -> None:
         """Handle a message of the browser that keeps the motion alive."""
-        self._wait(DEAD_MAN_TIME, self._is_due)
+        self._graces = 0
+        self._wait(DEAD_MAN_TIME)
 
     def end(self) -> None:
         """Wait for no more messages: the motion has ended."""
@@ -35,17 +39,16 @@ class DeadMan:
             self._timer.cancel()
             self._timer = None
 
-    def _wait(self, seconds: float, then: Callable[[], None]) -> None:
+    def _wait(self, seconds: float) -> None:
         self.end()
-        self._timer = asyncio.get_running_loop().call_later(seconds, then)
+        self._timer = asyncio.get_running_loop().call_later(seconds, self._is_due)
 
     def _is_due(self) -> None:
         assert self._timer is not None
-        if asyncio.get_running_loop().time() - self._timer.when() > LATE:
-            self._wait(GRACE, self._expired)
+        late = asyncio.get_running_loop().time() - self._timer.when()
+        if late > LATE and self._graces < MAX_GRACES:
+            self._graces += 1
+            self._wait(GRACE)
         else:
-            self._expired()
-
-    def _expired(self) -> None:
-        self._timer = None
-        self._stop()
+            self._timer = None
+            self._stop()

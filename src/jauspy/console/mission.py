@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Annotated, Any, Final, Literal, TypeAlias
@@ -29,12 +29,26 @@ MAX_AREAS: Final = 50
 MAX_CORNERS: Final = 100
 MAX_DISTANCE: Final = 10_000.0
 """Metres from the origin of the local frame."""
+MIN_SPEED: Final = 0.01
+"""m/s; a robot that is slower seems to stand, and reaches no waypoint in useful time."""
 MAX_SPEED: Final = 5.0
 """m/s; the robot also has its own limits."""
 MAX_WAIT: Final = 3600.0
 """Seconds."""
 
 Point: TypeAlias = tuple[float, float]
+
+
+def _in_si(speed: float) -> str:
+    return f"{speed:g} m/s"
+
+
+def check_speed(speed: float, shown: Callable[[float], str] = _in_si) -> None:
+    """Raise `ConfigError` for a speed with which no mission can be driven; `shown` is how speeds are written."""
+    if not MIN_SPEED <= speed <= MAX_SPEED:
+        raise ConfigError(
+            sentence("a speed is at least {least} and at most {most}", least=shown(MIN_SPEED), most=shown(MAX_SPEED))
+        )
 
 
 class _Strict(BaseModel):
@@ -97,7 +111,7 @@ class _PointModel(_Strict):
 
 
 class _WaypointModel(_PointModel):
-    speed: Annotated[float, Field(gt=0.0, le=MAX_SPEED)] | None = None
+    speed: Annotated[float, Field(ge=MIN_SPEED, le=MAX_SPEED)] | None = None
     action: Annotated[Action, Field(discriminator="kind")] | None = None
 
 

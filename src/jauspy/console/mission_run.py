@@ -19,7 +19,7 @@ from jauspy.console.languages import sentence
 from jauspy.console.mission import Action, Look, Mission, Still, Wait
 from jauspy.console.route import LOOK_INTERVAL, NEAR, Route
 from jauspy.errors import ConfigError, JausError
-from jauspy.ocu.arm import PAN_TILT_DRIVER
+from jauspy.ocu.arm import PAN_TILT_DRIVER, Arm
 from jauspy.ocu.robot import Robot
 
 PATIENCE: Final = 5.0
@@ -47,6 +47,19 @@ class MissionRun:
         """What it does there, as text; empty while it drives."""
         self.is_done = False
         self._route, self._robot, self._speed, self._folder, self._note = route, robot, speed, folder, note
+
+    async def check(self) -> None:
+        """Raise `ConfigError` unless the robot has the cameras and the pan-tilt unit that the mission asks for."""
+        asked = dict.fromkeys(step.action for step in self.mission.steps if isinstance(step.action, Look | Still))
+        for action in asked:
+            try:
+                if isinstance(action, Still):
+                    await self._robot.camera(action.camera or None).check_still()
+                else:
+                    self._pan_tilt_unit()
+            except JausError as error:
+                number = 1 + next(at for at, step in enumerate(self.mission.steps) if step.action == action)
+                raise ConfigError(sentence("waypoint {number}: {error}", number=number, error=error)) from error
 
     async def run(self) -> None:
         """Carry out all; when cancelled, the robot waits on the way."""
@@ -106,11 +119,14 @@ class MissionRun:
             case Still():
                 await self._save_still(index, action)
 
-    async def _look(self, action: Look) -> None:
+    def _pan_tilt_unit(self) -> Arm:
         found = [component for component in self._robot.components if component.find(PAN_TILT_DRIVER)]
         if not found:
             raise ConfigError(sentence("this robot has no camera that turns, and the mission asks for a look"))
-        unit = self._robot.manipulator(found[0].id)
+        return self._robot.manipulator(found[0].id)
+
+    async def _look(self, action: Look) -> None:
+        unit = self._pan_tilt_unit()
         pan, tilt = tuple(await unit.joints())[:2]
         await unit.move({pan: action.pan, tilt: action.tilt})
 

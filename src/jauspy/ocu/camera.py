@@ -222,14 +222,22 @@ class Camera:
         Raises `ResponseTimeout` when none arrives within `timeout` seconds.
         """
         check_number(timeout, "timeout")
+        client, sensor = await self._still_image()
+        return await client.still(size=size, format=format, sensor=sensor, timeout=timeout)
+
+    async def check_still(self) -> None:
+        """Raise `ConfigError` unless there is such a camera, and it takes still images."""
+        await self._still_image()
+
+    # --- inside ---------------------------------------------------------------------------------------------------
+
+    async def _still_image(self) -> tuple[ServiceClient, int]:
+        """The service that takes still images, and the number of the sensor."""
         component, sensor = await self._find()
         info = component.find("StillImage")
         if info is None:
             raise ConfigError(f"{component.id} takes no pictures: it does not offer StillImage")
-        client = ServiceClient(self._connection, component.id, info)
-        return await client.still(size=size, format=format, sensor=sensor, timeout=timeout)
-
-    # --- inside ---------------------------------------------------------------------------------------------------
+        return ServiceClient(self._connection, component.id, info), sensor
 
     async def _find(self) -> tuple[ComponentInfo, int]:
         """The component and the number of the sensor."""

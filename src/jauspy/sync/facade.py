@@ -843,6 +843,10 @@ class Camera(Facade[_Camera]):
         """
         return self._portal.run(self._async.still(size=size, format=format, timeout=timeout))
 
+    def check_still(self) -> None:
+        """Raise `ConfigError` unless there is such a camera, and it takes still images."""
+        self._portal.run(self._async.check_still())
+
 
 class ModularArm(Facade[_ModularArm]):
     """An arm of any number of servo modules, which the robot finds by what is attached. Radians, base to tip."""

@@ -14,7 +14,18 @@ from jauspy.console.conventions import Conventions
 from jauspy.console.geographic_frame import GeographicFrame
 from jauspy.console.languages import sentence
 from jauspy.console.markup import attributes
-from jauspy.console.mission import MAX_SPEED, MAX_WAIT, Action, Look, Mission, Step, Still, Wait
+from jauspy.console.mission import (
+    MAX_SPEED,
+    MAX_WAIT,
+    MIN_SPEED,
+    Action,
+    Look,
+    Mission,
+    Step,
+    Still,
+    Wait,
+    check_speed,
+)
 from jauspy.console.page_language import _, translated
 from jauspy.console.panels.quantity_field import QuantityField
 from jauspy.console.saved_files import SavedByOther, SavedFiles, checked_name
@@ -44,7 +55,7 @@ class StepDialog:
                 conventions,
                 "length",
                 lambda unit: _("speed in {unit}/s; empty: that of the list", unit=unit),
-                0.05,
+                MIN_SPEED,
                 MAX_SPEED,
             )
             self._kind = ui.select(
@@ -92,7 +103,7 @@ class StepDialog:
     def _apply(self) -> None:
         try:
             step = Step(self._speed_value(), self._action())
-        except (TypeError, ValueError) as error:
+        except (TypeError, ValueError, ConfigError) as error:
             self._problem.set_text(printable(translated(str(error))).partition("\n")[0])
             return
         self._on_change(self._index, step)
@@ -100,9 +111,8 @@ class StepDialog:
 
     def _speed_value(self) -> float | None:
         speed = self._speed.value
-        if speed is not None and not 0.0 < speed <= MAX_SPEED:
-            most = self._conventions.exact_speed(MAX_SPEED)
-            raise ValueError(sentence("a speed is more than 0 and at most {most}", most=most))
+        if speed is not None:
+            check_speed(speed, self._conventions.exact_speed)
         return speed
 
     def _action(self) -> Action | None:

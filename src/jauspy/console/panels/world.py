@@ -12,7 +12,19 @@ from jauspy.console.conventions import Conventions
 from jauspy.console.geographic_frame import GeographicFrame
 from jauspy.console.languages import Sentence, sentence
 from jauspy.console.markup import attributes, call, plain_text
-from jauspy.console.mission import MAX_AREAS, MAX_CORNERS, PLAIN, Area, Mission, Point, Step, crossing
+from jauspy.console.mission import (
+    MAX_AREAS,
+    MAX_CORNERS,
+    MAX_SPEED,
+    MIN_SPEED,
+    PLAIN,
+    Area,
+    Mission,
+    Point,
+    Step,
+    check_speed,
+    crossing,
+)
 from jauspy.console.mission_run import MissionRun, needs_run
 from jauspy.console.motion import Motion
 from jauspy.console.page_language import _, translated
@@ -34,8 +46,6 @@ if TYPE_CHECKING:
 UPDATE_INTERVAL: Final = 0.5
 MAX_DISTANCE: Final = 10_000.0
 """Metres from the origin within which a browser may set a waypoint."""
-MAX_SPEED: Final = 5.0
-"""m/s; greatest speed that can be chosen. The robot also has its own limits."""
 
 
 class MapPanel:
@@ -238,18 +248,28 @@ class MapPanel:
 
     async def _start_mission(self, world: World, mission: Mission, speed: float) -> None:
         """Carry out waypoints with actions, which the robot's own list cannot hold."""
-        assert self._robot is not None
-        run = MissionRun(
-            mission, world.route, self._robot, speed, folder=self._console.recordings, note=self._console.act
-        )
-        self._motion.begin(self._robot.id, run.run(), sentence("the mission"))
-        self._refused = self._motion.problem
+        robot = self._robot
+        assert robot is not None
+        run = MissionRun(mission, world.route, robot, speed, folder=self._console.recordings, note=self._console.act)
+        self._busy, self._refused = True, ""
+        self._show_route()
+        try:
+            await run.check()
+        except JausError as error:
+            self._refused = str(error)
+        finally:
+            self._busy = False
+        if self._world() is not world:
+            return
+        if not self._refused:
+            self._motion.begin(robot.id, run.run(), sentence("the mission"))
+            self._refused = self._motion.problem
         if not self._refused:
             self._run = run
             self._console.act(
                 sentence(
                     "robot {robot}: began a mission of {count} waypoints",
-                    robot=self._robot.id,
+                    robot=robot.id,
                     count=len(mission.waypoints),
                 )
             )
@@ -319,7 +339,7 @@ class MapPanel:
             return state_of(index, route, is_draft=self._draft is not None)
         if index == run.index and self._motion.is_running:
             return "waits" if route.is_paused and not run.doing else "active"
-        return "reached" if index < run.index else "not sent"
+        return "reached" if index < run.index + bool(run.doing) else "not sent"
 
     def _show_list(self, points: Sequence[Waypoint]) -> None:
         self._list.clear()
@@ -390,6 +410,12 @@ class MapPanel:
         if world is None:
             return
         route, draft, speed = world.route, self._draft, self._speed.value or DEFAULT_SPEED
+        try:
+            check_speed(speed, self._conventions.exact_speed)
+        except ConfigError as error:
+            self._refused = str(error)
+            self._show_route()
+            return
         if route.is_paused and (draft is None or self._motion.is_running):
             await self._command(
                 sentence("go on through the waypoints at {speed:g} m/s", speed=speed), route.set_speed(speed)
@@ -440,7 +466,7 @@ class MapPanel:
     async def _on_speed(self) -> None:
         """Change the speed of a robot that drives through its list immediately."""
         world, speed = self._world(), self._speed.value or 0.0
-        if world is None or not 0.0 < speed <= MAX_SPEED:
+        if world is None or not MIN_SPEED <= speed <= MAX_SPEED:
             return
         if self._operates() and world.route.active is not None and not world.route.is_paused:
             await self._command(
@@ -473,6 +499,10 @@ def run_progress(run: MissionRun, *, is_running: bool, is_paused: bool) -> tuple
         return sentence("the mission ended at waypoint {number} of {count}", number=many, count=many), 1.0
     where = {"number": run.index + 1, "count": many}
     if not is_running:
+        if run.doing:
+            return sentence("the mission was stopped at waypoint {number} of {count}", **where), (
+                run.index + 0.9
+            ) / many
         return sentence("the mission was stopped before waypoint {number} of {count}", **where), run.index / many
     if run.doing:
         text = sentence("at waypoint {number} of {count}: {action}", action=run.doing, **where)
