@@ -12,7 +12,7 @@ from tests.helpers.command_line import shared_robot
 
 pytestmark = BROWSER_MARKS
 FIELDS = ("checkbox", "combobox", "listbox", "radio", "searchbox", "slider", "spinbutton", "switch", "textbox")
-NAMED = (*FIELDS, "button", "dialog", "link", "region", "tab")
+NAMED = (*FIELDS, "button", "Canvas", "dialog", "image", "link", "menu", "progressbar", "region", "tab")
 """Roles that WAI-ARIA requires a name of."""
 
 
@@ -95,7 +95,7 @@ def test_the_help_opens_by_a_key_and_escape_closes_it_without_a_stop(url: str) -
 
 def test_a_slider_follows_fast_presses_and_the_events_follow_again(url: str) -> None:
     with page_at(url) as page:
-        slider = page.get_by_role("slider", name="limit of the speed")
+        slider = page.get_by_role("slider", name="limit of the speed in m/s")
         slider.focus()
         for _ in range(8):
             page.keyboard.press("ArrowRight")
