@@ -74,6 +74,8 @@ def test_axes_and_units_are_chosen_and_kept(url: str) -> None:
         page.get_by_text("heading 0°").wait_for()
         page.get_by_text("limit 1.6 ft/s").wait_for()
         page.get_by_role("tab", name="World").click()
+        page.wait_for_function("jauspy.world.pose && jauspy.map.toScreen(jauspy.world.pose)")
+        page.get_by_text("click on the map to set a waypoint").wait_for()
         page.locator("#world-map canvas").click(position={"x": 60, "y": 60})
         page.locator(".waypoint").get_by_text(re.compile(r"^-?\d+\.\d\d, -?\d+\.\d\d ft$")).wait_for()
         page.get_by_label("ft/s", exact=True).wait_for()
