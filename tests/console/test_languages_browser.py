@@ -123,3 +123,23 @@ def test_what_a_browser_sends_as_language_is_data(url: str) -> None:
         page.goto(url)
         page.get_by_role("button", name="take", exact=True).wait_for()
         assert page.locator("html").get_attribute("lang") == "en-US"
+
+
+def test_german_fits_a_telephone_and_a_small_screen(url: str) -> None:
+    with page_at(url, locale="de-DE", viewport={"width": 390, "height": 844}) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        for index in range(len(VIEWS)):
+            page.get_by_role("tab").nth(index).click()
+            page.wait_for_timeout(500)
+            assert page.evaluate("document.documentElement.scrollWidth") <= 390, VIEWS[index]
+        page.get_by_role("tab").nth(VIEWS.index("Log")).click()
+        list_of, details = (page.locator(f".split > .{name}").bounding_box() for name in ("traffic", "details"))
+        assert details["y"] >= list_of["y"] + list_of["height"], "one column"
+        page.set_viewport_size({"width": 1024, "height": 768})
+        page.locator(".heading", has_text="Kontrolle").click()
+        page.keyboard.press("Digit4")
+        page.locator(".desk.arranged").wait_for()
+        right = page.locator(".pane[data-view='Video']").evaluate("(each) => each.getBoundingClientRect().right")
+        for button in page.locator(".video-bar button:visible").all():
+            box = button.bounding_box()
+            assert box["x"] + box["width"] <= right + 1.0

@@ -12,7 +12,7 @@ from tests.helpers.command_line import shared_robot
 
 pytestmark = BROWSER_MARKS
 FIELDS = ("checkbox", "combobox", "listbox", "radio", "searchbox", "slider", "spinbutton", "switch", "textbox")
-NAMED = (*FIELDS, "button", "dialog", "link", "region", "tab")
+NAMED = (*FIELDS, "button", "Canvas", "dialog", "image", "link", "menu", "progressbar", "region", "tab")
 """Roles that WAI-ARIA requires a name of."""
 
 
@@ -74,6 +74,8 @@ def test_axes_and_units_are_chosen_and_kept(url: str) -> None:
         page.get_by_text("heading 0°").wait_for()
         page.get_by_text("limit 1.6 ft/s").wait_for()
         page.get_by_role("tab", name="World").click()
+        page.wait_for_function("jauspy.world.pose && jauspy.map.toScreen(jauspy.world.pose)")
+        page.get_by_text("click on the map to set a waypoint").wait_for()
         page.locator("#world-map canvas").click(position={"x": 60, "y": 60})
         page.locator(".waypoint").get_by_text(re.compile(r"^-?\d+\.\d\d, -?\d+\.\d\d ft$")).wait_for()
         page.get_by_label("ft/s", exact=True).wait_for()
@@ -95,7 +97,7 @@ def test_the_help_opens_by_a_key_and_escape_closes_it_without_a_stop(url: str) -
 
 def test_a_slider_follows_fast_presses_and_the_events_follow_again(url: str) -> None:
     with page_at(url) as page:
-        slider = page.get_by_role("slider", name="limit of the speed")
+        slider = page.get_by_role("slider", name="limit of the speed in m/s")
         slider.focus()
         for _ in range(8):
             page.keyboard.press("ArrowRight")

@@ -71,7 +71,8 @@ class Desk:
     def build_menu(self, views: Sequence[str]) -> None:
         """The button "layout" with its menu: presets, views and panels."""
         button = ui.button(_("layout \u25be"), color=None).props("flat no-caps dense").classes("layout")
-        with button, ui.menu().props("no-focus").classes("layout-menu"):
+        with button, ui.menu().props("no-focus").classes("layout-menu") as menu:
+            attributes(menu, aria_label=_("layout of the views"))
             for number, name in enumerate(PRESETS, 1):
                 with ui.menu_item(on_click=lambda name=name: self.choose(name)):
                     ui.label(translated(_PRESETS[name])).classes("grow")

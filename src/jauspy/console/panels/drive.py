@@ -126,7 +126,7 @@ class DrivePanel:
                         self._position = plain_text("", tag="b")
                         self._heading, self._attitude = ui.label(""), ui.label("")
                     self._limit = ui.slider(min=0.1, max=MAX_SPEED, step=0.1, value=0.5, on_change=self._show_limit)
-                    attributes(self._limit, aria_label=_("limit of the speed"))
+                    attributes(self._limit, aria_label=_("limit of the speed in m/s"))
                     self._limit_text = ui.label("").classes("hint")
             with ui.element("details").classes("gamepads").props("hidden"):
                 plain_text(_("Gamepad"), tag="summary")
@@ -150,9 +150,7 @@ class DrivePanel:
         self._robot = None
 
     def _show_limit(self) -> None:
-        text = self._modes.limit_text(self._limit.value)
-        self._limit_text.set_text(text)
-        attributes(self._limit, aria_valuetext=text)
+        self._limit_text.set_text(self._modes.limit_text(self._limit.value))
 
     async def _update(self) -> None:
         if self._robot is None:

@@ -11,7 +11,7 @@ from nicegui import ui
 from jauspy.console.console import Console
 from jauspy.console.conventions import Conventions
 from jauspy.console.languages import sentence
-from jauspy.console.markup import call
+from jauspy.console.markup import attributes, call
 from jauspy.console.page_language import _, translated
 from jauspy.console.sighting import (
     DIRECTION_NAMES,
@@ -65,7 +65,7 @@ class Pointing:
         """Where the camera looked when the drag began."""
         self._task: asyncio.Task[None] | None = None
         self._button = ui.button(_("look \u25be"), color=None).props("outline no-caps dense")
-        with self._button, ui.menu():
+        with self._button, attributes(ui.menu(), aria_label=_("directions of the camera")):
             for name in DIRECTIONS:
                 ui.menu_item(
                     translated(DIRECTION_NAMES[name]),

@@ -109,7 +109,8 @@ class VideoPanel:
         id = str(camera.id)
         with ui.element("figure").props('tabindex="0" role="button"') as figure:
             attributes(figure, aria_label=_("camera {id}", id=id))
-            attributes(ui.element("canvas").props("width=640 height=480"), data_component=id)
+            picture = ui.element("canvas").props('width=640 height=480 role="img"')
+            attributes(picture, data_component=id, aria_label=_("picture of the camera {id}", id=id))
             ui.html(
                 '<div class="overlay"></div><span class="video-note" role="status"></span>'
                 '<span class="video-says" role="status"></span>',

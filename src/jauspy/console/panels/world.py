@@ -93,6 +93,7 @@ class MapPanel:
     def _build_execution(self) -> None:
         """The progress, and the buttons that carry the waypoints out."""
         self._bar = ui.linear_progress(0.0, show_value=False, size="6px").props("instant-feedback")
+        attributes(self._bar, aria_label=_("progress of the waypoints"))
         self._progress = ui.label("").classes("hint progress")
         self._problem = ui.label("").classes("problem")
         with ui.element("div").classes("row tight"):

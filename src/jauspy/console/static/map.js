@@ -15,7 +15,7 @@ jauspy.map = {
     const map = jauspy.map;
     if (!place) return;
     if (!map.canvas || map.canvas.parentElement !== place) {
-      map.canvas = document.createElement("canvas");
+      map.canvas = jauspy.make("canvas", { role: "img", "aria-label": jauspy._("map: a click sets a waypoint, a drag moves one or the map") });
       place.prepend(map.canvas);
       map.listen();
     }

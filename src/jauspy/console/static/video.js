@@ -321,13 +321,15 @@ jauspy.Overlay = class {
     }
     const ladder = [-20, -10, 10, 20].map((angle) => `<path d="M${angle % 20 ? -9 : -14} ${-1.4 * angle}h${angle % 20 ? 18 : 28}"/>`).join("");
     element.innerHTML = `
-      <svg class="tape" viewBox="-160 0 320 46"><g class="scale">${ticks.join("")}</g>
+      <svg class="tape" role="img" viewBox="-160 0 320 46"><g class="scale">${ticks.join("")}</g>
         <path class="mark" d="M0 24l-5 6h10z"/><text class="number" x="0" y="45"></text></svg>
-      <svg class="dial" viewBox="-46 -46 92 92"><g class="turn"><g class="lift">
+      <svg class="dial" role="img" viewBox="-46 -46 92 92"><g class="turn"><g class="lift">
         <rect class="sky" x="-90" y="-160" width="180" height="160"/><rect class="ground" x="-90" y="0" width="180" height="160"/>
         <path d="M-90 0h180"/>${ladder}</g></g><path class="wings" d="M-26 0h14l5 5M26 0h-14l-5 5"/><circle r="44"/></svg>
       <div class="numbers"><b></b><span></span></div>`;
     this.parts = Object.fromEntries(["scale", "number", "turn", "lift", "tape", "dial"].map((name) => [name, element.querySelector(`.${name}`)]));
+    this.parts.tape.setAttribute("aria-label", jauspy._("heading"));
+    this.parts.dial.setAttribute("aria-label", jauspy._("artificial horizon"));
     this.speed = element.querySelector("b");
     this.angles = element.querySelector("span");
     this.element = element;

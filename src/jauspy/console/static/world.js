@@ -214,6 +214,8 @@ jauspy.view = {
     view.camera.position.set(-1.45, 1.3, 1.0);
     view.labels = new CSS2DRenderer();
     view.labels.domElement.className = "labels";
+    view.renderer.domElement.setAttribute("role", "img");
+    view.renderer.domElement.setAttribute("aria-label", jauspy._("the robot in three dimensions: a drag turns the view, the wheel zooms"));
     place.replaceChildren(view.renderer.domElement, view.labels.domElement);
     view.controls = new OrbitControls(view.camera, view.renderer.domElement);
     view.controls.target.set(0, 0, 0.25);
