@@ -32,6 +32,24 @@ def stops(page: Any) -> int:
     return found
 
 
+def test_a_key_that_is_held_when_control_comes_moves_nothing(url: str) -> None:
+    with page_at(url) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        page.locator(".heading", has_text="Control").click()
+        page.keyboard.down("KeyW")
+        assert page.evaluate("jauspy.deflection()") == [1, 0]
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_text("you operate this robot").wait_for()
+        page.wait_for_function("jauspy.operates && jauspy.deflection()[0] === 0")
+        page.keyboard.down("KeyW")  # as a keyboard repeats what is held
+        assert page.evaluate("jauspy.deflection()") == [0, 0]
+        page.keyboard.up("KeyW")
+        page.keyboard.down("KeyW")
+        assert page.evaluate("jauspy.deflection()") == [1, 0]
+        page.keyboard.up("KeyW")
+        page.get_by_role("button", name="release", exact=True).click()
+
+
 def test_what_is_open_gets_the_keys(url: str) -> None:
     with page_at(url) as page:
         page.get_by_text("101 inc1").first.wait_for()

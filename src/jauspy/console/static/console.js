@@ -87,6 +87,7 @@ const jauspy = {
   operates: false,
   operate(now) {
     jauspy.operates = now;
+    jauspy.release_keys(); // what is held when control comes or goes must be pressed again
     jauspy.gamepad?.forget();
     if (now) jauspy.answerDrive("");
   },
@@ -206,7 +207,11 @@ const jauspy = {
     addEventListener("keydown", (event) => {
       if (event.code === "F8" || (event.code === "Escape" && !jauspy.closeByEscape(event))) { jauspy.stop("all"); event.preventDefault(); return; }
       if (event.key?.startsWith("Arrow") && event.target.closest?.(jauspy.HAVE_ARROWS)) return;
-      if (event.code in jauspy.bindings && jauspy.isForPage(event)) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
+      if (!(event.code in jauspy.bindings) || !jauspy.isForPage(event)) return;
+      event.preventDefault();
+      if (event.repeat) return; // a key that was released for its user, as by a stop, moves nothing until it is pressed again
+      jauspy.keys.add(event.code);
+      jauspy.tick();
     });
     addEventListener("keyup", (event) => { if (jauspy.keys.delete(event.code)) jauspy.tick(); });
     // While Meta is held, macOS tells of no other key that is released.
