@@ -47,8 +47,8 @@ class TrueMap:
         self.terrain = TerrainCost(
             mobility, ~known, known, heights.origin, heights.resolution, elevation=heights, allow_unknown=False
         )
-        self.terrain.margin = BESIDE
         """The cost of driving there."""
+        self.terrain.margin = BESIDE
 
     def draw_goal(self, here: PlanarPose, rng: np.random.Generator) -> Goal | None:
         """A random goal that the robot can reach from a pose; None if `TRIES` cannot be reached."""
@@ -76,7 +76,7 @@ class TrueMap:
         begin = terrain.cell(start.x, start.y)
         if begin is None:  # the robot has left the map
             return np.full(terrain.shape, np.inf)
-        free = terrain.distance >= mobility.half_width + BESIDE
+        free = terrain.distance >= mobility.half_width + terrain.margin
         free[begin] = True
         count = free.size
         cells = np.arange(count).reshape(free.shape)

@@ -24,12 +24,14 @@ from jauspy.ocu.state import RobotPose
 from jauspy.planning.driving_map import Corners, DrivingMap
 from jauspy.planning.mobility import Mobility, flipper_joints, mobility_of, with_posture
 from jauspy.planning.path_search import (
+    MARGINS,
     NoPath,
     NoStand,
     Path,
     PathPoint,
     find_path_with_margins,
     is_leg_free,
+    place_to_stand,
     way_cost,
 )
 from jauspy.planning.stall import Stall
@@ -154,10 +156,12 @@ class Navigator:
         find = partial(find_path_with_margins, terrain, pose, backward=self._backward)
         try:
             return terrain, find(goal, end=began + seconds)
-        except NoStand as reason:
-            if reason.place is None or math.dist(pose[:2], goal) < CERTAIN:
+        except NoStand:
+            terrain.margin = MARGINS[0]
+            place = None if math.dist(pose[:2], goal) < CERTAIN else place_to_stand(terrain, goal)
+            if place is None:
                 raise
-            return terrain, find(reason.place, end=began + seconds)
+            return terrain, find(place, end=began + seconds)
         finally:
             self.planning_time = time.thread_time() - began
 

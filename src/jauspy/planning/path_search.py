@@ -67,11 +67,7 @@ class NoPath(RequestError):
 
 
 class NoStand(NoPath):
-    """The robot cannot stand at the goal; `place` is the nearest one where it can, if there is one close to it."""
-
-    def __init__(self, message: str, place: tuple[float, float] | None) -> None:
-        super().__init__(message)
-        self.place = place
+    """The robot cannot stand at the goal; `place_to_stand` finds where it can."""
 
 
 class PathPoint(NamedTuple):
@@ -178,10 +174,7 @@ def _check_ends(terrain: TerrainCost, start: PlanarPose, goal: tuple[float, floa
         far = terrain.distance[terrain.cell(*goal)]
         needed = terrain.mobility.half_width + terrain.margin
         why = f"{far:.2f} m from an obstacle" if far < needed else "where the robot cannot stand with any heading"
-        raise NoStand(
-            f"({goal[0]:.2f}, {goal[1]:.2f}) is {why}; choose a goal {needed:.2f} m from obstacles",
-            _place_to_stand(terrain, goal),
-        )
+        raise NoStand(f"({goal[0]:.2f}, {goal[1]:.2f}) is {why}; choose a goal {needed:.2f} m from obstacles")
     _check_stand(terrain, goal)
 
 
@@ -189,7 +182,7 @@ def _check_stand(terrain: TerrainCost, goal: tuple[float, float]) -> None:
     """Refuse a goal at which the robot would end with its tracks on both sides of a step."""
     if _can_stand(terrain, *goal):
         return
-    place = _place_to_stand(terrain, goal)
+    place = place_to_stand(terrain, goal)
     if place is not None and math.dist(place, goal) <= GOAL_TOLERANCE:
         return
     advice = (
@@ -197,11 +190,10 @@ def _check_stand(terrain: TerrainCost, goal: tuple[float, float]) -> None:
         if place is None
         else f"({place[0]:.2f}, {place[1]:.2f}) is the nearest place where it can stand"
     )
-    edge = f"({goal[0]:.2f}, {goal[1]:.2f}) is at the edge of a step, astride of which no robot stops; {advice}"
-    raise NoStand(edge, place)
+    raise NoStand(f"({goal[0]:.2f}, {goal[1]:.2f}) is at the edge of a step, astride of which no robot stops; {advice}")
 
 
-def _place_to_stand(terrain: TerrainCost, goal: tuple[float, float]) -> tuple[float, float] | None:
+def place_to_stand(terrain: TerrainCost, goal: tuple[float, float]) -> tuple[float, float] | None:
     """The place nearest to a goal where the robot can stand; None if there is none within `STANDING_REACH`."""
     side = terrain.resolution
     reach = math.floor(STANDING_REACH / side)

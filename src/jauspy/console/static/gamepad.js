@@ -89,8 +89,7 @@ jauspy.gamepad = {
     const velocity = [0, 0, 0, 0, 0, 0];
     for (const pad of gamepad.pads()) {
       const settings = gamepad.settings(pad);
-      if (!gamepad.holds(pad, settings, "armHold")) continue;
-      if (!jauspy.operates) continue;
+      if (!gamepad.holds(pad, settings, "armHold") || !jauspy.operates) continue;
       for (const [axis, name] of [[0, "armX"], [1, "armY"], [2, "armZ"], [5, "armYaw"]]) {
         velocity[axis] += gamepad.value(pad, settings, settings.map[name]);
       }
