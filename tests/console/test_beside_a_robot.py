@@ -12,16 +12,16 @@ from tests.helpers.command_line import assert_gone, start, wait_for
 from tests.helpers.console_visit import visit
 from tests.helpers.ports import unused_port
 
-from jauspy.cli import operator_console
+from jauspy.cli import beside
 from jauspy.errors import ConfigError
 
 
 async def test_a_missing_extra_is_reported_before_anything_starts(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(operator_console, "find_spec", lambda _: None)
+    monkeypatch.setattr(beside, "find_spec", lambda _: None)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[console\]'"):
-        async with operator_console.console_beside(tmp_path, 0, 101):
+        async with beside.console_beside(tmp_path, 0, 101):
             pass
 
 

@@ -242,7 +242,7 @@ class Usage:
 async def started(row: ProcessRow, per_node_manager: int, step: float) -> AsyncIterator[tuple[Site, Path]]:
     """Node managers and robots; also yields the folder of the operator's sockets.
 
-    All robots start at once: those that have started would take processor time from the others.
+    As many start at a time as there are processors: a start that has to share them with all others takes minutes.
     """
     async with AsyncExitStack() as stack:
         folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="jauspy-", ignore_cleanup_errors=True))
@@ -251,9 +251,12 @@ async def started(row: ProcessRow, per_node_manager: int, step: float) -> AsyncI
         operator = await found.start_node_manager()
         roots = [await found.start_node_manager() for _ in range(math.ceil(row.robots / per_node_manager))]
 
+        turns = asyncio.Semaphore(psutil.cpu_count() or 1)
+
         async def start(number: int) -> None:
             try:
-                await found.start_robot(FIRST_ROBOT + number, roots[number // per_node_manager])
+                async with turns:
+                    await found.start_robot(FIRST_ROBOT + number, roots[number // per_node_manager])
             except NotStartedError as error:
                 row.failures.append(f"robot {FIRST_ROBOT + number}: not started: {error}")
 

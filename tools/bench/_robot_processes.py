@@ -17,8 +17,8 @@ import psutil
 
 ADDRESS: Final = "127.0.0.{}"
 """Address of a node manager, by its number from 2; 127.0.0.1 is that of the interface."""
-START_TIMEOUT: Final = 900.0
-"""Seconds in which a process must have started; all robots start at once, and take 4 CPU seconds each."""
+START_TIMEOUT: Final = 120.0
+"""Seconds in which a process must have started, which takes 3 CPU seconds."""
 END_TIMEOUT: Final = 30.0
 """Seconds from SIGTERM to SIGKILL."""
 PRINT_TIMEOUT: Final = 20.0

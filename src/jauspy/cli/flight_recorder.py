@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import asyncio
 import os
 import sys
 import threading
 import time
-from collections.abc import AsyncIterator, Iterable
-from contextlib import asynccontextmanager, closing, suppress
-from dataclasses import dataclass
+from contextlib import closing, suppress
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated, Final
@@ -17,17 +14,16 @@ from typing import Annotated, Final
 import typer
 
 from jauspy.cli import console
+from jauspy.cli.beside import ALL_KINDS, DEFAULT_AFTER, DEFAULT_BEFORE, MAX_AFTER, MAX_BEFORE, RECORDINGS, parse_kinds
 from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import DEFAULT_ROOT, LocalRoot, WithParent
-from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, stoppable
-from jauspy.errors import ConfigError, TransportError
+from jauspy.cli.processes import end_with_parent, stoppable
+from jauspy.errors import TransportError
 from jauspy.inspection.live import LiveCapture
 from jauspy.recording.flight_recorder import FlightRecorder, Folder
 from jauspy.recording.incidents import IncidentDetector, Kind
 from jauspy.recording.run_files import prepared
 
-RECORDINGS: Final = Path("recordings")
-MAX_BEFORE, MAX_AFTER = 600.0, 600.0
 NICENESS: Final = 10
 """The robot and its node manager run first."""
 RECONNECT_DELAY: Final = 1.0
@@ -42,8 +38,6 @@ Before = Annotated[
 After = Annotated[
     float, typer.Option("--after", min=0.0, max=MAX_AFTER, metavar="SECONDS", help="How much after it is recorded.")
 ]
-DEFAULT_BEFORE, DEFAULT_AFTER = 30.0, 10.0
-ALL_KINDS: Final = ",".join(Kind)
 
 
 def flight_recorder(
@@ -141,74 +135,3 @@ class _Listener:
                 # datagrams tell the time themselves; after a slow one, as the first of a file, others wait to be read
                 if time.monotonic() - self._recorded >= TICK:
                     self._recorder.tick(time.time())
-
-
-def parse_kinds(text: str, option: str) -> tuple[Kind, ...]:
-    """The kinds of incidents in a list with commas. Raises `ConfigError`."""
-    names = [name.strip() for name in text.split(",")]
-    for name in names:
-        if name not in tuple(Kind):
-            raise ConfigError(f"{option}: {name!r} is nothing to record on; these are: {', '.join(Kind)}")
-    return tuple(dict.fromkeys(map(Kind, names)))
-
-
-@dataclass(frozen=True, slots=True)
-class FlightRecorderOptions:
-    """How a robot's own flight recorder records."""
-
-    kinds: tuple[Kind, ...]
-    before: float
-    after: float
-    folder: Path
-
-    def arguments(self, subsystem: int, root: Path) -> Iterable[str]:
-        """The command line of the verb."""
-        yield from ("flight-recorder", "--on", ",".join(self.kinds))
-        yield from ("--before", str(self.before), "--after", str(self.after), "--output", str(self.folder))
-        yield from ("--subsystem", str(subsystem), "--local-root", str(root))
-
-
-def chosen_options(
-    on: str | None, before: float | None, after: float | None, folder: Path
-) -> FlightRecorderOptions | None:
-    """What the options of a robot say; None without `--record-on`. Raises `ConfigError`."""
-    if on is None:
-        given = {"--before": before, "--after": after}  # without a flight recorder, DataLogging has the folder
-        for name, value in given.items():
-            if value is not None:
-                raise ConfigError(f"{name} needs --record-on, as in --record-on {ALL_KINDS}")
-        return None
-    return FlightRecorderOptions(
-        parse_kinds(on, "--record-on"),
-        DEFAULT_BEFORE if before is None else before,
-        DEFAULT_AFTER if after is None else after,
-        folder,
-    )
-
-
-@asynccontextmanager
-async def flight_recorder_beside(options: FlightRecorderOptions, subsystem: int, root: Path) -> AsyncIterator[str]:
-    """A flight recorder in a child process, so that it never delays the robot; yields what it records to and on.
-
-    If it ends unexpectedly, this is said, and the robot keeps running.
-    """
-    child = ChildProcess("flight recorder", tuple(options.arguments(subsystem, root)), on_error_line=_forward)
-    try:
-        await child.__aenter__()
-    except ChildFailed as error:
-        raise ConfigError(str(error)) from error
-    watching = asyncio.create_task(_tell_end(child))
-    try:
-        yield child.first_line
-    finally:
-        watching.cancel()
-        await asyncio.wait({watching})
-        await child.stop()
-
-
-async def _tell_end(child: ChildProcess) -> None:
-    console.error(f"{await child.ended()}; the robot keeps running without it")
-
-
-def _forward(line: str) -> None:
-    console.print_lines(f"flight recorder: {line}", file=sys.stderr)

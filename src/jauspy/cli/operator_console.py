@@ -7,10 +7,9 @@ import re
 import stat
 import sys
 import webbrowser
-from collections.abc import AsyncIterator, Iterator
-from contextlib import AbstractContextManager, asynccontextmanager, contextmanager, nullcontext
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from html import escape
-from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated, Final
@@ -18,8 +17,9 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from jauspy.cli import client, console
+from jauspy.cli.beside import CONSOLE_PORT, CONSOLE_READY, NEEDS_CONSOLE
 from jauspy.cli.options import Connect, Json, OperatorKey, OwnId, WithParent
-from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, run
+from jauspy.cli.processes import end_with_parent, run
 from jauspy.errors import ConfigError
 from jauspy.ocu import OCU
 from jauspy.user_files import read_file
@@ -27,9 +27,6 @@ from jauspy.user_files import read_file
 if TYPE_CHECKING:
     from jauspy.robot.audit import AuditLog
 
-DEFAULT_PORT: Final = 8101
-NEEDS_EXTRA: Final = "the console needs the extra 'console': pip install 'jauspy[console]'"
-READY: Final = "the console is at"
 USERS_FILE: Final = Path("console-users.toml")
 CERTIFICATE_FILE: Final = Path("console-certificate.pem")
 KEY_FILE: Final = Path("console-key.pem")
@@ -49,7 +46,7 @@ def console_page(
     *,
     port: Annotated[
         int, typer.Option("--port", min=0, max=65535, help="The port of the page; 0 is any free one.")
-    ] = DEFAULT_PORT,
+    ] = CONSOLE_PORT,
     host: Annotated[
         str,
         typer.Option(
@@ -122,7 +119,7 @@ def console_page(
         from jauspy.console.saved_files import read_poses
         from jauspy.console.server import Access, serving
     except ImportError as error:
-        raise ConfigError(f"{NEEDS_EXTRA} ({error})") from error
+        raise ConfigError(f"{NEEDS_CONSOLE} ({error})") from error
     if with_parent:
         end_with_parent()
     console.log_to_stderr("WARNING")
@@ -161,7 +158,7 @@ def console_page(
             )
             async with stopper, watchdog, page as url:
                 shown = url if token_file is None else url.partition("?")[0]
-                console.print_lines(f"{READY} {shown}", *_hints(users, token_file), "stop it: Ctrl-C")
+                console.print_lines(f"{CONSOLE_READY} {shown}", *_hints(users, token_file), "stop it: Ctrl-C")
                 with nullcontext() if no_browser else _browser_at(url):
                     await asyncio.Event().wait()
 
@@ -285,35 +282,3 @@ def make_certificate(
 
     fingerprint = make(names, output, key)
     console.print_lines(f"{output} and {key} are written", f"SHA-256 fingerprint: {fingerprint}")
-
-
-@asynccontextmanager
-async def console_beside(root: Path, port: int, robot: int) -> AsyncIterator[str]:
-    """A console in a child process that shows this robot first, for the node manager with these local sockets; its URL.
-
-    It has a process of its own so that pages and video never delay the robot. If it ends unexpectedly, this is logged,
-    and the robot keeps running.
-    """
-    if find_spec("nicegui") is None:
-        raise ConfigError(NEEDS_EXTRA)
-    arguments = ["console", "--no-browser", "--port", str(port), "--connect", f"local:{root}", "--robot", str(robot)]
-    child = ChildProcess("console", arguments, on_error_line=_forward)
-    try:
-        await child.__aenter__()
-    except ChildFailed as error:
-        raise ConfigError(str(error).replace("--port", "--console-port")) from error
-    watching = asyncio.create_task(_tell_end(child))
-    try:
-        yield child.first_line.removeprefix(READY).strip()
-    finally:
-        watching.cancel()
-        await asyncio.wait({watching})
-        await child.stop()
-
-
-async def _tell_end(child: ChildProcess) -> None:
-    console.error(f"{await child.ended()}; the robot keeps running; start another console with: jauspy console")
-
-
-def _forward(line: str) -> None:
-    console.print_lines(f"console: {line}", file=sys.stderr)

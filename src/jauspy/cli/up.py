@@ -18,8 +18,15 @@ import typer
 
 from jauspy import backends
 from jauspy.cli import console
-from jauspy.cli.flight_recorder import MAX_AFTER, MAX_BEFORE, RECORDINGS, chosen_options, flight_recorder_beside
-from jauspy.cli.operator_console import DEFAULT_PORT as CONSOLE_PORT, console_beside
+from jauspy.cli.beside import (
+    CONSOLE_PORT,
+    MAX_AFTER,
+    MAX_BEFORE,
+    RECORDINGS,
+    chosen_options,
+    console_beside,
+    flight_recorder_beside,
+)
 from jauspy.cli.options import (
     DEFAULT_ADDRESS,
     DEFAULT_GROUP,
