@@ -18,6 +18,10 @@ Numbers: TypeAlias = NDArray[np.int64]
 FAR: Final = 0.5
 """Metres up to which distances are measured."""
 
+SEEN: Final = 0.1
+"""Metres beyond the smallest distance up to which others are measured: the watched bodies may come nearer by that much
+before they are measured again."""
+
 ROUNDING: Final = 1e-9
 """Metres that bounds of distances may be off."""
 
@@ -58,6 +62,12 @@ class Watch:
         radii = model.geom_rbound
         self._reach = radii[self._obstacles][:, np.newaxis] + radii[self._bodies]
         """Sums of the radii of the spheres about an obstacle and a body; shape (obstacles, bodies)."""
+        self._watched = np.concatenate([self._bodies, self._obstacles])
+        self._radii = radii[self._watched]
+        self._centers, self._rotations = np.zeros((len(self._watched), 3)), np.zeros((len(self._watched), 9))
+        """Where the shapes were when their distances were measured."""
+        self._spare = 0.0
+        """Metres by which they may come nearer from there until one can be nearer than any has been."""
         self._is_watched, self._is_obstacle = np.zeros(model.ngeom, np.bool_), np.zeros(model.ngeom, np.bool_)
         self._is_watched[self._bodies] = self._is_obstacle[self._obstacles] = True
         self._between = np.zeros(6)
@@ -74,21 +84,37 @@ class Watch:
 
     def _measure_distances(self) -> None:
         """Find a smaller clearance: exactly, where spheres and boxes about the shapes allow that there is one."""
+        if self._approach() < self._spare:
+            return
         model, data, found = self._model, self._data, self.found
         centers = data.geom_xpos
+        self._centers, self._rotations = centers[self._watched], data.geom_xmat[self._watched]
         between = centers[self._obstacles][:, np.newaxis] - centers[self._bodies]
-        largest = np.maximum(self._reach + found.clearance, 0.0)
-        rows, columns = np.nonzero(np.einsum("obi,obi->ob", between, between) < largest * largest)
-        if not len(rows):
-            return
+        gaps = np.sqrt(np.einsum("obi,obi->ob", between, between)) - self._reach
+        nearest = found.clearance + SEEN
+        rows, columns = np.nonzero(gaps < nearest)
         obstacles, bodies = self._obstacles[rows], self._bodies[columns]
         least = np.maximum(self._outside(obstacles, bodies), self._outside(bodies, obstacles)) - ROUNDING
         for obstacle, body, bound in zip(obstacles.tolist(), bodies.tolist(), least.tolist(), strict=True):
-            if bound >= found.clearance:
+            if bound >= nearest:
                 continue
-            distance = mujoco.mj_geomDistance(model, data, body, obstacle, found.clearance, self._between)
+            distance = mujoco.mj_geomDistance(model, data, body, obstacle, nearest, self._between)
+            nearest = min(nearest, distance)
             if distance < found.clearance:
                 found.clearance, found.between = distance, (self._name(body), self._name(obstacle))
+        self._spare = nearest - found.clearance - ROUNDING
+
+    def _approach(self) -> float:
+        """Metres by which bodies and obstacles may have come nearer since they were measured: no point moved further.
+
+        A point turns about the middle of its shape by at most its radius times the change of the rotation.
+        """
+        data = self._data
+        moved = data.geom_xpos[self._watched] - self._centers
+        turned = data.geom_xmat[self._watched] - self._rotations
+        ways = np.linalg.norm(moved, axis=1) + self._radii * np.linalg.norm(turned, axis=1)
+        bodies, obstacles = np.split(ways, [len(self._bodies)])
+        return float(bodies.max(initial=0.0) + obstacles.max(initial=0.0))
 
     def _outside(self, boxes: Numbers, spheres: Numbers) -> NDArray[np.float64]:
         """Distances of the spheres about shapes from the boxes about others, row by row; negative if they overlap."""
