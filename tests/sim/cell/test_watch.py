@@ -23,6 +23,7 @@ def test_the_clearance_is_the_smallest_of_all_steps(spin: float) -> None:
     own = shapes(model, ["box_1"])
     around = shapes(model, ["box_2", *(name for name in names if name.startswith("cell/"))])
     start = int(model.joint("box_1").dofadr[0])
+    reached = []
     with weightless(cell):
         for angle in np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False).tolist():
             ahead = np.array([np.cos(angle), np.sin(angle), 0.0])
@@ -35,7 +36,8 @@ def test_the_clearance_is_the_smallest_of_all_steps(spin: float) -> None:
                 distances = [mujoco.mj_geomDistance(model, data, a, b, FAR, None) for a in own for b in around]
                 nearest = min(nearest, *distances)
                 assert first.clearance == pytest.approx(nearest, abs=1e-6)
-            assert nearest < 0.3, "it came near"
+            reached.append(nearest)
+    assert min(reached) < 0.2, "it came near"
 
 
 def shapes(model: mujoco.MjModel, bodies: list[str]) -> list[int]:
