@@ -12,6 +12,8 @@ from tests.helpers.robot import described
 
 from jauspy.cloud.stream import CloudPublisher
 from jauspy.geometry.frames import FrameTree
+from jauspy.mapping.grid import OccupancyGrid
+from jauspy.mapping.map_files import save_map
 
 pytest.importorskip("scipy", reason="planning needs scipy")
 
@@ -20,6 +22,39 @@ pytest.importorskip("scipy", reason="planning needs scipy")
 def test_a_goal_is_two_numbers(goal):
     result = jauspy("navigate", "101", "--to", goal, status=2)
     assert "give two numbers of metres, as in 6,-2" in " ".join(result.stderr.replace("│", " ").split())
+
+
+@pytest.mark.parametrize("start", ["1,2", "1,2,north", "1,2,inf"])
+def test_a_start_is_two_numbers_and_an_angle(tmp_path, start):
+    save_map(OccupancyGrid(), tmp_path / "house")
+    result = jauspy("navigate", "101", "--to", "6,0", "--map", str(tmp_path / "house.yaml"), "--start", start, status=2)
+    assert "give two numbers of metres and one of degrees, as in 2,0,90" in " ".join(
+        result.stderr.replace("│", " ").split()
+    )
+
+
+def test_a_start_needs_a_map():
+    result = jauspy("navigate", "101", "--to", "6,0", "--start", "1,2,90", status=2)
+    assert "give --map, too" in result.stderr
+
+
+def test_maps_are_read_and_their_folder_is_looked_for_before_the_robot(tmp_path):
+    result = jauspy("navigate", "101", "--to", "6,0", "--map", str(tmp_path / "house.yaml"), status=1)
+    assert "house.yaml: cannot be read: No such file" in result.stderr
+    result = jauspy("navigate", "101", "--to", "6,0", "--save-map", str(tmp_path / "nowhere" / "house"), status=1)
+    assert "does not exist" in " ".join(result.stderr.split())
+
+
+@pytest.mark.slow
+def test_the_map_of_a_drive_is_written_and_a_robot_that_sees_nothing_is_not_found_in_it(tmp_path):
+    with robot_in_thread() as running:
+        asked = ("navigate", "101", "--to", "1,0", "--connect", running.local)
+        jauspy(*asked, "--save-map", str(tmp_path / "plain"), status=0)
+        notes, picture = tmp_path / "plain.yaml", tmp_path / "plain.pgm"
+        assert notes.exists()
+        assert picture.exists()
+        result = jauspy(*asked, "--map", str(notes), status=1)
+    assert "the lidar sees too little to find the robot in the map near (" in " ".join(result.stderr.split())
 
 
 @pytest.mark.slow

@@ -8,9 +8,10 @@ import tracemalloc
 import numpy as np
 import pytest
 
+from jauspy.errors import ConfigError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid, Points
-from jauspy.mapping.mapper import Mapper, match, search
+from jauspy.mapping.mapper import Mapper, locate, match, search
 
 ANGLES = np.linspace(-math.pi, math.pi, 360, endpoint=False)
 DEVIATION = (0.1, 0.1)
@@ -113,3 +114,40 @@ def test_rays_without_a_direction_are_left_out() -> None:
     mapper = Mapper(OccupancyGrid(30.0), matching=False)
     mapper.add(PlanarPose(), PlanarPose(), [math.inf, math.nan, 0.0], [3.0, 3.0, 3.0])
     assert int((mapper.grid.log_odds > 0.0).sum()) == 1
+
+
+def test_the_robot_is_found_in_a_known_map_near_a_rough_guess() -> None:
+    grid, random = mapped(), np.random.default_rng(1)
+    for _ in range(20):
+        pose = PlanarPose(*random.uniform((-2.0, -1.0, -3.0), (2.0, 1.0, 3.0)).tolist())
+        off = PlanarPose(*random.uniform((-0.4, -0.4, -0.3), (0.4, 0.4, 0.3)).tolist())
+        found = locate(grid, ends(pose), pose @ off)
+        assert math.hypot(found.x - pose.x, found.y - pose.y) < 0.05
+        assert abs(math.remainder(found.yaw - pose.yaw, math.tau)) < 0.005
+
+
+def test_the_first_scan_in_a_known_map_corrects_the_odometry() -> None:
+    pose, odometry = PlanarPose(0.7, 0.4, 0.3), PlanarPose(5.0, -2.0, 1.0)
+    mapper = Mapper(mapped(), is_known=True, start=PlanarPose(0.5, 0.6, 0.2))
+    mapper.add(odometry, PlanarPose(), ANGLES.tolist(), ranges(pose))
+    assert tuple(mapper.correction @ odometry) == pytest.approx(tuple(pose), abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("pose", "guess", "said"),
+    [
+        (PlanarPose(0.0, 0.0, 1.6), PlanarPose(0.0, -1e-9), "does not fit the map near (0, 0) and 0 degrees"),
+        (PlanarPose(), PlanarPose(2.5, 0.0), "does not fit the map"),
+        (PlanarPose(), PlanarPose(14.0, 14.0), "does not fit the map near (14, 14)"),
+        (PlanarPose(), PlanarPose(900.0, -900.0), "does not fit the map"),
+    ],
+)
+def test_a_wrong_guess_is_told(pose: PlanarPose, guess: PlanarPose, said: str) -> None:
+    with pytest.raises(ConfigError) as caught:
+        locate(mapped(), ends(pose), guess)
+    assert said in str(caught.value)
+
+
+def test_a_robot_that_sees_little_is_not_found() -> None:
+    with pytest.raises(ConfigError, match="sees too little to find the robot in the map"):
+        locate(mapped(), ends(PlanarPose())[:10], PlanarPose())

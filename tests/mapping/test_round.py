@@ -22,7 +22,8 @@ from tests.mapping.test_tour import near
 
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import PlanarPose, Pose
-from jauspy.mapping.grid import OccupancyGrid, save_map
+from jauspy.mapping.grid import OccupancyGrid
+from jauspy.mapping.map_files import save_map
 from jauspy.mapping.mapper import Mapper
 from jauspy.platform.localization import Localization
 from jauspy.platform.localizer import Localizer

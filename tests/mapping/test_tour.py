@@ -19,7 +19,8 @@ from tests.helpers.robot import described
 
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import PlanarPose
-from jauspy.mapping.grid import OccupancyGrid, save_map
+from jauspy.mapping.grid import OccupancyGrid
+from jauspy.mapping.map_files import save_map
 from jauspy.mapping.mapper import Mapper
 from jauspy_sim.models.groups import COLLISION, VISUAL
 from jauspy_sim.robot import SimulatedRobot

@@ -19,6 +19,7 @@ from jauspy.backends import kinematic
 from jauspy.backends.kinematic import KinematicRobot
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import PlanarPose
+from jauspy.mapping.grid import OccupancyGrid, transformed
 from jauspy.messages.iop import AddNoGoZone, QueryCostMap2D, QueryNoGoZones, QueryPath, RemoveNoGoZone
 from jauspy.ocu import Robot
 from jauspy.ocu.state import RobotPose
@@ -35,7 +36,7 @@ from jauspy.platform.ranging import Scanner
 MODEL = described("inc1")[1]
 ROOM = ((-3.0, -4.0, 7.0, -4.0), (7.0, -4.0, 7.0, 4.0), (7.0, 4.0, -3.0, 4.0), (-3.0, 4.0, -3.0, -4.0))
 """Walls as lines of x, y, x, y in metres."""
-BEHIND = -0.2
+BEHIND = -0.33
 """Place of the lidar on the robot, metres."""
 
 
@@ -91,6 +92,47 @@ async def test_a_goal_behind_a_wall_is_reached_around_it(inc1, walls, robot):
     assert math.dist((pose.x, pose.y), (4.0, 0.0)) < 0.35
     assert max(left) > 4.8, "around the wall"
     assert min(left) < 0.4
+
+
+IN_MAP = PlanarPose(2.5, -1.0, 0.5)
+"""Where the robot started, in a map that was made before."""
+
+
+def drawn(walls: Sequence[tuple[float, float, float, float]]) -> OccupancyGrid:
+    """A map of walls, free elsewhere in the room."""
+    grid = OccupancyGrid(30.0, 0.05)
+    xs, ys = np.meshgrid(np.arange(-3.0, 7.0, 0.03), np.arange(-4.0, 4.0, 0.03))
+    lines = [np.linspace(wall[:2], wall[2:], 400) for wall in walls]
+    for points, odds in ((np.column_stack([xs.ravel(), ys.ravel()]), -2.0), (np.concatenate(lines), 2.0)):
+        cells = np.rint(grid.cell_coordinates(transformed(IN_MAP, points))).astype(int)
+        grid.log_odds[cells[:, 1], cells[:, 0]] = odds
+    return grid
+
+
+@pytest.mark.slow
+async def test_a_known_map_leads_past_a_dead_end_that_the_robot_does_not_see(inc1, walls):
+    walls += [(2.0, -4.0, 2.0, 1.0), (3.6, -1.2, 3.6, 4.0)]
+    goal = IN_MAP @ PlanarPose(5.5, 0.0)
+    start = IN_MAP @ PlanarPose(0.3, -0.2, math.radians(8.0))
+    async with surroundings(inc1) as around:
+        seen = await Navigator(inc1, MODEL, around).plan(5.5, 0.0)
+    async with inc1.control("drive"), surroundings(inc1, known=drawn(walls), start=start) as around:
+        found = around.to_map(PlanarPose())
+        navigator = Navigator(inc1, MODEL, around, speed=0.8)
+        way = await navigator.plan(goal.x, goal.y)
+        pose = await navigator.go_to(goal.x, goal.y)
+    assert tuple(found) == pytest.approx(tuple(IN_MAP), abs=0.05)
+    assert way.length > seen.length + 1.0
+    assert math.dist((pose.x, pose.y), (5.5, 0.0)) < 0.35
+
+
+async def test_a_map_of_another_place_is_told(inc1, walls):
+    room = drawn([(-3.0, -2.0, 7.0, -2.5), (-1.0, -4.0, -1.2, 4.0), (1.5, 1.0, 7.0, 3.0)])
+    with pytest.raises(
+        ConfigError, match=r"does not fit the map near \(2\.5, -1\) and 28\.6 degrees: .*% of the echoes"
+    ):
+        async with surroundings(inc1, known=room, start=IN_MAP):
+            pass
 
 
 @pytest.mark.slow

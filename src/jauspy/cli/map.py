@@ -159,7 +159,7 @@ async def _map(ocu: OCU, which: tuple[int, int], grid: OccupancyGrid, output: Pa
 
 def _write(live: LiveMapping, output: Path) -> None:
     """Write the map."""
-    from jauspy.mapping.grid import save_map
+    from jauspy.mapping.map_files import save_map
 
     used = live.counters.pop("scans", 0)
     lost = "".join(f"; {count} not used: {reason}" for reason, count in live.counters.items())

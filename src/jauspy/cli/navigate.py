@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from importlib.util import find_spec
@@ -15,6 +16,7 @@ from jauspy.cli import client, console
 from jauspy.cli.options import Authority, Connect, Json, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import PlanarPose
 from jauspy.ocu import OCU, Robot
 from jauspy.printable import printable
 
@@ -33,7 +35,10 @@ def navigate(
     *,
     robot: Annotated[int, typer.Argument(metavar="ROBOT", min=1, max=65534, help="The robot's subsystem id.")],
     to: Annotated[
-        str, typer.Option("--to", metavar="X,Y", help="The goal: metres forward and left of where it started.")
+        str,
+        typer.Option(
+            "--to", metavar="X,Y", help="The goal: metres forward and left of where it started, or those of --map."
+        ),
     ],
     speed: Annotated[float, typer.Option("--speed", min=0.05, max=327.0, metavar="M/S", help="At most.")] = 0.5,
     within: Annotated[
@@ -47,6 +52,24 @@ def navigate(
         Path | None,
         typer.Option(
             "--robot-file", metavar="TOML", help="The robot's file. Default: that of its name, if it comes with jauspy."
+        ),
+    ] = None,
+    known: Annotated[
+        Path | None,
+        typer.Option("--map", metavar="YAML", help="Begin with a map that `jauspy map`, or --save-map, has written."),
+    ] = None,
+    start: Annotated[
+        str | None,
+        typer.Option(
+            "--start",
+            metavar="X,Y,DEGREES",
+            help="Where the robot is in it, to half a metre and 20 degrees. Default: its local pose.",
+        ),
+    ] = None,
+    save: Annotated[
+        Path | None,
+        typer.Option(
+            "--save-map", metavar="OUT", help="Write the map to OUT.pgm and OUT.yaml when the drive has ended."
         ),
     ] = None,
     size: Annotated[
@@ -80,21 +103,29 @@ def navigate(
     its tracks would slip or where it would tip over. Where nothing has been seen yet it may drive, unless --known-only.
     Turn on guarded teleop, too (`jauspy guard`).
 
+    A map is forgotten when the verb ends, unless --save-map writes it; the next drive begins with it by --map. Its
+    frame is that of the first drive.
+
     Examples:
       jauspy navigate 101 --to 6,-2 --cloud tcp://127.0.0.1:5566
+      jauspy navigate 101 --to 6,-2 --map house.yaml --start 2,0,90 --save-map house
       jauspy navigate 101 --to 6,-2 --dry-run --json
     """
     if missing := [name for name in EXTRAS if find_spec(name) is None]:
         raise ConfigError(f"navigate needs {' and '.join(missing)}: pip install 'jauspy[planning]'")
     goal = _point(to)
+    if start is not None and known is None:
+        raise typer.BadParameter("is a place in a map: give --map, too", param_hint="--start")
+    if save is not None and not save.absolute().parent.is_dir():
+        raise ConfigError(f"{save}: the directory {save.absolute().parent} does not exist")
     ocu = client.make_ocu(own_id, connect, timeout, operator=operator_key)
-    options = {"size": size, "sensor": sensor, "allow_unknown": not known_only}
+    options = {"size": size, "sensor": sensor, "allow_unknown": not known_only} | _begin(known, start, size)
     shown = _Shown(as_json=as_json)
     where = (robot, file, report_id, connect, cloud)
     if dry_run:
         run(_show(ocu, where, goal, options, shown))
     else:
-        run(_drive(ocu, where, goal, options, shown, speed=speed, within=within, authority=authority))
+        run(_drive(ocu, where, goal, options, shown, speed=speed, within=within, authority=authority, save=save))
 
 
 def _point(text: str) -> tuple[float, float]:
@@ -106,6 +137,27 @@ def _point(text: str) -> tuple[float, float]:
             f"{text!r} is no point; give two numbers of metres, as in 6,-2", param_hint="--to"
         ) from None
     return x, y
+
+
+def _begin(known: Path | None, start: str | None, size: float) -> dict[str, Any]:
+    """The options of a map that was made before, and of the place of the robot in it."""
+    if known is None:
+        return {}
+    from jauspy.mapping.known_map import load_map
+
+    return {"known": load_map(known, size), "start": None if start is None else _pose(start)}
+
+
+def _pose(text: str) -> PlanarPose:
+    try:
+        x, y, degrees = (float(part) for part in text.split(","))
+    except ValueError:
+        x = y = degrees = math.nan
+    if not all(map(math.isfinite, (x, y, degrees))):
+        raise typer.BadParameter(
+            f"{text!r} is no pose; give two numbers of metres and one of degrees, as in 2,0,90", param_hint="--start"
+        )
+    return PlanarPose(x, y, math.radians(degrees))
 
 
 _Where = tuple[int, Path | None, str | None, str | None, list[str] | None]
@@ -175,14 +227,22 @@ async def _drive(
     speed: float,
     within: float,
     authority: int,
+    save: Path | None,
 ) -> None:
+    from jauspy.mapping.map_files import save_map
+
     clock = asyncio.get_running_loop().time
     async with ocu:
         robot = await ocu.robot(where[0])
         async with robot.control(authority=authority), _navigator(robot, where, options, speed) as navigator:
             began = clock()
-            pose = await navigator.go_to(*goal, timeout=within, progress=shown.progress)
-            shown.arrived(pose.x, pose.y, clock() - began)
+            try:
+                pose = await navigator.go_to(*goal, timeout=within, progress=shown.progress)
+            finally:
+                if save is not None:
+                    save_map(navigator.map.grid, save)
+            here = navigator.map.to_map(PlanarPose(pose.x, pose.y, pose.yaw))
+            shown.arrived(here.x, here.y, clock() - began)
 
 
 @asynccontextmanager

@@ -24,8 +24,9 @@ from jauspy.demo.report import DemoState, Report, StageResult, View
 from jauspy.demo.tour import Tour
 from jauspy.errors import RequestError
 from jauspy.geometry.poses import PlanarPose
-from jauspy.mapping.grid import OccupancyGrid, Points, save_map, transformed
+from jauspy.mapping.grid import OccupancyGrid, Points, transformed
 from jauspy.mapping.live import LiveMapping
+from jauspy.mapping.map_files import save_map
 from jauspy.mapping.mapper import MAX_RANGE, Mapper
 from jauspy.ocu import OCU, Camera, Robot, RobotControl
 from jauspy.ocu.frames import RobotFrames

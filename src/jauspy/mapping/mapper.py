@@ -14,6 +14,7 @@ from typing import Final, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy.errors import ConfigError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid, Points, transformed
 
@@ -37,6 +38,12 @@ MAX_REACH: Final = 1.0
 SEARCH_STEP: Final = 0.1
 SEARCHED_POINTS: Final = 150
 """Echoes of a scan, evenly spread, by which places are compared."""
+START_DEVIATION: Final = 0.5
+START_TURN: Final = math.radians(20.0)
+START_STEP: Final = math.radians(2.0)
+"""Of the guess of where the robot is in a map that was made before: metres; radians that are searched; their steps."""
+MIN_FIT: Final = 0.6
+"""Fraction of the echoes that must be at the walls of such a map."""
 FIT_WEIGHT: Final = 40.0
 """Weight of their mean: a fifth of them far from any obstacle is as much as a distance of 2.8 deviations."""
 ATTRACTION_WIDTHS: Final = (6, 2)
@@ -55,14 +62,27 @@ MIN_STEP: Final = 1e-5
 
 
 class Mapper:
-    """Adds scans to `grid`, whose frame is the odometry's when the first scan is added."""
+    """Adds scans to `grid`, whose frame is the odometry's when the first scan is added.
+
+    A grid that was made before has a frame of its own. There the place of the first scan is searched around `start`,
+    the pose of the robot in it, or around the odometry's if that is None; then `is_known` is True.
+    """
 
     def __init__(
-        self, grid: OccupancyGrid | None = None, *, matching: bool = True, max_range: float = MAX_RANGE
+        self,
+        grid: OccupancyGrid | None = None,
+        *,
+        is_known: bool = False,
+        start: PlanarPose | None = None,
+        matching: bool = True,
+        max_range: float = MAX_RANGE,
     ) -> None:
         self.grid = grid or OccupancyGrid()
         self.path: list[PlanarPose] = []
         """The corrected pose of each scan in the map."""
+        self.is_known = is_known
+        """True for a map that was made before."""
+        self._start = start
         self._matching = matching
         self.max_range = max_range
         """Metres of a ray that are mapped."""
@@ -79,12 +99,17 @@ class Mapper:
         """Add a scan of a lidar at the pose `lidar` on the robot; `odometry` is the robot's pose, which may drift.
 
         `angles` in radians and `ranges` in metres, inf for no echo, -inf for one too close. Returns the corrected pose.
+        Raises `ConfigError` if the first scan does not fit a map that was made before.
         """
         guess = self._correction @ odometry
         if self.path and not _moved(guess.relative_to(self.path[-1])):
             return guess
         ends, echoes = self._ends(lidar, angles, ranges)
-        pose = self._matched(ends[echoes], guess) if self.path and self._matching else guess
+        pose = guess
+        if not self.path and self.is_known:
+            pose = locate(self.grid, ends[echoes], guess if self._start is None else self._start)
+        elif self.path and self._matching:
+            pose = self._matched(ends[echoes], guess)
         self.grid.add(np.array((pose @ lidar)[:2]), transformed(pose, ends), echoes)
         self.path.append(pose)
         self._correction = pose @ odometry.inverse()
@@ -124,21 +149,64 @@ def search(grid: OccupancyGrid, points: Points, guess: PlanarPose, deviation: fl
     """
     if len(points) < MIN_POINTS:
         return guess
-    near = _attraction(grid.log_odds > 0.0, ATTRACTION_WIDTHS[-1])
-    known = (grid.log_odds != 0.0) | (near > 0.0)
-    count = round(min(MAX_REACH, 2.0 * deviation) / SEARCH_STEP)
-    along = SEARCH_STEP * np.arange(-count, count + 1)
-    offsets = np.stack(np.meshgrid(along, along), axis=-1).reshape(-1, 2)
-    used = points[np.linspace(0, len(points) - 1, min(len(points), SEARCHED_POINTS)).astype(np.intp)]
-    placed = transformed(guess, used) + offsets[:, np.newaxis]
-    cells = np.clip(np.rint(grid.cell_coordinates(placed)).astype(np.intp), 0, grid.cells - 1)
-    rows, columns = cells[..., 1], cells[..., 0]
-    # ends where nothing is known yet say nothing: otherwise a scan would slide to the part that the map already has
-    counted = known[rows, columns]
-    lacking = ((1.0 - near[rows, columns]) ** 2 * counted).sum(axis=1) / np.maximum(counted.sum(axis=1), 1)
-    costs = FIT_WEIGHT * lacking + (offsets * offsets).sum(axis=1) / deviation**2
-    x, y = offsets[int(costs.argmin())].tolist()
-    return PlanarPose(guess.x + x, guess.y + y, guess.yaw)
+    return _Comparison(grid, points).best(guess, deviation)[0]
+
+
+def locate(grid: OccupancyGrid, points: Points, guess: PlanarPose) -> PlanarPose:
+    """The pose in a map that was made before at which the echoes of a scan fit it, searched around a rough guess.
+
+    Raises `ConfigError` when they fit nowhere there.
+    """
+    x, y, degrees = (round(value, 1) + 0.0 for value in (guess.x, guess.y, math.degrees(guess.yaw)))
+    where = f"({x:g}, {y:g}) and {degrees:g} degrees"
+    if len(points) < MIN_POINTS:
+        raise ConfigError(f"the lidar sees too little to find the robot in the map near {where}")
+    comparison = _Comparison(grid, points)
+    turns = np.arange(-START_TURN, START_TURN + START_STEP / 2.0, START_STEP).tolist()
+    guesses = [PlanarPose(guess.x, guess.y, guess.yaw + turn) for turn in turns]
+    found, _ = min((comparison.best(turned, START_DEVIATION) for turned in guesses), key=lambda pair: pair[1])
+    pose = match(grid, points, found, (SEARCH_STEP, START_STEP))
+    if (fit := comparison.fit(pose)) < MIN_FIT:
+        raise ConfigError(
+            f"what the lidar sees does not fit the map near {where}: {fit:.0%} of the echoes are at its walls; tell "
+            "where the robot is in the map"
+        )
+    return pose
+
+
+class _Comparison:
+    """Compares the echoes of a scan, shape (n, 2) in the robot's frame, with the walls of a map at many places."""
+
+    def __init__(self, grid: OccupancyGrid, points: Points) -> None:
+        self._grid = grid
+        self._points = points[np.linspace(0, len(points) - 1, min(len(points), SEARCHED_POINTS)).astype(np.intp)]
+        self._near = _attraction(grid.log_odds > 0.0, ATTRACTION_WIDTHS[-1])
+        # ends where nothing is known yet say nothing: otherwise a scan would slide to the part that the map already has
+        self._known = (grid.log_odds != 0.0) | (self._near > 0.0)
+
+    def best(self, guess: PlanarPose, deviation: float) -> tuple[PlanarPose, float]:
+        """The best place around a guess with this standard deviation in metres, with its heading; and its cost."""
+        count = round(min(MAX_REACH, 2.0 * deviation) / SEARCH_STEP)
+        along = SEARCH_STEP * np.arange(-count, count + 1)
+        offsets = np.stack(np.meshgrid(along, along), axis=-1).reshape(-1, 2)
+        rows, columns = self._cells(transformed(guess, self._points) + offsets[:, np.newaxis])
+        counted = self._known[rows, columns]
+        lacking = ((1.0 - self._near[rows, columns]) ** 2 * counted).sum(axis=1) / np.maximum(counted.sum(axis=1), 1)
+        costs = FIT_WEIGHT * lacking + (offsets * offsets).sum(axis=1) / deviation**2
+        chosen = int(costs.argmin())
+        x, y = offsets[chosen].tolist()
+        return PlanarPose(guess.x + x, guess.y + y, guess.yaw), float(costs[chosen])
+
+    def fit(self, pose: PlanarPose) -> float:
+        """Fraction of the echoes that are at walls of the map."""
+        rows, columns = self._cells(transformed(pose, self._points))
+        return float(np.mean(self._near[rows, columns] > 0.0))
+
+    def _cells(self, points: Points) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Rows and columns of the cells of points; those outside are at the edge."""
+        grid = self._grid
+        cells = np.clip(np.rint(grid.cell_coordinates(points)).astype(np.intp), 0, grid.cells - 1)
+        return cells[..., 1], cells[..., 0]
 
 
 def match(grid: OccupancyGrid, points: Points, guess: PlanarPose, deviation: tuple[float, float]) -> PlanarPose:

@@ -14,6 +14,7 @@ from lxml import etree
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.plain_yaml import parse_yaml
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort, UdpPort
 from jauspy.user_files import read_file
@@ -113,18 +114,9 @@ def _xml(data: bytes) -> _Pairs:
             yield JausID.from_int(int(number)), parse_address(str(value))
 
 
-class _YamlLoader(yaml.SafeLoader):
-    """Refuses aliases: with them, a small file has texts of gigabytes."""
-
-    def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:
-        if self.check_event(yaml.AliasEvent):
-            raise yaml.YAMLError("write out what the alias stands for; aliases are not read")
-        return super().compose_node(parent, index)
-
-
 def _yaml(data: bytes) -> _Pairs:
     """`addrbook: {udp: {"10.0.0.5:3794": 101.1.255}}`: one id or a list of ids by address."""
-    content = yaml.load(data, _YamlLoader)  # noqa: S506 # nosec B506 # a safe loader
+    content = parse_yaml(data)
     book = _unwrap(content.get("addrbook")) if isinstance(content, dict) else None
     if not isinstance(book, dict):
         raise ConfigError("it has no key 'addrbook'")

@@ -66,6 +66,8 @@ class _Echoes:
 class DrivingMap:
     """The map of one robot while the block is entered; its frame is the local frame when the first scan was added.
 
+    `known`, as by `load_map`, is a map that was made before, with a frame of its own: the place of the robot in it is
+    searched around `start`, by default its pose in the local frame, and `ConfigError` raised if nothing there fits.
     `heights`, as by `heights_of_clouds`, makes what fills an elevation grid in the same frame. `allow_unknown`: the
     robot may drive where nothing is known. Without `threaded`, as on virtual time, all is computed in the event loop.
     """
@@ -76,13 +78,15 @@ class DrivingMap:
         *,
         size: float = 40.0,
         resolution: float = 0.05,
+        known: OccupancyGrid | None = None,
+        start: PlanarPose | None = None,
         sensor: int = 1,
         allow_unknown: bool = True,
         heights: MakeHeights | None = None,
         threaded: bool = True,
     ) -> None:
-        self.grid = OccupancyGrid(size, resolution)
-        self.mapper = Mapper(self.grid)
+        self.grid = OccupancyGrid(size, resolution) if known is None else known
+        self.mapper = Mapper(self.grid, is_known=known is not None, start=start)
         self.zones: Sequence[Corners] = ()
         """Zones of the local frame that are not entered."""
         self.allow_unknown = allow_unknown
@@ -231,7 +235,8 @@ class DrivingMap:
         elif count and now - added > STANDING_INTERVAL:
             self._added = count, now
             self._add_again(self.to_map(pose) @ lidar, bearings, distances)
-        self._first.set()
+        if self.mapper.path or not self.mapper.is_known:  # in a known map, only then is the robot's place in it known
+            self._first.set()
         self._news.set()
 
     def _add_again(self, lidar: PlanarPose, bearings: Points, distances: Points) -> None:
