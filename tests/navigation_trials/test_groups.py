@@ -37,8 +37,11 @@ def test_a_goal_in_a_room_is_reached(tmp_path: Path) -> None:
     pytest.importorskip("scipy", reason="needs the extra `planning`")
     from jauspy.navigation_trials.groups import drive_group
 
-    plan = TrialPlan((world(tmp_path),), 1, 2)
-    (drive,) = drive_group(plan, next(plan.groups()))
+    plan = TrialPlan((world(tmp_path),), 1, 2, again=True)
+    drive, again = drive_group(plan, next(plan.groups()))
+    assert again.reached, again.error
+    assert (drive.known, again.known) == (False, True)
+    assert (again.start, again.goal, again.shortest) == (drive.start, drive.goal, drive.shortest)
     assert drive.reached, drive.error
     assert drive.contacts == {}
     assert 2.0 < drive.shortest < 9.0

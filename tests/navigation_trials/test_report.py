@@ -56,6 +56,21 @@ def test_the_time_to_another_way_has_that_of_the_search() -> None:
     assert new_way(drive()) is None
 
 
+def test_drives_with_a_map_are_apart(tmp_path: Path) -> None:
+    plan = TrialPlan(("yard", "house"), 1, 1, again=True)
+    drives = [drive(world, 0, number, way=4.0 + number, known=number > 0) for world in plan.worlds for number in (0, 1)]
+    found = TrialResults(plan, tuple(drives))
+    report = reported(found)
+    assert [(world.world, world.known, world.ratio) for world in report.worlds] == [
+        (name, known, Spread(ratio, ratio, ratio))
+        for name in plan.worlds
+        for known, ratio in ((False, 1.0), (True, 1.25))
+    ]
+    assert [line.split("  ")[0] for line in lines(report)] == ["world", "yard", "yard, known", "house", "house, known"]
+    plot(found, report, tmp_path / "plot.svg")
+    assert "house, known" in (tmp_path / "plot.svg").read_text()
+
+
 @pytest.mark.parametrize(
     ("drives", "needs"),
     [

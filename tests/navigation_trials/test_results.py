@@ -71,6 +71,7 @@ def test_results_of_fewer_goals_and_worlds_are_continued(tmp_path: Path) -> None
     [
         (TrialPlan(("yard",), 12, 8), "results of seed 8, not 7; leave out --resume"),
         (TrialPlan(("yard",), 12, 7, moved=True), "results of moved True, not False"),
+        (TrialPlan(("yard",), 12, 7, again=True), "results of again True, not False"),
         (TrialPlan(("yard",), 12, 7, blind=True), "results of blind True, not False"),
         (TrialPlan(("yard",), 12, 7, group=3), "results of group 3, not 5"),
         (TrialPlan(("yard",), 13, 7), "results of 13 goals in yard; ask for at least these"),

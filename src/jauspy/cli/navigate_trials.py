@@ -48,6 +48,10 @@ def navigate_trials(
         ),
     ] = 5,
     moved: Annotated[bool, typer.Option("--moved", help="Put a thing into the way of each drive.")] = False,
+    again: Annotated[
+        bool,
+        typer.Option("--again", help="Drive to the goals of each group once more, with the map of the first drives."),
+    ] = False,
     blind: Annotated[bool, typer.Option("--blind", help="Without the depth camera: the lidar alone.")] = False,
     jobs: Annotated[
         int | None,
@@ -73,7 +77,9 @@ def navigate_trials(
     their errors, in MuJoCo on virtual time. Goals are drawn of those that a search on the true map reaches; the way
     driven is compared with the shortest one there. Groups of goals do not depend on each other: they are driven in
     parallel, results are written after each, and neither the number of processes nor --resume changes which goals are
-    driven from where each group starts. Writes DIR/navigate-trials.json and a plot, DIR/navigate-trials.svg.
+    driven from where each group starts. With --again a robot that begins anew with the map of these drives is sent to
+    the same goals; its drives are a line of their own. Writes DIR/navigate-trials.json and DIR/navigate-trials.svg, a
+    plot.
 
     Exit status: 0 enough goals were reached and nothing was touched, 1 otherwise, 2 wrong use.
 
@@ -85,7 +91,9 @@ def navigate_trials(
         _check_packages()
         from jauspy.navigation_trials.results import TrialPlan
 
-        plan = TrialPlan(tuple(dict.fromkeys(world or WORLDS)), goals, seed, moved=moved, blind=blind, group=group)
+        plan = TrialPlan(
+            tuple(dict.fromkeys(world or WORLDS)), goals, seed, moved=moved, blind=blind, group=group, again=again
+        )
         results = _run(plan, out, jobs=jobs, cluster=cluster, resume=resume)
     except ConfigError as error:
         console.error(str(error))

@@ -35,6 +35,8 @@ class Place:
     world: str
     group: int
     number: int
+    known: bool = False
+    """True if the robot began with a map."""
 
 
 async def drive_to(
@@ -77,6 +79,7 @@ async def drive_to(
         seconds=round(watch.elapsed, 1),
         planning=round(watch.planning, 3),
         cpu=round(time.process_time() - began, 1),
+        known=place.known,
     )
 
 

@@ -66,6 +66,12 @@ class TrueMap:
             return Goal(*goal, float(ways[rows[number], columns[number]]))
         return None
 
+    def goal_at(self, here: PlanarPose, x: float, y: float) -> Goal | None:
+        """The goal at a point, with the shortest way to it from a pose; None without a way."""
+        cell = self.terrain.cell(x, y)
+        length = math.inf if cell is None else float(self.shortest(here)[cell])
+        return Goal(x, y, length) if math.isfinite(length) else None
+
     def shortest(self, start: PlanarPose) -> NDArray[np.float64]:
         """Metres of the shortest way from a place to each cell, inf without one.
 

@@ -6,6 +6,7 @@ import asyncio
 import os
 from collections.abc import AsyncIterator, Iterator, Sequence
 from contextlib import AsyncExitStack, asynccontextmanager
+from copy import deepcopy
 from functools import partial
 from typing import Final
 
@@ -15,6 +16,7 @@ from jauspy.campaigns import run_parts
 from jauspy.cloud.stream import Cloud
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import PlanarPose, Pose
+from jauspy.mapping.grid import OccupancyGrid
 from jauspy.navigation_trials.drives import Place, drive_to
 from jauspy.navigation_trials.goals import TrueMap
 from jauspy.navigation_trials.judge import DepthCamera, PlacingBackend
@@ -57,13 +59,22 @@ def drive_group(plan: TrialPlan, group: GoalGroup) -> list[Drive]:
     """
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     drives: list[Drive] = []
+    maps: list[OccupancyGrid] = []
     while len(drives) < group.goals:
-        asyncio.run(_drive_from_start(plan, group, drives))
+        maps.append(asyncio.run(_drive_from_start(plan, group, drives, None)))
+    while len(drives) < plan.drives(group):
+        largest = max(maps, key=lambda grid: int(np.count_nonzero(grid.log_odds)))
+        asyncio.run(_drive_from_start(plan, group, drives, deepcopy(largest)))
     return drives
 
 
-async def _drive_from_start(plan: TrialPlan, group: GoalGroup, drives: list[Drive]) -> None:
-    """Add drives of a robot that begins anew, until one has failed or there are enough."""
+async def _drive_from_start(
+    plan: TrialPlan, group: GoalGroup, drives: list[Drive], known: OccupancyGrid | None
+) -> OccupancyGrid:
+    """Add drives of a robot that begins anew, until one has failed or there are enough; returns its map.
+
+    With a `known` map, these are to the goals of the group once more.
+    """
     rng = np.random.default_rng((plan.seed, group.number, len(drives)))
     config = with_other_errors(robot_without_media(), int(rng.integers(1 << 30)))
     model, first = robot_model(config), len(drives)
@@ -87,17 +98,21 @@ async def _drive_from_start(plan: TrialPlan, group: GoalGroup, drives: list[Driv
         to_local = PlanarPose(measured.x, measured.y, measured.yaw) @ _planar(truth.pose()).inverse()
         true_map = TrueMap(truth.heights, mobility)
         clouds = None if plan.blind else heights_of_clouds(robot, config, model, [], threaded=False)
-        surroundings = DrivingMap(robot, threaded=False, heights=clouds)
+        surroundings = DrivingMap(robot, threaded=False, heights=clouds, known=known)
         await stack.enter_async_context(_looking(truth.depth_camera(CAMERA, plan.seed), surroundings))
         await stack.enter_async_context(robot.control())
         await stack.enter_async_context(surroundings)
-        while len(drives) < group.goals:
-            goal = true_map.draw_goal(_planar(truth.pose()), rng)
+        while len(drives) < (group.goals if known is None else plan.drives(group)):
+            here = _planar(truth.pose())
+            if known is None:
+                goal = true_map.draw_goal(here, rng)
+            else:
+                goal = true_map.goal_at(here, *drives[len(drives) - group.goals].goal)
             if goal is None and len(drives) == first:
                 raise ConfigError(f"the world {group.world} has no goal that {ROBOT} can reach from its start")
             if goal is None:
                 break
-            place = Place(group.world, group.number, len(drives))
+            place = Place(group.world, group.number, len(drives), known=known is not None)
             navigator = Navigator(robot, model, surroundings)
             drive = await drive_to(navigator, truth, goal, to_local, place, moved=plan.moved)
             drives.append(drive)
@@ -106,6 +121,7 @@ async def _drive_from_start(plan: TrialPlan, group: GoalGroup, drives: list[Driv
             if drive.thing or drive.contacts:
                 truth.measure_heights()
                 true_map = TrueMap(truth.heights, mobility)
+    return surroundings.grid
 
 
 def robot_without_media() -> RobotConfig:

@@ -40,6 +40,8 @@ class WorldReport:
     """The drives in one world; None where there is nothing to measure."""
 
     world: str
+    known: bool
+    """True for drives of robots that began with a map."""
     goals: int
     reached: int
     touched: int
@@ -102,6 +104,7 @@ def _of_world(world: str, drives: Sequence[Drive]) -> WorldReport:
     low, high = wilson(len(reached), len(drives))
     return WorldReport(
         world=world,
+        known=drives[0].known,
         goals=len(drives),
         reached=len(reached),
         touched=sum(bool(drive.contacts) for drive in drives),
@@ -138,8 +141,14 @@ def _spread(numbers: Sequence[float]) -> Spread | None:
 
 
 def _by_world(results: TrialResults) -> Iterator[tuple[str, list[Drive]]]:
+    """The drives in each world; apart from them those that began with a map."""
     for world in results.plan.worlds:
-        yield world, [drive for drive in results.drives if drive.world == world]
+        for known in (False, True)[: 1 + results.plan.again]:
+            yield world, [drive for drive in results.drives if drive.world == world and drive.known is known]
+
+
+def _label(world: str, *, known: bool) -> str:
+    return f"{printable(world)}, known" if known else printable(world)
 
 
 HEADINGS: Final = (
@@ -164,7 +173,7 @@ def lines(report: Report) -> list[str]:
 
 def _row(world: WorldReport) -> tuple[str, ...]:
     return (
-        printable(world.world),
+        _label(world.world, known=world.known),
         str(world.goals),
         str(world.reached),
         f"{100.0 * world.low:.0f} to {100.0 * world.high:.0f}",
@@ -248,7 +257,8 @@ def _plot_touches(axes: Any, results: TrialResults) -> None:
 
 
 def _name_worlds(axes: Any, results: TrialResults) -> None:
-    names = [printable(world)[-30:] for world in results.plan.worlds]
+    laps = (False, True)[: 1 + results.plan.again]
+    names = [_label(world, known=known)[-30:] for world in results.plan.worlds for known in laps]
     axes.set_xticks(range(len(names)), names, parse_math=False)
     axes.set_xlim(-0.6, len(names) - 0.4)
 

@@ -41,12 +41,18 @@ class TrialPlan:
     """True for a robot without its depth camera."""
     group: Annotated[int, Field(ge=1, le=MAX_GOALS)] = 5
     """Goals that the robot drives to one after the other, unless it fails, before it begins anew."""
+    again: bool = False
+    """True to drive to all goals of a group once more, by a robot that begins anew with the map of the first drives."""
 
     def groups(self) -> Iterator[GoalGroup]:
         """The groups, in order."""
         for world in self.worlds:
             for number, first in enumerate(range(0, self.goals, self.group)):
                 yield GoalGroup(world, number, min(self.group, self.goals - first))
+
+    def drives(self, group: GoalGroup) -> int:
+        """The number of drives of a group."""
+        return (1 + self.again) * group.goals
 
 
 @dataclass(frozen=True)
@@ -67,7 +73,7 @@ class Drive:
     world: _Text
     group: _Count
     number: _Count
-    """The number of the goal in its group."""
+    """The number of the drive in its group."""
     start: tuple[_Number, _Number, _Number]
     """x, y and yaw."""
     goal: tuple[_Number, _Number]
@@ -95,6 +101,8 @@ class Drive:
     """Processor time of the longest search, with the costs of the map."""
     cpu: _Length
     """Processor time of the drive, with the physics."""
+    known: bool = False
+    """True for a robot that began with the map of earlier drives."""
 
     @property
     def reached(self) -> bool:
@@ -139,7 +147,7 @@ def resumed(path: Path, plan: TrialPlan) -> TrialResults:
     """
     found = read_results(path, _RESULTS, VERB)
     before = found.plan
-    for name in ("seed", "moved", "blind", "group"):
+    for name in ("seed", "moved", "blind", "group", "again"):
         if (theirs := getattr(before, name)) != (ours := getattr(plan, name)):
             raise ConfigError(f"{path}: has results of {name} {theirs}, not {ours}; {_OTHER}")
     if before.goals > plan.goals or not set(before.worlds) <= set(plan.worlds):
@@ -152,7 +160,7 @@ def resumed(path: Path, plan: TrialPlan) -> TrialResults:
         raise ConfigError(f"{path}: is no file of results of `{VERB}`: it has two drives of one number")
     results = TrialResults(plan, ())
     for group in plan.groups():
-        places = [(group.world, group.number, number) for number in range(group.goals)]
+        places = [(group.world, group.number, number) for number in range(plan.drives(group))]
         if all(place in drives for place in places):
             results = results.with_drives([drives[place] for place in places])
     return results
