@@ -62,6 +62,14 @@ MARGINS: Final = (0.05, MARGIN, 0.0, -0.01)
 occupied closes a door that the robot just passes, or keeps it from a turn that it needs."""
 
 
+DETOUR: Final = 1.5
+MORE: Final = 1.0
+"""Factor, and metres, by which a way is longer than straight to the goal when one with less room is sought, too: where
+the robot cannot turn with 5 cm on each side, it would first drive through half of a house."""
+MUCH_SHORTER: Final = 0.7
+"""Part of the cost of a way with more room, less `MORE`, below which one with less is taken."""
+
+
 class NoPath(RequestError):
     """There is no way; the message says why."""
 
@@ -133,23 +141,34 @@ def find_path(
 def find_path_with_margins(
     terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float], *, backward: bool, end: float
 ) -> Path:
-    """A way with the first of `MARGINS` that has one.
+    """A way with the first of `MARGINS` that has one, or with less room if that is much shorter.
 
     Raises `NoPath`, that of the first of them, or at `end`, in processor time. Each search may take half of the time
     that is left: one that looks for a way through a door that is a cell too narrow looks everywhere else first.
     """
     first: NoPath | None = None
+    best: Path | None = None
+    used = MARGINS[0]
+    direct = math.dist(start[:2], goal)
     for margin in MARGINS:
+        if best is not None and (best.length <= DETOUR * direct + MORE or margin < 0.0):
+            break
         terrain.margin = margin
         share = 1.0 if margin == MARGINS[-1] else 0.5
         try:
-            return find_path(terrain, start, goal, backward=backward, seconds=share * (end - time.thread_time()))
+            found = find_path(terrain, start, goal, backward=backward, seconds=share * (end - time.thread_time()))
         except NoPath as reason:
             first = first or reason
+        else:
+            if best is None or found.cost < MUCH_SHORTER * best.cost - MORE:
+                best, used = found, margin
         if time.thread_time() > end:
             break
-    assert first is not None
-    raise first
+    terrain.margin = used
+    if best is None:
+        assert first is not None
+        raise first
+    return best
 
 
 def is_leg_free(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> bool:
