@@ -12,7 +12,7 @@ pytest.importorskip("scipy", reason="planning needs scipy")
 
 from jauspy.geometry.poses import PlanarPose
 from jauspy.planning.mobility import Mobility
-from jauspy.planning.path_search import NoPath, find_path, find_path_with_margins, is_leg_free, way_cost
+from jauspy.planning.path_search import MARGINS, NoPath, find_path, find_path_with_margins, is_leg_free, way_cost
 from jauspy.planning.terrain_cost import TerrainCost
 
 MOBILITY = Mobility(front=0.4, back=0.4, half_width=0.3, step=0.08, flipper_step=0.2, up=0.5, down=0.5, side=0.3)
@@ -98,6 +98,16 @@ def test_a_door_that_noise_makes_narrower_is_passed_where_there_is_no_other_way(
     assert found.margin == 0.02
     with pytest.raises(NoPath, match="no way to"):
         find_path_with_margins(doors(10), start, goal, backward=True, end=time.thread_time() + 0.3)
+
+
+@pytest.mark.parametrize(("other", "is_near"), [(slice(80, 110), False), (slice(0, 24), True)])
+def test_less_room_is_taken_where_more_is_a_long_detour(other: slice, is_near: bool) -> None:
+    """The near door leaves 2 cm on each side, the other one plenty."""
+    found, start, goal = doors(14, other=other), PlanarPose(-0.8, 0.3, 0.0), (0.8, 0.3)
+    path = find_path_with_margins(found, start, goal, backward=True, end=time.thread_time() + 10.0)
+    assert (0.0 < crossing(path) < 0.65) is is_near
+    assert found.margin == (0.02 if is_near else MARGINS[0]), "that of the way that was taken"
+    assert_free(found, path)
 
 
 def test_the_cost_of_a_way_is_that_of_its_legs_on_another_map():
