@@ -57,6 +57,24 @@ def test_a_box_on_a_table_is_found_with_its_size_direction_and_surface(seed: int
     assert thing.colour == "green"
 
 
+@pytest.mark.parametrize("yaw", [0.1, math.pi / 4.0])
+@pytest.mark.parametrize("height", [0.04, 0.02])
+def test_the_top_of_a_thing_at_the_height_of_a_surface_beside_it_is_a_part_of_the_thing(
+    yaw: float, height: float
+) -> None:
+    rng = np.random.default_rng(5)
+    bar = seen_box(rng, np.array((0.8, -0.3, height / 2.0)), np.array((0.22, 0.04, height)), yaw)
+    shelf = surface(rng, height, (0.7, 1.2), (0.1, 0.7))
+    points = np.concatenate((surface(rng, 0.0, (0.4, 1.8), (-0.8, 0.1)), shelf, bar))
+    colours = np.tile(GREY, (len(points), 1))
+    colours[-len(bar) :] = GREEN
+    for hue in ("", "green"):
+        (thing,) = find_objects(points, colours, hue)
+        assert thing.size == pytest.approx((0.22, 0.04, height), abs=0.012)
+        assert math.dist(thing.centre[:2], (0.8, -0.3)) < 0.01
+        assert thing.support.at(0.8, -0.3) == pytest.approx(0.0, abs=0.004)
+
+
 def test_only_things_of_the_colour_are_found() -> None:
     points, colours = scene(1)
     assert find_objects(points, colours, "red") == []

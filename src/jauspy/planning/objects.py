@@ -13,6 +13,7 @@ from typing import Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import label
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
@@ -35,6 +36,8 @@ MIN_SHARE: Final = 0.02
 """Share of the points that the smallest surface has."""
 MIN_SIDE: Final = 0.15
 """Metres; a level surface that is narrower is the top of a thing."""
+PIECE_CELL: Final = 0.02
+"""Metres: points of a surface that are at most two cells of this side apart belong to one piece of it."""
 MAX_PLANES: Final = 8
 """Planes that are looked at."""
 GAP: Final = 0.015
@@ -210,8 +213,7 @@ def _surfaces(points: Array, rng: np.random.Generator) -> tuple[list[Plane], NDA
         on = open_points & (np.abs(plane.heights(points)) <= THICKNESS)
         if on.sum() < max(MIN_POINTS, MIN_SHARE * len(points)):
             break
-        sides = np.diff(np.quantile(points[on, :2], (0.03, 0.97), axis=0), axis=0)
-        if sides.min() < MIN_SIDE:  # the tops of things
+        if not _pieces(points, on)[0].any():  # the tops of things
             open_points &= ~on
             continue
         # by all points of the surface, twice, since the first plane goes through three noisy ones
@@ -220,11 +222,35 @@ def _surfaces(points: Array, rng: np.random.Generator) -> tuple[list[Plane], NDA
             fitted = np.linalg.lstsq(design, points[on, 2], rcond=None)[0]
             plane = Plane((float(fitted[0]), float(fitted[1])), float(fitted[2]))
             on = rest & (np.abs(plane.heights(points)) <= THICKNESS)
-        if math.hypot(*plane.slope) <= math.tan(MAX_TILT):
+        wide, narrow = _pieces(points, on)
+        if wide.any() and math.hypot(*plane.slope) <= math.tan(MAX_TILT):
+            above = np.any([lower.heights(points) > 2.0 * THICKNESS for lower in planes], axis=0)
             planes.append(plane)
-            rest &= ~on
+            rest &= ~on | (narrow & above)
         open_points &= ~on
     return planes, rest
+
+
+def _pieces(points: Array, on: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """The points on a plane in pieces of at least `MIN_SIDE`, and those in narrower ones, as tops of things.
+
+    What is at the height of a surface elsewhere, such as a bar beside a pallet, is on the same plane.
+    """
+    wide, narrow = np.zeros(len(points), np.bool_), np.zeros(len(points), np.bool_)
+    cells = np.floor(points[on, :2] / PIECE_CELL).astype(np.int64)
+    cells -= cells.min(axis=0, initial=0)
+    picture = np.zeros(cells.max(axis=0, initial=0) + 1, np.bool_)
+    picture[tuple(cells.T)] = True
+    labels = label(picture, np.ones((3, 3)))[0][tuple(cells.T)]
+    numbers = np.flatnonzero(on)
+    for piece in range(1, int(labels.max(initial=0)) + 1):
+        these = numbers[labels == piece]
+        if len(these) < MIN_POINTS:
+            continue
+        # the sides of a rectangle are the square root of 12 times the standard deviations along them
+        spread = np.linalg.eigvalsh(np.cov(points[these, :2].T))[0]
+        (wide if math.sqrt(12.0 * max(0.0, float(spread))) >= MIN_SIDE else narrow)[these] = True
+    return wide, narrow
 
 
 def _largest_plane(points: Array, rng: np.random.Generator) -> Plane | None:
