@@ -67,7 +67,8 @@ MORE: Final = 1.0
 """Factor, and metres, by which a way is longer than straight to the goal when one with less room is sought, too: where
 the robot cannot turn with 5 cm on each side, it would first drive through half of a house."""
 MUCH_SHORTER: Final = 0.7
-"""Part of the cost of a way with more room, less `MORE`, below which one with less is taken."""
+"""Part of the cost of a way with more room, less `MORE`, below which one with less is taken, down to `MARGIN`. With
+nothing beside it, in trials one of twenty drives touched a wall or a chair."""
 
 
 class NoPath(RequestError):
@@ -151,7 +152,7 @@ def find_path_with_margins(
     used = MARGINS[0]
     direct = math.dist(start[:2], goal)
     for margin in MARGINS:
-        if best is not None and (best.length <= DETOUR * direct + MORE or margin < 0.0):
+        if best is not None and (best.length <= DETOUR * direct + MORE or margin < MARGIN):
             break
         terrain.margin = margin
         share = 1.0 if margin == MARGINS[-1] else 0.5
