@@ -97,6 +97,7 @@ def test_numbers_that_are_none_and_empty_clouds_give_no_things() -> None:
     points, colours = scene(3)
     points[:50] = np.nan
     points[50:60] = np.inf
+    points[60:70] = 1e15
     assert len(find_objects(points, colours)) == 1
     assert find_objects(np.empty((0, 3))) == []
     assert find_objects(np.full((100, 3), np.nan)) == []

@@ -205,7 +205,7 @@ class _Comparison:
     def _cells(self, points: Points) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
         """Rows and columns of the cells of points; those outside are at the edge."""
         grid = self._grid
-        cells = np.clip(np.rint(grid.cell_coordinates(points)).astype(np.intp), 0, grid.cells - 1)
+        cells = np.rint(np.clip(grid.cell_coordinates(points), 0.0, grid.cells - 1.0)).astype(np.intp)
         return cells[..., 1], cells[..., 0]
 
 

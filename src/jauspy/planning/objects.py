@@ -38,6 +38,8 @@ MIN_SIDE: Final = 0.15
 """Metres; a level surface that is narrower is the top of a thing."""
 PIECE_CELL: Final = 0.02
 """Metres: points of a surface that are at most two cells of this side apart belong to one piece of it."""
+PIECE_CELLS: Final = 250
+"""Number of these cells on each side of the middle of a surface; what is farther away counts as at the edge."""
 MAX_PLANES: Final = 8
 """Planes that are looked at."""
 GAP: Final = 0.015
@@ -237,13 +239,15 @@ def _pieces(points: Array, on: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], ND
     What is at the height of a surface elsewhere, such as a bar beside a pallet, is on the same plane.
     """
     wide, narrow = np.zeros(len(points), np.bool_), np.zeros(len(points), np.bool_)
-    cells = np.floor(points[on, :2] / PIECE_CELL).astype(np.int64)
-    cells -= cells.min(axis=0, initial=0)
-    picture = np.zeros(cells.max(axis=0, initial=0) + 1, np.bool_)
+    if not on.any():
+        return wide, narrow
+    around = (points[on, :2] - np.median(points[on, :2], axis=0)) / PIECE_CELL
+    cells = (np.clip(around, -PIECE_CELLS, PIECE_CELLS) + PIECE_CELLS).astype(np.intp)
+    picture = np.zeros((2 * PIECE_CELLS + 1,) * 2, np.bool_)
     picture[tuple(cells.T)] = True
     labels = label(picture, np.ones((3, 3)))[0][tuple(cells.T)]
     numbers = np.flatnonzero(on)
-    for piece in range(1, int(labels.max(initial=0)) + 1):
+    for piece in range(1, int(labels.max()) + 1):
         these = numbers[labels == piece]
         if len(these) < MIN_POINTS:
             continue

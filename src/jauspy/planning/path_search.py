@@ -60,8 +60,6 @@ TIGHT_COST: Final = 0.2
 MARGINS: Final = (0.05, MARGIN, 0.0, -0.01)
 """Metres beside the footprint that are free on a way: the first with which there is one. A cell of the map that noise
 occupied closes a door that the robot just passes, or keeps it from a turn that it needs."""
-
-
 DETOUR: Final = 1.5
 MORE: Final = 1.0
 """Factor, and metres, by which a way is longer than straight to the goal when one with less room is sought, too: where
