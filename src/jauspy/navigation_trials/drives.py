@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
@@ -40,14 +41,21 @@ class Place:
 
 
 async def drive_to(
-    navigator: Navigator, truth: DrivingTruth, goal: Goal, to_local: PlanarPose, place: Place, *, moved: bool
+    navigator: Navigator,
+    truth: DrivingTruth,
+    goal: Goal,
+    to_local: PlanarPose,
+    place: Place,
+    *,
+    has_way: Callable[[], bool] | None = None,
 ) -> Drive:
     """Drive to a goal of the world, of which `to_local` is the pose in the robot's local frame.
 
-    With `moved` a thing of the world is put into the way, once the drive has begun.
+    With `has_way`, which tells whether the true map has a way to the goal now, a thing of the world is put into the
+    way, once the drive has begun.
     """
     wanted = to_local @ PlanarPose(goal.x, goal.y)
-    watch = _DriveWatch(navigator, truth, puts=moved)
+    watch = _DriveWatch(navigator, truth, has_way)
     truth.begin()
     first, began, error = truth.pose(), time.process_time(), ""
     try:
@@ -80,17 +88,19 @@ async def drive_to(
         planning=round(watch.planning, 3),
         cpu=round(time.process_time() - began, 1),
         known=place.known,
+        blocked=watch.blocked,
     )
 
 
 class _DriveWatch:
     """Sees the progress of a drive, and puts a thing into its way."""
 
-    def __init__(self, navigator: Navigator, truth: DrivingTruth, *, puts: bool) -> None:
-        self._navigator, self._truth, self._puts = navigator, truth, puts
+    def __init__(self, navigator: Navigator, truth: DrivingTruth, has_way: Callable[[], bool] | None) -> None:
+        self._navigator, self._truth, self._has_way = navigator, truth, has_way
         self.plans = 0
         self.elapsed = self.planning = 0.0
         self.thing = ""
+        self.blocked = False
         self.new_way: float | None = None
         self.new_way_planning: float | None = None
         self._put_at = (0.0, 0)
@@ -105,8 +115,9 @@ class _DriveWatch:
         if self.thing and self.new_way is None and progress.plans > plans:
             self.new_way = round(progress.elapsed - put_at, 2)
             self.new_way_planning = round(navigator.planning_time, 3)
-        if self._puts and not self.thing and progress.elapsed > PUT_AFTER and progress.left > PUT_LEFT:
+        if self._has_way is not None and not self.thing and progress.elapsed > PUT_AFTER and progress.left > PUT_LEFT:
             self._put(progress)
+            self.blocked = bool(self.thing) and not self._has_way()
 
     def _put(self, progress: NavigationProgress) -> None:
         """Put a thing ahead on the way, unless the part that is driven is too short for it."""

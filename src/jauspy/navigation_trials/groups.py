@@ -18,11 +18,11 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import PlanarPose, Pose
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.navigation_trials.drives import Place, drive_to
-from jauspy.navigation_trials.goals import TrueMap
-from jauspy.navigation_trials.judge import DepthCamera, PlacingBackend
+from jauspy.navigation_trials.goals import Goal, TrueMap
+from jauspy.navigation_trials.judge import DepthCamera, DrivingTruth, PlacingBackend
 from jauspy.navigation_trials.results import Drive, GoalGroup, TrialPlan
 from jauspy.planning.driving_map import DrivingMap, heights_of_clouds
-from jauspy.planning.mobility import mobility_of
+from jauspy.planning.mobility import Mobility, mobility_of
 from jauspy.planning.navigator import Navigator
 from jauspy.robot import robot_files
 from jauspy.robot.config import RobotConfig
@@ -114,7 +114,8 @@ async def _drive_from_start(
                 break
             place = Place(group.world, group.number, len(drives), known=known is not None)
             navigator = Navigator(robot, model, surroundings)
-            drive = await drive_to(navigator, truth, goal, to_local, place, moved=plan.moved)
+            has_way = partial(_has_way, truth, mobility, goal) if plan.moved else None
+            drive = await drive_to(navigator, truth, goal, to_local, place, has_way=has_way)
             drives.append(drive)
             if not drive.reached:
                 break
@@ -122,6 +123,12 @@ async def _drive_from_start(
                 truth.measure_heights()
                 true_map = TrueMap(truth.heights, mobility)
     return surroundings.grid
+
+
+def _has_way(truth: DrivingTruth, mobility: Mobility, goal: Goal) -> bool:
+    """True if the true map, measured anew, has a way from where the robot is to the goal."""
+    truth.measure_heights()
+    return TrueMap(truth.heights, mobility).goal_at(_planar(truth.pose()), goal.x, goal.y) is not None
 
 
 def robot_without_media() -> RobotConfig:

@@ -43,6 +43,7 @@ class WorldReport:
     known: bool
     """True for drives of robots that began with a map."""
     goals: int
+    """Drives, without those whose goals could not be reached any more."""
     reached: int
     touched: int
     """Drives with a contact with something that is not the ground."""
@@ -57,6 +58,8 @@ class WorldReport:
     """Seconds of processor time of the longest search."""
     things: int
     """Things that were put into the way."""
+    blocked: int
+    """Drives that did not reach their goals because such a thing left no way on the true map."""
     new_way: Spread | None
     """Seconds until the robot was sent along another way: its own time, and the processor time of the search."""
     cpu: float
@@ -90,7 +93,7 @@ class Report:
 
 def reported(results: TrialResults) -> Report:
     """The report of what was driven so far."""
-    failed = [drive for drive in results.drives if not drive.reached or drive.contacts]
+    failed = [drive for drive in results.drives if (drive.counts and not drive.reached) or drive.contacts]
     return Report(
         tuple(_of_world(world, drives) for world, drives in _by_world(results) if drives),
         tuple(_failure(drive) for drive in failed),
@@ -101,11 +104,12 @@ def reported(results: TrialResults) -> Report:
 def _of_world(world: str, drives: Sequence[Drive]) -> WorldReport:
     reached = [drive for drive in drives if drive.reached]
     ratios = [drive.way / drive.shortest for drive in reached]
-    low, high = wilson(len(reached), len(drives))
+    goals = sum(drive.counts for drive in drives)
+    low, high = wilson(len(reached), goals)
     return WorldReport(
         world=world,
         known=drives[0].known,
-        goals=len(drives),
+        goals=goals,
         reached=len(reached),
         touched=sum(bool(drive.contacts) for drive in drives),
         low=round(low, 4),
@@ -114,6 +118,7 @@ def _of_world(world: str, drives: Sequence[Drive]) -> WorldReport:
         too_long=sum(ratio > LONGER for ratio in ratios),
         planning=max(drive.planning for drive in drives),
         things=sum(bool(drive.thing) for drive in drives),
+        blocked=len(drives) - goals,
         new_way=_spread([time for drive in drives if (time := new_way(drive)) is not None]),
         cpu=round(sum(drive.cpu for drive in drives), 1),
     )
@@ -153,7 +158,7 @@ def _label(world: str, *, known: bool) -> str:
 
 HEADINGS: Final = (
     *("goals", "reached", "95 %", "touched", "way / shortest, median", "p95", "most", f"> {LONGER}"),
-    *("longest search, CPU s", "things put", "new way after, s, median", "p95", "most"),
+    *("longest search, CPU s", "things put", "no way left", "new way after, s, median", "p95", "most"),
 )
 
 
@@ -182,6 +187,7 @@ def _row(world: WorldReport) -> tuple[str, ...]:
         str(world.too_long),
         f"{world.planning:.2f}",
         str(world.things),
+        str(world.blocked),
         *_spread_texts(world.new_way),
     )
 

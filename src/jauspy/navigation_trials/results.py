@@ -103,11 +103,18 @@ class Drive:
     """Processor time of the drive, with the physics."""
     known: bool = False
     """True for a robot that began with the map of earlier drives."""
+    blocked: bool = False
+    """True if what was put into the way left none on the true map: the robot is right to say so."""
 
     @property
     def reached(self) -> bool:
         """True if the robot ended at the goal."""
         return not self.error
+
+    @property
+    def counts(self) -> bool:
+        """False if the goal could not be reached."""
+        return self.reached or not self.blocked
 
 
 @dataclass(frozen=True)
