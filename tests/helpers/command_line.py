@@ -91,6 +91,7 @@ class RunningRobot:
         self.local = f"local:{root}"
         self.udp = f"udp://127.0.0.1:{port}"
         where = ("--port", str(port), "--interface", "127.0.0.1", "--local-root", str(root))
+        where += ("--record-to", str(root / "recordings"))
         self.family: list[psutil.Process] = []
         self.process = start("up", name, "--backend", backend, *where, *options)
         try:
