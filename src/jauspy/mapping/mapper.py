@@ -41,7 +41,8 @@ SEARCHED_POINTS: Final = 150
 START_DEVIATION: Final = 0.5
 START_TURN: Final = math.radians(20.0)
 START_STEP: Final = math.radians(2.0)
-"""Of the guess of where the robot is in a map that was made before: metres; radians that are searched; their steps."""
+"""Errors of a guess of where the robot is in a map that was made before: metres; radians that are searched; their
+steps."""
 MIN_FIT: Final = 0.6
 """Fraction of the echoes that must be at the walls of such a map."""
 FIT_WEIGHT: Final = 40.0

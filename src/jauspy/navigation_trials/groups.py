@@ -62,8 +62,8 @@ def drive_group(plan: TrialPlan, group: GoalGroup) -> list[Drive]:
     maps: list[OccupancyGrid] = []
     while len(drives) < group.goals:
         maps.append(asyncio.run(_drive_from_start(plan, group, drives, None)))
+    largest = max(maps, key=lambda grid: int(np.count_nonzero(grid.log_odds)))
     while len(drives) < plan.drives(group):
-        largest = max(maps, key=lambda grid: int(np.count_nonzero(grid.log_odds)))
         asyncio.run(_drive_from_start(plan, group, drives, deepcopy(largest)))
     return drives
 
@@ -120,15 +120,19 @@ async def _drive_from_start(
             if not drive.reached:
                 break
             if drive.thing or drive.contacts:
-                truth.measure_heights()
-                true_map = TrueMap(truth.heights, mobility)
+                true_map = _measured(truth, mobility)
     return surroundings.grid
 
 
 def _has_way(truth: DrivingTruth, mobility: Mobility, goal: Goal) -> bool:
     """True if the true map, measured anew, has a way from where the robot is to the goal."""
+    return _measured(truth, mobility).goal_at(_planar(truth.pose()), goal.x, goal.y) is not None
+
+
+def _measured(truth: DrivingTruth, mobility: Mobility) -> TrueMap:
+    """The true map, measured anew."""
     truth.measure_heights()
-    return TrueMap(truth.heights, mobility).goal_at(_planar(truth.pose()), goal.x, goal.y) is not None
+    return TrueMap(truth.heights, mobility)
 
 
 def robot_without_media() -> RobotConfig:

@@ -14,7 +14,7 @@ from statistics import median
 from typing import Any, Final
 
 from jauspy.campaigns import wilson
-from jauspy.navigation_trials.results import Drive, TrialResults
+from jauspy.navigation_trials.results import Drive, TrialPlan, TrialResults
 from jauspy.plots import ACCENT, BAD, GOOD, figure
 from jauspy.printable import printable
 
@@ -147,9 +147,13 @@ def _spread(numbers: Sequence[float]) -> Spread | None:
 
 def _by_world(results: TrialResults) -> Iterator[tuple[str, list[Drive]]]:
     """The drives in each world; apart from them those that began with a map."""
-    for world in results.plan.worlds:
-        for known in (False, True)[: 1 + results.plan.again]:
-            yield world, [drive for drive in results.drives if drive.world == world and drive.known is known]
+    for world, known in _rows(results.plan):
+        yield world, [drive for drive in results.drives if drive.world == world and drive.known is known]
+
+
+def _rows(plan: TrialPlan) -> list[tuple[str, bool]]:
+    """The worlds, and whether the robots began with a map there."""
+    return [(world, known) for world in plan.worlds for known in (False, True)[: 1 + plan.again]]
 
 
 def _label(world: str, *, known: bool) -> str:
@@ -263,8 +267,7 @@ def _plot_touches(axes: Any, results: TrialResults) -> None:
 
 
 def _name_worlds(axes: Any, results: TrialResults) -> None:
-    laps = (False, True)[: 1 + results.plan.again]
-    names = [_label(world, known=known)[-30:] for world in results.plan.worlds for known in laps]
+    names = [_label(world, known=known)[-30:] for world, known in _rows(results.plan)]
     axes.set_xticks(range(len(names)), names, parse_math=False)
     axes.set_xlim(-0.6, len(names) - 0.4)
 

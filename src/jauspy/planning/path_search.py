@@ -66,7 +66,7 @@ MORE: Final = 1.0
 the robot cannot turn with 5 cm on each side, it would first drive through half of a house."""
 MUCH_SHORTER: Final = 0.7
 """Part of the cost of a way with more room, less `MORE`, below which one with less is taken, down to `MARGIN`. With
-nothing beside it, in trials one of twenty drives touched a wall or a chair."""
+nothing beside it, three of 100 drives touched a wall or a chair."""
 
 
 class NoPath(RequestError):
