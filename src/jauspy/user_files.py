@@ -46,6 +46,13 @@ def read_file(path: Path, limit: int = MAX_FILE) -> bytes:
     return data
 
 
+def check_folder_of(path: Path) -> None:
+    """Raise `ConfigError` unless the folder exists in which a file is to be written."""
+    folder = path.absolute().parent
+    if not folder.is_dir():
+        raise ConfigError(f"{path}: the directory {folder} does not exist")
+
+
 def read_toml(path: Path) -> dict[str, Any]:
     """The keys of a TOML file; raises `ConfigError`."""
     return parse_toml(read_file(path), str(path))

@@ -84,6 +84,7 @@ DAMAGED = {
     "no YAML": ("[", "is no map of map_server: while parsing"),
     "nested": ("[" * 9999, "nested too deeply"),
     "an alias": ("a: &a 1\nb: *a", "aliases are not read"),
+    "a date": ("a: 2001-99-99", "month must be in 1..12"),
     "a list": ("[1, 2]", "is no map of map_server: the file: "),
     "bytes": ("\x00", "is no map of map_server"),
     "no image": ({"image": None}, "image: Input should be a valid string"),

@@ -101,3 +101,8 @@ def test_settings_and_files_are_combined(tmp_path: Path) -> None:
     assert config.known_addresses()[JausID(126, 1, 11)] == (UdpPort("10.0.0.9", 1), UdpPort("10.0.0.5", 3794))
     with pytest.raises(ConfigError, match="is not an address"):
         NodeConfig.make(addresses={"126.1.11": "nonsense:port"})
+
+
+def test_a_date_that_is_none_is_told(tmp_path: Path) -> None:
+    with pytest.raises(ConfigError, match=r"address book .*book\.yaml: month must be in 1\.\.12"):
+        load(tmp_path, "book.yaml", "addrbook: 2001-99-99\n")

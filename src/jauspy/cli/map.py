@@ -18,6 +18,7 @@ from jauspy.ocu import OCU
 from jauspy.robot import robot_files
 from jauspy.robot.config import RobotConfig
 from jauspy.robot.robot_files import robot_model
+from jauspy.user_files import check_folder_of
 
 if TYPE_CHECKING:
     from jauspy.mapping.elevation import ElevationGrid
@@ -78,8 +79,7 @@ def map_robot(
     assert path is not None
     if find_spec("numpy") is None:
         raise ConfigError("maps need numpy: pip install 'jauspy[map]'")
-    if not path.absolute().parent.is_dir():
-        raise ConfigError(f"{path}: the directory {path.absolute().parent} does not exist")
+    check_folder_of(path)
     if elevation != bool(clouds):
         raise ConfigError(
             "--elevation and --cloud ADDRESS belong together: heights are those of the clouds published there"

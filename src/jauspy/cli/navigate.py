@@ -19,6 +19,7 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.ocu import OCU, Robot
 from jauspy.printable import printable
+from jauspy.user_files import check_folder_of
 
 if TYPE_CHECKING:
     from jauspy.planning.navigator import NavigationProgress, Navigator
@@ -116,8 +117,8 @@ def navigate(
     goal = _point(to)
     if start is not None and known is None:
         raise typer.BadParameter("is a place in a map: give --map, too", param_hint="--start")
-    if save is not None and not save.absolute().parent.is_dir():
-        raise ConfigError(f"{save}: the directory {save.absolute().parent} does not exist")
+    if save is not None:
+        check_folder_of(save)
     ocu = client.make_ocu(own_id, connect, timeout, operator=operator_key)
     options = {"size": size, "sensor": sensor, "allow_unknown": not known_only} | _begin(known, start, size)
     shown = _Shown(as_json=as_json)
