@@ -23,7 +23,7 @@ BELT_SPEED: Final = 0.15
 HOVER: Final = 0.06
 """Metres above the box to which it is lifted."""
 RUN: Final = 0.08
-LOWERED: Final = 0.006
+LOWERED: Final = 0.0045
 """Metres that the tip moves along the belt before and after it meets the box, and by which it is lowered in each half:
 it moves with the box then, so that nothing shears the cup while its vacuum builds up."""
 LATENCY: Final = 0.09
