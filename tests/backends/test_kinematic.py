@@ -5,6 +5,7 @@ import math
 import pytest
 
 from jauspy.backends.kinematic import KinematicBackend, SkidSteerParameters, track_speed_after
+from jauspy.platform.battery import Battery, BatteryState
 from jauspy.platform.joints import ControlMode, JointState, Target
 from jauspy.robot.robot_files import load, robot_model
 
@@ -48,4 +49,36 @@ def test_states_of_joints_are_made_anew_only_after_a_change() -> None:
     assert min(moved.velocities) > 0.0
     arm.hold()
     assert arm.state() == JointState(moved.positions, (0.0,) * 5, (0.0,) * 5)
+    robot.close()
+
+
+def test_power_follows_the_positions_of_joints_and_what_moves() -> None:
+    def power() -> float:
+        state = next(part for part in robot.optional_parts if part.id.kind is Battery).state()
+        assert isinstance(state, BatteryState)
+        return state.power
+
+    robot = KinematicBackend().open(INC1, "empty")
+    robot.advance(1.0)
+    folded = power()
+    stretched = [Target(ControlMode.POSITION, value) for value in (0.0, 0.0, 0.0, 0.0, 0.0)]
+    robot.groups["arm"].command(stretched)
+    robot.advance(20.0)
+    assert power() > folded + 1.0, "an arm stretched out is heavier to hold"
+    resting = power()
+    robot.drive.set_effort(0.5, 0.0)
+    robot.advance(1.0)
+    assert power() > resting + 10.0
+    robot.drive.stop()
+    robot.advance(3.0)
+    assert power() == pytest.approx(resting)
+    robot.close()
+
+
+def test_what_rests_is_moved_again_by_a_command() -> None:
+    robot = KinematicBackend().open(robot_model(load("rover")), "empty")
+    robot.advance(0.1)
+    robot.drive.set_effort(1.0, 0.0)
+    robot.advance(1.0)
+    assert robot.drive.pose().x > 0.3
     robot.close()

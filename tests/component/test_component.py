@@ -176,6 +176,24 @@ def test_every_does_not_drift_and_skips_missed_calls():
     assert len(clock.ticks) == 4
 
 
+def test_repeated_calls_of_a_robot_come_together():
+    calls: list[tuple[str, float]] = []
+    hosts = [component(LoopbackHub(), options=ComponentOptions(clock=lambda at=at: at)).host for at in (100.0, 100.03)]
+    for name, host in zip("ab", hosts, strict=True):
+        host.repeat("check", 0.1, lambda name=name, host=host: calls.append((name, host.now)))
+    dues = [host.next_timeout() for host in hosts]
+    assert dues[0] is not None
+    assert abs(dues[1] - dues[0]) < 1e-9 or abs(dues[1] - dues[0] - 0.1) < 1e-9
+    for now in (dues[0] + 0.11, dues[0] + 0.55):
+        for host in hosts:
+            host.handle_timeout(now)
+    assert [name for name, _ in calls] == ["a", "b"] * 2, "missed calls are skipped"
+    hosts[0].repeat("check", 0.1, lambda: calls.append(("again", 0.0)))
+    hosts[0].handle_timeout(dues[0] + 0.75)
+    assert calls[-1] == ("again", 0.0), "the same key replaces"
+    assert len(calls) == 5
+
+
 class Buggy(Liveness):
     def report_heartbeat_pulse(self) -> ReportHeartbeatPulse:
         raise RuntimeError("a bug of the author")

@@ -89,6 +89,8 @@ class KinematicRobot:
         }
         """Force-torque sensors by name: they measure the weight of the links beyond them, without noise."""
         self._holding = HoldingEfforts(robot.description)
+        self._held: tuple[tuple[JointState, ...], Mapping[str, float]] = (), {}
+        """States of the joints, and the efforts that hold the links there."""
         self._mass = measure(robot).mass if robot.battery else 0.0
         self._supply = PowerSupply(robot, self._lamps, self._motor_loads, self._halt, SUPPLY_RATE)
         self._time = 0.0
@@ -127,11 +129,11 @@ class KinematicRobot:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
         before = self.drive.twist()
         steps = math.ceil(dt / MAX_STEP)
+        rolling = () if self._rolling is None else (self._rolling,)
+        moving = [part for part in (*rolling, *self.groups.values()) if not part.is_at_rest]
         for number in range(steps):
-            if self._rolling is not None:
-                self._rolling.step(dt / steps)
-            for group in self.groups.values():
-                group.step(dt / steps)
+            for part in moving:
+                part.step(dt / steps)
             if self._localizer is not None:
                 self._localizer.step(self._time + (number + 1) * dt / steps)
         if steps and self._rolling is not None:
@@ -149,11 +151,12 @@ class KinematicRobot:
 
     def _motor_loads(self) -> Iterator[MotorLoad]:
         """The loads of the motors: joints carry the weight of the links beyond them, on level ground."""
-        holding = self._holding.at(self._positions())
-        for group in self.groups.values():
-            rows = zip(group.joints, group.state().velocities, strict=True)
-            for joint, velocity in rows:
-                effort = min(joint.effort, max(-joint.effort, holding.get(joint.name, 0.0)))
+        states = tuple(group.state() for group in self.groups.values())
+        if self._held[0] != states:
+            self._held = states, self._holding.at(self._positions())
+        for group, state in zip(self.groups.values(), states, strict=True):
+            for joint, velocity in zip(group.joints, state.velocities, strict=True):
+                effort = min(joint.effort, max(-joint.effort, self._held[1].get(joint.name, 0.0)))
                 yield MotorLoad(joint.name, effort, velocity)
         if self._rolling is not None:
             yield from self._rolling.motor_loads(self._mass)
@@ -230,6 +233,11 @@ class KinematicDrive(SkidSteerDrive):
         for joint, effort, speed in zip(self._motors, self._efforts, speeds, strict=False):
             pull = mass / 2.0 * (effort * parameters.free_speed - speed) / parameters.response if effort else 0.0
             yield _limited_load(joint, pull, speed)
+
+    @property
+    def is_at_rest(self) -> bool:
+        """True if steps do not move it."""
+        return not (any(self._efforts) or self._left or self._right)
 
     def step(self, dt: float) -> None:
         """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
@@ -320,6 +328,11 @@ class KinematicJoints:
             self._state = JointState(positions, velocities, tuple(self._efforts))
         return self._state
 
+    @property
+    def is_at_rest(self) -> bool:
+        """True if steps do not move it."""
+        return all(motion.arrived for motion in self._motions)
+
     def step(self, dt: float) -> None:
         """Move for `dt` seconds."""
         for motion in self._motions:
@@ -386,6 +399,11 @@ class KinematicWheels(WheelDrive):
     def steering(self) -> float:
         """Angle of steering to the left, radians."""
         return self._angle
+
+    @property
+    def is_at_rest(self) -> bool:
+        """True if steps do not move it."""
+        return not (any(self._efforts) or any(self._speeds)) and self._angle == self._wanted_angle
 
     def step(self, dt: float) -> None:
         """Move for `dt` seconds."""

@@ -163,9 +163,9 @@ class ModuleWatchdog:
         self._part = part
         self._own_motion = own_motion
         self._check()
+        host.repeat("watchdog", WATCHDOG_PERIOD, self._check)
 
     def _check(self) -> None:
-        self._host.set_timer("watchdog", self._host.now + WATCHDOG_PERIOD, self._check)
         if may_move(self._host):
             self._own_motion.controlled.add(self._part)
             return

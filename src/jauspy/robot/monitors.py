@@ -57,9 +57,9 @@ class FaultMonitor:
         self._reason = ""
         recovery.recover_by = self._recover
         self._check()
+        host.repeat("faults", MONITOR_PERIOD, self._check)
 
     def _check(self) -> None:
-        self._host.set_timer("faults", self._host.now + MONITOR_PERIOD, self._check)
         found = reason(self._module, self._robot.faults) or supply_problem(self._module, self._robot)
         if found and found != self._reason:
             remedy = "close the robot, and open it again" if self._robot.ended_early else "Reset tries again"
@@ -116,9 +116,9 @@ class LoadMonitor:
         self._known: set[str] = set()
         if module.moves is not None:
             self._check()
+            host.repeat("loads", MONITOR_PERIOD, self._check)
 
     def _check(self) -> None:
-        self._host.set_timer("loads", self._host.now + MONITOR_PERIOD, self._check)
         found = overloads(self._module, self._joints, self._robot.snapshot)
         for name, text in found.items():
             if name not in self._known:
@@ -133,13 +133,13 @@ class BatteryMonitor:
     """Monitors the battery of the robot: that it is low, and that it supplies no motors, is logged and counted once."""
 
     def __init__(self, host: Host, robot: RobotParts) -> None:
-        self._host, self._battery = host, Battery.of(robot)
+        self._host = host
         self._known = (False, False)
-        if self._battery is not None:
-            self._check(self._battery)
+        if (battery := Battery.of(robot)) is not None:
+            self._check(battery)
+            host.repeat("battery", MONITOR_PERIOD, lambda: self._check(battery))
 
     def _check(self, battery: Battery) -> None:
-        self._host.set_timer("battery", self._host.now + MONITOR_PERIOD, lambda: self._check(battery))
         before, self._known = self._known, (battery.is_low, battery.cuts_motors)
         if self._known == before:
             return

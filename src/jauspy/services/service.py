@@ -92,6 +92,17 @@ class Timers:
         heapq.heapify(self._heap)
 
 
+_GOLDEN: Final = 0.618034
+"""Fraction of a period by which calls of robots with successive subsystem ids are apart: any number of them is spread
+evenly."""
+
+
+def next_beat(now: float, period: float, subsystem: int) -> float:
+    """The first of the times of a subsystem, one `period` (s) apart, that is after `now`."""
+    phase = period * (subsystem * _GOLDEN % 1.0)
+    return phase + period * (math.floor((now - phase) / period) + 1)
+
+
 _LOG: Final = get_logger("jauspy.services")
 
 S = TypeVar("S", bound="Service")
@@ -177,15 +188,7 @@ class Service:
         check_number(seconds, "the seconds of every()")
         if not 0 < seconds < math.inf:
             raise ConfigError(f"every(): the period {seconds} s must be above 0")
-        due = self.host.now + seconds
-
-        def tick() -> None:
-            nonlocal due
-            due += seconds * (1 + max(0, int((self.host.now - due) / seconds)))
-            self.host.set_timer(call, due, tick)
-            call()
-
-        self.host.set_timer(call, due, tick)
+        self.host.repeat(call, seconds, call, first=self.host.now + seconds)
 
     @classmethod
     def own_event(cls, name: str) -> str:
@@ -415,6 +418,22 @@ class ServiceHost:
         timers, other = (self._background, self._timers) if may_wait else (self._timers, self._background)
         other.cancel(key)
         timers.set(key, due, call)
+
+    def repeat(self, key: Hashable, period: float, call: Callable[[], None], *, first: float | None = None) -> None:
+        """Call `call` every `period` seconds until the timer is cancelled; a timer with the same key is replaced.
+
+        Without the time of the first call, all such calls of a robot with the same period come at the same times, so
+        that its program wakes once for all of them; those of other robots on the machine come at others.
+        """
+        due = next_beat(self.now, period, self.id.subsystem) if first is None else first
+
+        def tick() -> None:
+            nonlocal due
+            due += period * (1 + max(0, int((self.now - due) / period)))
+            self.set_timer(key, due, tick)
+            call()
+
+        self.set_timer(key, due, tick)
 
     def cancel_timer(self, key: Hashable) -> None:
         """Cancel the timer, if it is set."""

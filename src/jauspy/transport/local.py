@@ -222,7 +222,8 @@ class LocalTransport:
             self._sender.send(self._node, junior.connect(self.id))
             self._loss.clear()
             with contextlib.suppress(TimeoutError):
-                await asyncio.wait_for(self._loss.wait(), KEEP_ALIVE_INTERVAL if self.connected else interval)
+                async with asyncio.timeout(KEEP_ALIVE_INTERVAL if self.connected else interval):
+                    await self._loss.wait()
             if not self.connected:
                 interval = min(interval * 1.3, RECONNECT_INTERVAL)
 

@@ -150,7 +150,7 @@ class CommsLostPolicyManager(Driver, urn="urn:jaus:jss:iop:CommsLostPolicyManage
         """Listen to clients."""
         super().attached()
         self.host.heard_by.append(self._on_heard)
-        self.every(PERIOD, self._check)
+        self.host.repeat(self._check, PERIOD, self._check)
 
     # --- the link
 

@@ -131,7 +131,7 @@ class Retrotraverse(Driver, urn="urn:jaus:jss:iop:Retrotraverse"):
     def attached(self) -> None:
         """Begin to keep the path."""
         super().attached()
-        self.every(PERIOD, self._observe)
+        self.host.repeat(self._observe, PERIOD, self._observe)
 
     # --- the path
 
