@@ -15,6 +15,7 @@ import pytest
 import jauspy
 from jauspy.component import ComponentOptions
 from jauspy.errors import ConfigError, TransportError
+from jauspy.ids import EVERYONE
 from jauspy.messages.core import (
     QueryHeartbeatPulse,
     QueryStatus,
@@ -25,6 +26,7 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetWrenchEffort
 from jauspy.node import NodeConfig, NodeManager
+from jauspy.protocol.header import Broadcast
 from jauspy.services.core import Discovery, Identity, Liveness
 from jauspy.testing import until
 from jauspy.transport import LoopbackHub, LoopbackTransport
@@ -153,6 +155,25 @@ async def test_messages_can_be_sent_at_any_time():
     async with component(hub) as me, jauspy.OCU(OCU, transport=on(hub, OCU)) as ocu:
         me.send(OCU, QueryHeartbeatPulse())
         await me.deliver(ocu.id, ReportHeartbeatPulse())
+
+
+async def test_broadcasts_that_no_service_takes_are_only_counted():
+    hub = LoopbackHub()
+    other = jauspy.Component("101.1.121", [Liveness()], transport=on(hub, "101.1.121"))
+    async with component(hub) as me, other, jauspy.OCU(OCU, transport=on(hub, OCU)) as ocu:
+        for _ in range(3):
+            other.send(EVERYONE, ReportHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
+        await ocu.query(ME, QueryStatus())
+        assert me.counters["host.unknown_message"] == 3
+        assert me.counters["endpoint.received"] == 1, "the query"
+        taken: list[jauspy.JausID] = []
+        me.host.expect(ReportHeartbeatPulse, lambda message, source: taken.append(source))
+        other.send(EVERYONE, ReportHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
+        await ocu.query(ME, QueryStatus())
+        assert taken == [other.id]
+        other.send(EVERYONE, QueryHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
+        await ocu.query(ME, QueryStatus())
+        assert me.counters["host.unknown_message"] == 3, "its Liveness takes queries"
 
 
 def test_every_does_not_drift_and_skips_missed_calls():

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from jauspy.errors import ProtocolError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 from jauspy.protocol import header, judp
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 
@@ -134,3 +134,19 @@ def test_all_truncations_are_detected(packet: Packet, cut: int) -> None:
 def test_oversized_payload_is_rejected() -> None:
     with pytest.raises(ProtocolError, match="65530 bytes"):
         header.pack(Packet(A, B, bytes(65530)))
+
+
+@given(packets, st.integers(0, 300))
+def test_code_of_a_broadcast_is_that_of_its_packet(packet: Packet, cut: int) -> None:
+    is_plain = packet.ack is Ack.NONE and packet.data_flag is DataFlag.SINGLE and len(packet.payload) >= 2
+    expected = message_id(packet.payload) if is_plain and packet.broadcast is not Broadcast.NONE else None
+    datagram = judp.pack(packet)
+    assert header.broadcast_code(datagram) == expected
+    assert header.broadcast_code(datagram * 2) is None
+    assert header.broadcast_code(datagram + datagram[1:]) is None
+    assert header.broadcast_code(datagram[: cut % len(datagram)]) is None
+
+
+@given(st.binary(max_size=40))
+def test_code_of_a_broadcast_is_found_in_any_bytes(data: bytes) -> None:
+    header.broadcast_code(data)

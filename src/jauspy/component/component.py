@@ -29,7 +29,7 @@ from jauspy.logs import get_logger
 from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
-from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
+from jauspy.protocol.header import Ack, Broadcast, Packet, Priority, broadcast_code
 from jauspy.schema.model import Schema
 from jauspy.services.core import with_core_services
 from jauspy.services.host import Host
@@ -482,6 +482,10 @@ class Component:
 
     def _on_datagram(self, datagram: bytes) -> None:
         if self._loop is None:
+            return
+        if (code := broadcast_code(datagram)) is not None and self._intercept is None and not self.host.takes(code):
+            # Heartbeats of all robots reach all components: this is all that most of them do about it.
+            self.host.count("unknown_message", f"{code:04X}h")
             return
         with self._guard:
             self._endpoint.receive(datagram, self._clock())

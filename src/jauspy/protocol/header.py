@@ -13,7 +13,7 @@ from functools import lru_cache
 from typing import Final, NamedTuple
 
 from jauspy.errors import ProtocolError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 
 VERSION: Final = 2
 VERSION_BYTE: Final = bytes([VERSION])
@@ -27,6 +27,10 @@ _ALONE: Final = struct.Struct("<BBHBII")
 """Header of a datagram with one packet, with the version byte."""
 _COMPRESSED: Final = struct.Struct("<BHBBBII")
 _SEQUENCE: Final = struct.Struct("<H")
+_NOT_PLAIN: Final = 0xF0
+"""The bits of the control byte for an ACK and for a fragment."""
+_MESSAGE_MIN: Final = 4
+"""Bytes of a message id and of a sequence number."""
 
 
 class Priority(IntEnum):
@@ -138,6 +142,14 @@ def parse_alone(datagram: bytes | memoryview) -> RawPacket | None:
     if data_size != size - 1:
         return None
     return _new(RawPacket, (1, size, _ALONE.size, control, destination, source))
+
+
+def broadcast_code(datagram: bytes) -> int | None:
+    """The message id of a broadcast that is alone and whole in its datagram, without an ACK; None for any other."""
+    raw = parse_alone(datagram)
+    if raw is None or not raw.broadcast or raw.control & _NOT_PLAIN or raw.end - raw.payload_start < _MESSAGE_MIN:
+        return None
+    return message_id(datagram, raw.payload_start)
 
 
 def parse_header(data: bytes | memoryview, start: int = 0) -> RawPacket:

@@ -376,6 +376,10 @@ class ServiceHost:
         """True for an input that is no command and is answered, whatever its code: messages of users have any."""
         return message.CODE in self._bound.queries and not message.IS_COMMAND
 
+    def takes(self, code: int) -> bool:
+        """True if a received message with this id is an input of the component, or an answer that a service expects."""
+        return code in self._bound.inputs or code in self._answers
+
     def expect(self, kind: type[Message], take: Callable[[Any, JausID], None]) -> None:
         """Call `take` with each message of this kind and its sender: an answer to a service that is itself a client.
 
