@@ -9,8 +9,8 @@ import pytest
 
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
-from jauspy.messages.core import QueryIdentification, ReportHeartbeatPulse, ReportIdentification
-from jauspy.ocu.discovery import FOLLOW_UP_INTERVAL, MAX_FOLLOW_UP_INTERVAL, MAX_FOLLOW_UPS, FollowUps
+from jauspy.messages.core import QueryIdentification, QueryServices, ReportHeartbeatPulse, ReportIdentification
+from jauspy.ocu.follow_ups import FOLLOW_UP_INTERVAL, MAX_FOLLOW_UP_INTERVAL, MAX_FOLLOW_UPS, FollowUps, Renewals
 from jauspy.ocu.subsystems import Level, SubsystemTree
 
 ROBOTS, COMPONENTS = 50, 8
@@ -110,3 +110,25 @@ def test_values_of_a_tree_follow_every_change(tree: SubsystemTree) -> None:
     tree.expire(2.0)
     assert [component.id for robot in tree.subsystems(9.0) for component in robot.components] == [id]
     assert tree.size == 3, "it is there, it responds, and it has a name"
+
+
+def test_all_are_asked_again_in_turn(tree: SubsystemTree) -> None:
+    line = Line()
+    renewals = Renewals(line, tree)  # type: ignore[arg-type]
+    everybody = list(tree)
+    asked: list[JausID] = []
+    while len(asked) < len(everybody):
+        renewals.send()
+        batch = line.take()
+        asked += [id for id, query in batch if isinstance(query, QueryServices)]
+        robots = [id.subsystem for id, query in batch if isinstance(query, QueryIdentification)]
+        assert len(batch) <= MAX_FOLLOW_UPS * (1 + 1 / COMPONENTS) + 2
+        assert len(set(robots)) == len(robots), "each robot is asked for its name once"
+    assert asked[: len(everybody)] == everybody
+    tree.expire(1.0)
+    renewals.send()
+    assert line.take() == [], "nobody is left"
+    new = JausID(3, 1, 1)
+    tree.add(ReportHeartbeatPulse(), new, 2.0)
+    renewals.send()
+    assert [id for id, _ in line.take()] == [new, new]

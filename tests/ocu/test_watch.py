@@ -7,9 +7,28 @@ import asyncio
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.ids import JausID
-from jauspy.messages.core import ComponentRec, ReportIdentification, ReportServices, ServiceRec
-from jauspy.ocu import OCU, Appeared, Changed, ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo, Vanished, subsystems
+from jauspy.ids import JausID, message_id
+from jauspy.messages.core import (
+    ComponentRec,
+    QueryHeartbeatPulse,
+    QueryIdentification,
+    QueryServices,
+    ReportIdentification,
+    ReportServices,
+    ServiceRec,
+)
+from jauspy.ocu import (
+    OCU,
+    Appeared,
+    Changed,
+    ComponentInfo,
+    NodeInfo,
+    ServiceInfo,
+    SubsystemInfo,
+    Vanished,
+    discovery,
+    subsystems,
+)
 from jauspy.ocu.subsystems import INTRODUCTION_TIME, MAX_COMPONENTS, MAX_SERVICES_OF_COMPONENT, SubsystemTree
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
@@ -63,9 +82,10 @@ async def collect(ocu, into: list, **options) -> None:
         into.append(each)  # noqa: PERF401 - what was told is looked at meanwhile
 
 
-@pytest.fixture
-async def news(virtual_network, ocu):
-    """The news of a watching OCU so far."""
+@pytest.fixture(params=[discovery.MAX_BROADCAST, 0], ids=["all-at-once", "in-turn"])
+async def news(request, monkeypatch, virtual_network, ocu):
+    """The news of a watching OCU so far, of a few components and as in a large fleet."""
+    monkeypatch.setattr(discovery, "MAX_BROADCAST", request.param)
     found: list = []
     task = asyncio.create_task(collect(ocu, found))
     yield found
@@ -136,6 +156,27 @@ async def test_services_appear_and_vanish(virtual_network, news):
     async with virtual_network.component(ME, [named("robot")], core=False):
         await asyncio.sleep(10)
         assert kinds(news) == ["-core:Liveness 101.1.1"]
+
+
+async def test_a_large_fleet_is_not_asked_all_at_once_again(virtual_network, ocu, monkeypatch):
+    monkeypatch.setattr(discovery, "MAX_BROADCAST", 0)
+    sent: list[tuple[int, bool]] = []
+
+    def noted(packet):
+        if packet.source == ocu.id:
+            sent.append((message_id(packet.payload), packet.destination.is_wildcard))
+        return True
+
+    virtual_network.keeps = noted
+    async with virtual_network.component(ME, [named("one"), Liveness()], core=False):
+        task = asyncio.create_task(collect(ocu, []))
+        await asyncio.sleep(60)
+        task.cancel()
+        await asyncio.wait({task})
+    assert sent.count((QueryServices.CODE, True)) <= 2
+    assert sent.count((QueryIdentification.CODE, True)) <= 2
+    assert sent.count((QueryHeartbeatPulse.CODE, True)) == 30
+    assert 60 <= sent.count((QueryServices.CODE, False)) <= 125
 
 
 async def test_watch_can_be_limited_to_one_subsystem(virtual_network, ocu):

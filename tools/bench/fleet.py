@@ -36,7 +36,8 @@ from jauspy.ids import JausID
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, ReportLocalPoseExt
 from jauspy.ocu import OCU
 from jauspy.ocu.control import Control
-from jauspy.ocu.discovery import COALESCE_TIME, MAX_FOLLOW_UPS, Appeared, Changed
+from jauspy.ocu.discovery import Appeared, Changed
+from jauspy.ocu.follow_ups import COALESCE_TIME, MAX_FOLLOW_UPS
 from jauspy.ocu.subsystems import SubsystemInfo
 from jauspy.protocol.address_book import IdBounds
 from jauspy.services.service import Service

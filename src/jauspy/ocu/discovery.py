@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import asyncio
 import math
-from collections import defaultdict
 from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -22,16 +21,14 @@ from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import ANY_COMPONENT, ANY_NODE, ANY_SUBSYSTEM, EVERYONE, JausID
 from jauspy.messages.core import (
-    QueriedComponentRec,
-    QueriedNodeRec,
     QueryHeartbeatPulse,
     QueryIdentification,
-    QueryServices,
     ReportHeartbeatPulse,
     ReportIdentification,
     ReportServices,
 )
 from jauspy.ocu.connection import Connection
+from jauspy.ocu.follow_ups import COALESCE_TIME, MAX_FOLLOW_UPS, FollowUps, Renewals, query_all_services
 from jauspy.ocu.subsystems import (
     INTRODUCTION_TIME,
     ComponentInfo,
@@ -40,7 +37,6 @@ from jauspy.ocu.subsystems import (
     ServiceInfo,
     SubsystemInfo,
     SubsystemTree,
-    name_owner,
 )
 from jauspy.protocol.header import Broadcast
 
@@ -56,24 +52,17 @@ MAX_SEARCH: Final = 2.0
 """Seconds that `discover_all` takes at most without a timeout."""
 MIN_ROUNDS: Final = 2
 """Rounds before a subsystem counts as complete: queries to a component, or its answers, may get lost."""
-MAX_FOLLOW_UPS: Final = 64
-"""Queries to single components in one round, so that a flood of answers does not cause a flood of queries."""
-FOLLOW_UP_INTERVAL: Final = 1.0
-"""Seconds after which `watch` asks a component again for what it has not reported; twice as many each time."""
-MAX_FOLLOW_UP_INTERVAL: Final = 32.0
-"""Seconds; some components never answer."""
 PROBES_PER_INTERVAL: Final = 4
 """How often in each interval `watch` queries components that have not answered the broadcast: packets get lost."""
+MAX_BROADCAST: Final = 256
+"""Components up to which `watch` asks all of them for names and services in each interval; of more, some at each probe.
+"""
 MIN_PAUSE: Final = 0.02
 """Least seconds between two updates of `watch`, so that it does not keep the event loop busy."""
-COALESCE_TIME: Final = 0.1
-"""Seconds that `watch` waits for further reports before it yields changes."""
 ROBOT_QUIET_TIME: Final = 0.3
 """Seconds without a new fact after which a robot that is complete is reported."""
 MAX_INTRODUCTION: Final = 2.0 * INTRODUCTION_TIME
 """Seconds after which a robot that is not complete is reported."""
-_SERVICES: Final = 0
-"""Stands for services beside the levels of names, which begin at 1."""
 
 SubsystemPart: TypeAlias = SubsystemInfo | NodeInfo | ComponentInfo | ServiceInfo
 
@@ -236,20 +225,23 @@ async def watch(
     before: _Parts = {}
     robots = RobotNews(interval + COALESCE_TIME)
     query_at, expire_at, probe_at = clock(), -math.inf, clock()
-    follow_ups, follow_up_at = FollowUps(connection, tree), math.inf
+    follow_ups, follow_up_at, renewals = FollowUps(connection, tree), math.inf, Renewals(connection, tree)
     kinds = (ReportIdentification, ReportServices, ReportHeartbeatPulse)
     with connection.replies.listening(EVERYONE, on_report, *kinds):
         while True:
             if clock() >= query_at:
                 if clock() > query_at + interval:  # the reader was slow, so nobody was queried: silence means nothing
                     expire_at = clock() + silence
-                destination = _broadcast_queries(connection, subsystem)
-                connection.send(destination, QueryHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
+                if tree.component_count <= MAX_BROADCAST:
+                    _broadcast_queries(connection, subsystem)
+                connection.send(_all_of(subsystem), QueryHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
                 follow_up_at = follow_ups.send(clock())
                 query_at = clock() + interval
             if clock() >= probe_at:
                 for id in tree.silent_since(clock() - interval)[:MAX_FOLLOW_UPS]:
                     connection.send(id, QueryHeartbeatPulse())
+                if tree.component_count > MAX_BROADCAST:
+                    renewals.send()
                 probe_at = clock() + interval / PROBES_PER_INTERVAL
             if clock() >= expire_at:
                 tree.expire(clock() - silence)
@@ -277,54 +269,6 @@ async def _next_reports(received: asyncio.Event, until: float) -> bool:
     found = received.is_set()
     received.clear()
     return found
-
-
-_Asked: TypeAlias = dict[tuple[int, JausID], tuple[int, float]]
-"""How often a missing thing was asked for, and when again: names by level and owner, services by component."""
-
-
-class FollowUps:
-    """Queries of `watch` to single components for names and services that are not known."""
-
-    def __init__(self, connection: Connection, tree: SubsystemTree) -> None:
-        self._connection, self._tree = connection, tree
-        self._asked: defaultdict[int, _Asked] = defaultdict(dict)
-        """By subsystem."""
-
-    def send(self, now: float) -> float:
-        """Send those that are due, at most `MAX_FOLLOW_UPS`; returns the time of the next ones."""
-        next_at, sent, unfinished = math.inf, 0, self._tree.unfinished()
-        for number in unfinished:
-            asked: _Asked = {}
-            before = self._asked[number]
-            for key, id in self._missing(number, before):
-                count, due = before.get(key, (0, now))
-                if due <= now and sent < MAX_FOLLOW_UPS:
-                    level, _ = key
-                    query = query_all_services() if level == _SERVICES else QueryIdentification(query_type=level)
-                    self._connection.send(id, query)
-                    due = now + min(FOLLOW_UP_INTERVAL * 2.0**count, MAX_FOLLOW_UP_INTERVAL)
-                    count, sent = count + 1, sent + 1
-                asked[key] = count, due
-                next_at = min(next_at, max(due, now + COALESCE_TIME))
-            self._asked[number] = asked
-            if sent == MAX_FOLLOW_UPS:  # the others are not even looked at
-                return now + COALESCE_TIME
-        for number in self._asked.keys() - unfinished:
-            del self._asked[number]
-        return next_at
-
-    def _missing(self, number: int, asked: _Asked) -> Iterator[tuple[tuple[int, JausID], JausID]]:
-        """What is not known, with the component to ask: of those with a common name, another one each time."""
-        for id in self._tree.without_services(number):
-            yield (_SERVICES, id), id
-        for level in (Level.COMPONENT, Level.NODE, Level.SUBSYSTEM):
-            owners: dict[JausID, list[JausID]] = {}
-            for id in self._tree.unnamed(level, number):
-                owners.setdefault(name_owner(level, id), []).append(id)
-            for owner, ids in owners.items():
-                count, _ = asked.get((int(level), owner), (0, 0.0))
-                yield (int(level), owner), ids[count % len(ids)]
 
 
 def _news(difference: Difference) -> News:
@@ -369,25 +313,15 @@ def _name_and_type(part: SubsystemPart) -> tuple[str, int] | None:
 # --- queries of both --------------------------------------------------------------------------------------------------
 
 
-def _broadcast_queries(connection: Connection, subsystem: int | None) -> JausID:
-    """Broadcast the queries for identification and services, to all or to one subsystem; returns the address used."""
-    number = ANY_SUBSYSTEM if subsystem is None else subsystem
-    destination = JausID(number, ANY_NODE, ANY_COMPONENT)
+def _all_of(subsystem: int | None) -> JausID:
+    """The address of all components of one subsystem, or of all."""
+    return JausID(ANY_SUBSYSTEM if subsystem is None else subsystem, ANY_NODE, ANY_COMPONENT)
+
+
+def _broadcast_queries(connection: Connection, subsystem: int | None) -> None:
+    """Broadcast the queries for identification and services, to all or to one subsystem."""
     for query in (QueryIdentification(query_type=Level.SUBSYSTEM), query_all_services()):
-        connection.send(destination, query, broadcast=Broadcast.GLOBAL)
-    return destination
-
-
-def query_all_services() -> QueryServices:
-    """The query for all services of all components."""
-    return QueryServices(
-        node_list=[
-            QueryServices.NodeSeq(
-                node_rec=QueriedNodeRec(node_id=ANY_NODE),
-                component_list=[QueriedComponentRec(component_id=ANY_COMPONENT)],
-            )
-        ]
-    )
+        connection.send(_all_of(subsystem), query, broadcast=Broadcast.GLOBAL)
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,7 +31,7 @@ from jauspy.messages.manipulator import QueryJointPositions, ReportJointPosition
 from jauspy.messages.mobility import QueryVelocityCommand, ReportVelocityCommand, SetVelocityCommand
 from jauspy.ocu.connection import COMMANDS_WITHOUT_CONTROL, Connection, RetryPolicy
 from jauspy.ocu.control import NO_CONTROLLER, REMEDIES, STATUS_RETRY, controller, status_name
-from jauspy.ocu.discovery import query_all_services
+from jauspy.ocu.follow_ups import query_all_services
 from jauspy.ocu.subsystems import offered_services
 
 _UNCONTROLLED_SERVICES: Final = frozenset(

@@ -183,6 +183,11 @@ class SubsystemTree:
         return found
 
     @property
+    def component_count(self) -> int:
+        """The number of known components."""
+        return len(self._entries)
+
+    @property
     def size(self) -> int:
         """The number of known facts: components, responses, services and names. It grows with every new fact."""
         return self._facts
