@@ -18,17 +18,17 @@ from jauspy.mapping.map_files import save_map
 pytest.importorskip("scipy", reason="planning needs scipy")
 
 
-@pytest.mark.parametrize("goal", ["6", "6,-2,1", "six,two"])
+@pytest.mark.parametrize("goal", ["6", "6,-2,1", "six,two", "nan,2", "1,inf", ""])
 def test_a_goal_is_two_numbers(goal):
     result = jauspy("navigate", "101", "--to", goal, status=2)
-    assert "give two numbers of metres, as in 6,-2" in " ".join(result.stderr.replace("│", " ").split())
+    assert "write x,y in metres, as in 6,-2" in " ".join(result.stderr.replace("│", " ").split())
 
 
 @pytest.mark.parametrize("start", ["1,2", "1,2,north", "1,2,inf"])
 def test_a_start_is_two_numbers_and_an_angle(tmp_path, start):
     save_map(OccupancyGrid(), tmp_path / "house")
     result = jauspy("navigate", "101", "--to", "6,0", "--map", str(tmp_path / "house.yaml"), "--start", start, status=2)
-    assert "give two numbers of metres and one of degrees, as in 2,0,90" in " ".join(
+    assert "write x,y in metres and the heading in degrees, as in 2,0,90" in " ".join(
         result.stderr.replace("│", " ").split()
     )
 

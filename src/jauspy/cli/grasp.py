@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from jauspy.cli import client, console
-from jauspy.cli.options import Authority, Connect, Json, OperatorKey, OwnId, Timeout
+from jauspy.cli.options import Authority, Connect, Json, OperatorKey, OwnId, Timeout, numbers_of
 from jauspy.cli.planner import (
     ArmArgument,
     Choices,
@@ -22,7 +22,6 @@ from jauspy.cli.planner import (
 )
 from jauspy.cli.processes import run
 from jauspy.cli.scene import UnknownSpace
-from jauspy.errors import ConfigError
 from jauspy.ocu import OCU
 
 if TYPE_CHECKING:
@@ -89,8 +88,8 @@ def grasp(
     need_packages()
     from jauspy.planning.objects import Wanted
 
-    wanted = Wanted(object or "", colour or "", None if at is None else _point(at, "--at"))
-    goal = None if place is None else _point(place, "--place")
+    wanted = Wanted(object or "", colour or "", _point(at, "--at"))
+    goal = _point(place, "--place")
     ocu = client.make_ocu(own_id, connect, timeout, operator=operator_key)
     row = run(_grasp(ocu, wanted, goal, choices, look_only=look_only))
     if row is None:
@@ -138,11 +137,8 @@ async def _grasp(ocu: OCU, wanted: Wanted, goal: Vector | None, choices: Choices
             return row
 
 
-def _point(text: str, option: str) -> Vector:
-    try:
-        x, y, z = map(float, text.split(","))
-    except ValueError:
-        raise ConfigError(f"{option} {text}: write x,y,z in metres, as in 0.8,0.1,0.3") from None
-    if not all(map(math.isfinite, (x, y, z))):
-        raise ConfigError(f"{option} {text}: the numbers are finite")
+def _point(text: str | None, option: str) -> Vector | None:
+    if text is None:
+        return None
+    x, y, z = numbers_of(text, option, "x,y,z in metres", "0.8,0.1,0.3")
     return x, y, z

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 import typer
 
 from jauspy.cli import client, console
-from jauspy.cli.options import Authority, Connect, Json, OperatorKey, OwnId, Timeout
+from jauspy.cli.options import Authority, Connect, Json, OperatorKey, OwnId, Timeout, numbers_of
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import PlanarPose
@@ -114,7 +114,8 @@ def navigate(
     """
     if missing := [name for name in EXTRAS if find_spec(name) is None]:
         raise ConfigError(f"navigate needs {' and '.join(missing)}: pip install 'jauspy[planning]'")
-    goal = _point(to)
+    x, y = numbers_of(to, "--to", "x,y in metres", "6,-2")
+    goal = x, y
     if start is not None and known is None:
         raise typer.BadParameter("is a place in a map: give --map, too", param_hint="--start")
     if save is not None:
@@ -129,36 +130,16 @@ def navigate(
         run(_drive(ocu, where, goal, options, shown, speed=speed, within=within, authority=authority, save=save))
 
 
-def _point(text: str) -> tuple[float, float]:
-    parts = text.split(",")
-    try:
-        x, y = (float(part) for part in parts)
-    except ValueError:
-        raise typer.BadParameter(
-            f"{text!r} is no point; give two numbers of metres, as in 6,-2", param_hint="--to"
-        ) from None
-    return x, y
-
-
 def _begin(known: Path | None, start: str | None, size: float) -> dict[str, Any]:
     """The options of a map that was made before, and of the place of the robot in it."""
     if known is None:
         return {}
     from jauspy.mapping.known_map import load_map
 
-    return {"known": load_map(known, size), "start": None if start is None else _pose(start)}
-
-
-def _pose(text: str) -> PlanarPose:
-    try:
-        x, y, degrees = (float(part) for part in text.split(","))
-    except ValueError:
-        x = y = degrees = math.nan
-    if not all(map(math.isfinite, (x, y, degrees))):
-        raise typer.BadParameter(
-            f"{text!r} is no pose; give two numbers of metres and one of degrees, as in 2,0,90", param_hint="--start"
-        )
-    return PlanarPose(x, y, math.radians(degrees))
+    if start is None:
+        return {"known": load_map(known, size), "start": None}
+    x, y, degrees = numbers_of(start, "--start", "x,y in metres and the heading in degrees", "2,0,90")
+    return {"known": load_map(known, size), "start": PlanarPose(x, y, math.radians(degrees))}
 
 
 _Where = tuple[int, Path | None, str | None, str | None, list[str] | None]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -150,3 +151,17 @@ def on_bus(config: RobotConfig, bus: str | None) -> RobotConfig:
     if config.can is None:
         raise ConfigError(f"--bus: {config.name} has no table [can] in its file, and so no drives (docs/hardware.md)")
     return config.model_copy(update={"can": replace(config.can, bus=bus)})
+
+
+def numbers_of(text: str, option: str, wanted: str, example: str) -> tuple[float, ...]:
+    """The finite numbers of an option, as many as in its example.
+
+    Raises `BadParameter`, which says what is `wanted`, as in "x,y in metres", and shows the example.
+    """
+    try:
+        numbers = tuple(map(float, text.split(",")))
+    except ValueError:
+        numbers = ()
+    if len(numbers) != len(example.split(",")) or not all(map(math.isfinite, numbers)):
+        raise typer.BadParameter(f"{text!r}: write {wanted}, as in {example}", param_hint=option)
+    return numbers
