@@ -116,4 +116,4 @@ def figure_text(name: str, value: float) -> str:
         value, unit = 1000.0 * value, "mm"
     elif unit == "J":
         value, unit = value / 3600.0, "Wh"
-    return f"{value:.3g} {unit}".rstrip()
+    return f"{value:.0f} {unit}".rstrip() if 1000.0 <= abs(value) < 1e6 else f"{value:.3g} {unit}".rstrip()

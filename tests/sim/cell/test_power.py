@@ -248,3 +248,5 @@ def test_the_judge_tells_what_modules_and_their_battery_gave() -> None:
     assert 41.0 < found["battery voltage of car"] < 42.0
     assert figure_text("battery energy of car", 7200.0) == "2 Wh"
     assert figure_text("battery charge of car", 0.5) == "50 %"
+    assert figure_text("drift time", 1129.6) == "1130 s"
+    assert figure_text("improvement", 1663.2) == "1663"
