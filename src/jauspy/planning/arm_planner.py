@@ -29,9 +29,10 @@ WATCHED: Final = 0.5
 RANGE: Final = 1.0
 """Radians of one extension of a tree."""
 GOALS: Final = 8
-"""Postures at the goal that a search goes to at most."""
-ROOMS: Final[Sequence[tuple[float, int | None]]] = ((2.0, 100), (math.tau, None))
-"""Radians around start and goals in which a search samples, and the motions that it checks at most."""
+"""Postures at the goal to which straight motions are tried at most."""
+ROOMS: Final[Sequence[tuple[float, int | None, int]]] = ((2.0, 100, GOALS), (math.tau, None, 40))
+"""Radians around start and goals in which a search samples, the motions that it checks at most, and the postures at the
+goal to which it goes at most."""
 SEARCHED: Final = 0.9
 """Part of the time limit after which the search is given up; the rest is for what comes before and after it."""
 SHORTCUTS: Final = 40
@@ -157,21 +158,22 @@ class _Planning:
             if self._contacts.is_motion_free(self._start, goal):
                 return [self._start, goal]
         for finely in (False, True):
-            points = self._shortened(self._search(goals[:GOALS], finely), finely)
+            points = self._shortened(self._search(goals, finely), finely)
             if finely or all(self._contacts.is_motion_free(*pair) for pair in pairwise(points)):
                 break
         return points
 
     def _search(self, goals: Array, finely: bool) -> list[Array]:
-        low, high = np.minimum(self._start, goals.min(axis=0)), np.maximum(self._start, goals.max(axis=0))
         points = None
-        for room, motions in ROOMS:
+        for room, motions, most in ROOMS:
+            ends = goals[:most]
+            low, high = np.minimum(self._start, ends.min(axis=0)), np.maximum(self._start, ends.max(axis=0))
             bounds = np.maximum(self._arm.lower, low - room), np.minimum(self._arm.upper, high + room)
             seconds, seed = max(self._deadline - time.perf_counter(), 0.01), self._request.seed
             points = connect(
                 self._contacts,
                 self._start,
-                goals,
+                ends,
                 bounds,
                 seconds=seconds,
                 seed=seed,
