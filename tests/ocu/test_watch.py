@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from contextlib import AsyncExitStack
 
 import pytest
 
@@ -26,7 +27,7 @@ from jauspy.ocu import (
     ServiceInfo,
     SubsystemInfo,
     Vanished,
-    discovery,
+    follow_ups,
     subsystems,
 )
 from jauspy.ocu.subsystems import INTRODUCTION_TIME, MAX_COMPONENTS, MAX_SERVICES_OF_COMPONENT, SubsystemTree
@@ -82,10 +83,10 @@ async def collect(ocu, into: list, **options) -> None:
         into.append(each)  # noqa: PERF401 - what was told is looked at meanwhile
 
 
-@pytest.fixture(params=[discovery.MAX_BROADCAST, 0], ids=["all-at-once", "in-turn"])
+@pytest.fixture(params=[follow_ups.MAX_BROADCAST, 0], ids=["all-at-once", "in-turn"])
 async def news(request, monkeypatch, virtual_network, ocu):
     """The news of a watching OCU so far, of a few components and as in a large fleet."""
-    monkeypatch.setattr(discovery, "MAX_BROADCAST", request.param)
+    monkeypatch.setattr(follow_ups, "MAX_BROADCAST", request.param)
     found: list = []
     task = asyncio.create_task(collect(ocu, found))
     yield found
@@ -159,7 +160,7 @@ async def test_services_appear_and_vanish(virtual_network, news):
 
 
 async def test_a_large_fleet_is_not_asked_all_at_once_again(virtual_network, ocu, monkeypatch):
-    monkeypatch.setattr(discovery, "MAX_BROADCAST", 0)
+    monkeypatch.setattr(follow_ups, "MAX_BROADCAST", 0)
     sent: list[tuple[int, bool]] = []
 
     def noted(packet):
@@ -174,9 +175,37 @@ async def test_a_large_fleet_is_not_asked_all_at_once_again(virtual_network, ocu
         task.cancel()
         await asyncio.wait({task})
     assert sent.count((QueryServices.CODE, True)) <= 2
-    assert sent.count((QueryIdentification.CODE, True)) <= 2
+    assert sent.count((QueryIdentification.CODE, True)) == 30
     assert sent.count((QueryHeartbeatPulse.CODE, True)) == 30
     assert 60 <= sent.count((QueryServices.CODE, False)) <= 125
+
+
+class Lister(Discovery):
+    """Lists 101.1.100 besides itself, which sends nothing."""
+
+    def report_services(self, query: QueryServices, source: JausID) -> ReportServices:
+        found = super().report_services(query, source)
+        found.node_list += listed(JausID(101, 1, 100), 1).node_list
+        return found
+
+
+async def test_nobody_of_a_large_fleet_vanishes_between_renewals(virtual_network, ocu, monkeypatch):
+    """Not what answers no heartbeats, nor what is only listed by others, though services are asked for each 20 s."""
+    monkeypatch.setattr(follow_ups, "MAX_BROADCAST", 0)
+    monkeypatch.setattr(follow_ups, "MAX_FOLLOW_UPS", 1)
+    found: list = []
+    async with AsyncExitStack() as stack:
+        for number in range(1, 41):
+            services = [named("robot") if number > 1 else Lister()]
+            await stack.enter_async_context(virtual_network.component(JausID(101, 1, number), services, core=False))
+        task = asyncio.create_task(collect(ocu, found))
+        await asyncio.sleep(180)
+        task.cancel()
+        await asyncio.wait({task})
+    news = kinds(found)
+    assert sum(each.startswith("+component") for each in news) == 41
+    assert "+component 101.1.100" in news
+    assert not [each for each in news if each.startswith("-")]
 
 
 async def test_watch_can_be_limited_to_one_subsystem(virtual_network, ocu):

@@ -54,9 +54,6 @@ MIN_ROUNDS: Final = 2
 """Rounds before a subsystem counts as complete: queries to a component, or its answers, may get lost."""
 PROBES_PER_INTERVAL: Final = 4
 """How often in each interval `watch` queries components that have not answered the broadcast: packets get lost."""
-MAX_BROADCAST: Final = 256
-"""Components up to which `watch` asks all of them for names and services in each interval; of more, some at each probe.
-"""
 MIN_PAUSE: Final = 0.02
 """Least seconds between two updates of `watch`, so that it does not keep the event loop busy."""
 ROBOT_QUIET_TIME: Final = 0.3
@@ -138,7 +135,7 @@ async def _search(
 
     with connection.replies.listening(EVERYONE, on_report, ReportIdentification, ReportServices):
         for rounds in count(1):
-            _broadcast_queries(connection, subsystem)
+            _broadcast(connection, subsystem, _NAME, query_all_services())
             _query_missing(connection, tree, subsystem)
             complete = await _completed(tree, subsystem, min(end, clock() + ROUND_INTERVAL), connection)
             if may_end_early and rounds >= MIN_ROUNDS and size == tree.size and _is_complete(tree):
@@ -232,19 +229,18 @@ async def watch(
             if clock() >= query_at:
                 if clock() > query_at + interval:  # the reader was slow, so nobody was queried: silence means nothing
                     expire_at = clock() + silence
-                if tree.component_count <= MAX_BROADCAST:
-                    _broadcast_queries(connection, subsystem)
-                connection.send(_all_of(subsystem), QueryHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
+                services = () if renewals.is_needed else (query_all_services(),)
+                _broadcast(connection, subsystem, _NAME, *services, QueryHeartbeatPulse())
                 follow_up_at = follow_ups.send(clock())
                 query_at = clock() + interval
             if clock() >= probe_at:
                 for id in tree.silent_since(clock() - interval)[:MAX_FOLLOW_UPS]:
                     connection.send(id, QueryHeartbeatPulse())
-                if tree.component_count > MAX_BROADCAST:
-                    renewals.send()
+                renewals.send()
                 probe_at = clock() + interval / PROBES_PER_INTERVAL
             if clock() >= expire_at:
-                tree.expire(clock() - silence)
+                since = clock() - silence
+                tree.expire(since, since - renewals.rounds * interval / PROBES_PER_INTERVAL)
             if parts:
                 now = _parts(tree.subsystems(clock()))
                 for appearance in _differences(before, now):
@@ -313,15 +309,14 @@ def _name_and_type(part: SubsystemPart) -> tuple[str, int] | None:
 # --- queries of both --------------------------------------------------------------------------------------------------
 
 
-def _all_of(subsystem: int | None) -> JausID:
-    """The address of all components of one subsystem, or of all."""
-    return JausID(ANY_SUBSYSTEM if subsystem is None else subsystem, ANY_NODE, ANY_COMPONENT)
+_NAME: Final = QueryIdentification(query_type=Level.SUBSYSTEM)
 
 
-def _broadcast_queries(connection: Connection, subsystem: int | None) -> None:
-    """Broadcast the queries for identification and services, to all or to one subsystem."""
-    for query in (QueryIdentification(query_type=Level.SUBSYSTEM), query_all_services()):
-        connection.send(_all_of(subsystem), query, broadcast=Broadcast.GLOBAL)
+def _broadcast(connection: Connection, subsystem: int | None, *queries: Message) -> None:
+    """Send queries to all components of one subsystem, or of all."""
+    destination = JausID(ANY_SUBSYSTEM if subsystem is None else subsystem, ANY_NODE, ANY_COMPONENT)
+    for query in queries:
+        connection.send(destination, query, broadcast=Broadcast.GLOBAL)
 
 
 @dataclass(frozen=True, slots=True)

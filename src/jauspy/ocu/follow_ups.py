@@ -6,8 +6,6 @@ import math
 from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterator
-from itertools import groupby
-from operator import attrgetter
 from typing import Final, TypeAlias
 
 from jauspy.ids import ANY_COMPONENT, ANY_NODE, JausID
@@ -23,6 +21,8 @@ MAX_FOLLOW_UP_INTERVAL: Final = 32.0
 """Seconds; some components never answer."""
 COALESCE_TIME: Final = 0.1
 """Seconds that `watch` waits for further reports before it yields changes."""
+MAX_BROADCAST: Final = 256
+"""Components up to which `watch` asks all of them for their services in each interval; of more, some at each probe."""
 _SERVICES: Final = 0
 """Stands for services beside the levels of names, which begin at 1."""
 
@@ -75,9 +75,9 @@ class FollowUps:
 
 
 class Renewals:
-    """Queries of `watch` to single components for what is known already, in turn: names of robots and services change.
+    """Queries of `watch` to single components for services that are known already, in turn, since they may change.
 
-    For more than `MAX_BROADCAST` components, whose answers to a broadcast would fill a radio.
+    For more than `MAX_BROADCAST` components, whose reports of all services in answer to a broadcast would fill a radio.
     """
 
     def __init__(self, connection: Connection, tree: SubsystemTree) -> None:
@@ -85,17 +85,26 @@ class Renewals:
         self._last = 0
         """The id that was asked last, as a number."""
 
+    @property
+    def is_needed(self) -> bool:
+        """True if the components are too many to ask all of them at once."""
+        return self._tree.component_count > MAX_BROADCAST
+
+    @property
+    def rounds(self) -> int:
+        """Calls of `send` until each component has been asked; 0 if that is not needed."""
+        return math.ceil(self._tree.component_count / MAX_FOLLOW_UPS) if self.is_needed else 0
+
     def send(self) -> None:
-        """Ask the next `MAX_FOLLOW_UPS` components, and one component of each robot for its name."""
+        """Ask the next `MAX_FOLLOW_UPS` components, if that is needed."""
+        if not self.is_needed:
+            return
         ids = self._tree.components()
         start = bisect_right(ids, self._last, key=int)
         chosen = [*ids[start:], *ids[:start]][:MAX_FOLLOW_UPS]
-        for _, members in groupby(chosen, key=attrgetter("subsystem")):
-            self._connection.send(next(members), QueryIdentification(query_type=Level.SUBSYSTEM))
         for id in chosen:
             self._connection.send(id, query_all_services())
-        if chosen:
-            self._last = int(chosen[-1])
+        self._last = int(chosen[-1])
 
 
 def query_all_services() -> QueryServices:

@@ -207,9 +207,13 @@ class SubsystemTree:
             for id, services in offered_services(message, source).items():
                 self._add_services(id, services, source, now)
 
-    def expire(self, before: float) -> None:
-        """Remove the components that were last seen before this time, and what they reported of others."""
-        silent = {id for id, entry in self._entries.items() if entry.last_seen < before}
+    def expire(self, before: float, listed_before: float | None = None) -> None:
+        """Remove the components that were last seen before this time, and what they reported of others.
+
+        `listed_before`: the time for those that have sent nothing themselves, and were listed by others.
+        """
+        listed = before if listed_before is None else listed_before
+        silent = {id for id, entry in self._entries.items() if entry.last_seen < (before if entry.responds else listed)}
         for id in silent:
             members = self._members[id.subsystem]
             del members[id]
