@@ -23,7 +23,7 @@ PERIOD = 0.2
 """Seconds between two looks at what moves."""
 MOVED = 0.05
 """Metres from where something was at the start; less is no motion that a film shows."""
-SEEDS = {"assemble": 1, "lift": 1, "step": 1, "kitting": 1, "car": 0}
+SEEDS = {"assemble": 1, "lift": 1, "step": 1, "kitting": 1, "kitting-arm": 0, "car": 0}
 
 
 @dataclass
