@@ -86,18 +86,13 @@ def test_a_narrow_door_is_passed_in_the_middle_where_it_is_wider_than_needed():
         assert crossing(path) == pytest.approx(0.025 * cells, abs=0.06)
 
 
-def test_a_door_that_noise_makes_narrower_is_passed_where_there_is_no_other_way():
+def test_a_door_that_is_too_narrow_on_the_map_is_not_passed():
     start, goal = PlanarPose(-1.5, 0.3, 0.0), (1.5, 0.3)
-    with pytest.raises(NoPath, match="no way to"):
-        find_path(doors(12), start, goal, seconds=0.1)
-    found = doors(12)
-    assert_free(found, find_path_with_margins(found, start, goal, backward=True, end=time.thread_time() + 10.0))
-    assert found.margin == -0.01
     found = doors(14)
-    find_path_with_margins(found, start, goal, backward=True, end=time.thread_time() + 10.0)
+    assert_free(found, find_path_with_margins(found, start, goal, backward=True, end=time.thread_time() + 10.0))
     assert found.margin == 0.02
     with pytest.raises(NoPath, match="no way to"):
-        find_path_with_margins(doors(10), start, goal, backward=True, end=time.thread_time() + 0.3)
+        find_path_with_margins(doors(12), start, goal, backward=True, end=time.thread_time() + 0.3)
 
 
 @pytest.mark.parametrize(("other", "is_near"), [(slice(80, 110), False), (slice(0, 24), True)])

@@ -57,16 +57,16 @@ COMFORTABLE: Final = 0.12
 door of 0.95 m leaves inc1 as much only where it drives straight through the middle."""
 TIGHT_COST: Final = 0.2
 """Added to the cost of a motion with nothing beside the footprint, metres."""
-MARGINS: Final = (0.05, MARGIN, 0.0, -0.01)
-"""Metres beside the footprint that are free on a way: the first with which there is one. A cell of the map that noise
-occupied closes a door that the robot just passes, or keeps it from a turn that it needs."""
+MARGINS: Final = (0.05, MARGIN)
+"""Metres between the footprint and the middles of occupied cells on a way: the first with which there is one. With less
+than the last, the footprint would be inside of cells."""
 DETOUR: Final = 1.5
 MORE: Final = 1.0
 """Factor, and metres, by which a way is longer than straight to the goal when one with less room is sought, too: where
 the robot cannot turn with 5 cm on each side, it would first drive through half of a house."""
 MUCH_SHORTER: Final = 0.7
-"""Part of the cost of a way with more room, less `MORE`, below which one with less is taken, down to `MARGIN`. With
-nothing beside it, three of 100 drives touched a wall or a chair."""
+"""Part of the cost of a way with more room, less `MORE`, below which one with less is taken. With nothing beside it,
+three of 100 drives touched a wall or a chair."""
 
 
 class NoPath(RequestError):
@@ -150,7 +150,7 @@ def find_path_with_margins(
     used = MARGINS[0]
     direct = math.dist(start[:2], goal)
     for margin in MARGINS:
-        if best is not None and (best.length <= DETOUR * direct + MORE or margin < MARGIN):
+        if best is not None and best.length <= DETOUR * direct + MORE:
             break
         terrain.margin = margin
         share = 1.0 if margin == MARGINS[-1] else 0.5
