@@ -116,4 +116,5 @@ def figure_text(name: str, value: float) -> str:
         value, unit = 1000.0 * value, "mm"
     elif unit == "J":
         value, unit = value / 3600.0, "Wh"
-    return f"{value:.0f} {unit}".rstrip() if 1000.0 <= abs(value) < 1e6 else f"{value:.3g} {unit}".rstrip()
+    digits = ".0f" if 1000.0 <= abs(value) < 1e6 else ".3g"
+    return f"{value:{digits}} {unit}".rstrip()

@@ -55,6 +55,10 @@ SLOWEST_ROUNDS: Final = 12
 """How often a motion is slowed down so that its connections hold."""
 RESTING: Final = 1e3
 """Seconds of a motion whose accelerations load nothing."""
+TOUCH: Final = 0.004
+"""Metres over what the tip is to hold from which on it moves slowly: errors of calibrated arms are smaller."""
+PRESS: Final = 0.0015
+"""Metres below contact to which the tip is sent."""
 POLL: Final = 0.02
 
 

@@ -11,18 +11,15 @@ import pinocchio as pin
 
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
-from jauspy.cell.modular_arm import ArmOperator, Chain, HangingChain
+from jauspy.cell.modular_arm import PRESS, TOUCH, ArmOperator, Chain, HangingChain
 from jauspy.cell.scene import Layout, connector_frame
 from jauspy.cell.schedule import TaskFailed
 
 HOVER: Final = 0.05
 """Metres over a connector from which the end is lowered."""
-PRESS: Final = 0.0015
 DEEPER: Final = 0.002
-"""Metres below contact to which the end is sent at first, and by which it is sent further down each time."""
+"""Metres by which the end is sent further down each time when nothing attaches."""
 PRESSES: Final = 4
-TOUCH: Final = 0.004
-"""Metres over a connector from which on the end moves slowly: errors of calibrated arms are smaller."""
 LOWERING_TIME: Final = 1.5
 TOUCH_TIME: Final = 1.5
 """Seconds of the slow motion into contact: at most 7 mm/s."""

@@ -60,6 +60,8 @@ ROBOT_QUIET_TIME: Final = 0.3
 """Seconds without a new fact after which a robot that is complete is reported."""
 MAX_INTRODUCTION: Final = 2.0 * INTRODUCTION_TIME
 """Seconds after which a robot that is not complete is reported."""
+_NAME: Final = QueryIdentification(query_type=Level.SUBSYSTEM)
+"""The query for a robot's name."""
 
 SubsystemPart: TypeAlias = SubsystemInfo | NodeInfo | ComponentInfo | ServiceInfo
 
@@ -307,9 +309,6 @@ def _name_and_type(part: SubsystemPart) -> tuple[str, int] | None:
 
 
 # --- queries of both --------------------------------------------------------------------------------------------------
-
-
-_NAME: Final = QueryIdentification(query_type=Level.SUBSYSTEM)
 
 
 def _broadcast(connection: Connection, subsystem: int | None, *queries: Message) -> None:
