@@ -50,6 +50,25 @@ def test_less_authority_does_not_release_a_load(bench: Bench) -> None:
     assert report.error_text == "not released: a client with authority 200 attached box_1, and this one has 1"
 
 
+def test_less_authority_does_not_schedule_a_release(bench: Bench) -> None:
+    bench.tell(
+        RequestControl(1), Resume(), m.ScheduleConnector(1, m.ScheduleConnector.Enabled.DISABLED, 0.1), client=OTHER
+    )
+    assert bench.robot.connectors["gripper"].scheduled is None
+    assert bench.count("load_held") == 1
+
+
+@pytest.mark.parametrize("end", [Standby(), Reset(), SetEmergency(SetEmergency.EmergencyCode.STOP), ReleaseControl()])
+def test_what_was_scheduled_does_not_happen_after_a_stop_or_without_its_client(bench: Bench, end: object) -> None:
+    bench.tell(RequestControl(200), Resume(), m.ScheduleConnector(1, m.ScheduleConnector.Enabled.DISABLED, 10.0))
+    bench.run(0.05)
+    assert bench.robot.connectors["gripper"].scheduled == (False, 10.0)
+    bench.tell(end)
+    bench.run(0.05)
+    assert bench.robot.connectors["gripper"].scheduled is None
+    assert bench.robot.connectors["gripper"].current.attached_to == "box_1"
+
+
 @pytest.mark.parametrize(("client", "authority"), [(CLIENT, 200), (OTHER, 200), (STRONGER, 255)])
 def test_the_same_authority_or_more_releases_it(bench: Bench, client: JausID, authority: int) -> None:
     assert vent(bench, client, authority) == ""

@@ -92,15 +92,22 @@ class MemoryConnector(VacuumConnector):
     name: str
     current: ConnectorState = field(default_factory=ConnectorState)
     touches: str = ""
+    scheduled: tuple[bool, float] | None = None
 
     def state(self) -> ConnectorState:
         return self.current
 
-    def set(self, enabled: bool) -> None:
+    def set(self, enabled: bool, delay: float = 0.0) -> None:
+        self.scheduled = (enabled, delay) if delay else None
+        if delay:
+            return
         holds = self.touches if enabled else ""
         error = ConnectorError.NO_CONTACT if enabled and not holds else ConnectorError.NONE
         text = "nothing touches the plate" if enabled and not holds else ""
         self.current = replace(self.current, enabled=enabled, attached_to=holds, error=error, last_error=text)
+
+    def cancel(self) -> None:
+        self.scheduled = None
 
     def break_off(self) -> None:
         self.current = replace(

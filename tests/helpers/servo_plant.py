@@ -115,8 +115,12 @@ class PlantConnector(VacuumConnector):
     def state(self) -> ConnectorState:
         return self.current
 
-    def set(self, enabled: bool) -> None:
+    def set(self, enabled: bool, delay: float = 0.0) -> None:
+        assert not delay
         self.current = replace(self.current, enabled=enabled)
+
+    def cancel(self) -> None:
+        pass
 
     def attach(self, part: str, offset: Transform = IDENTITY) -> None:
         self.current = replace(self.current, attached_to=part, offset=offset)

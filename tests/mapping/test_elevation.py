@@ -90,6 +90,39 @@ def test_a_wrong_pose_of_the_sensor_is_seen_in_the_heights(wrong: Transform) -> 
     assert not len(found) or np.percentile(found, 95) > 0.05
 
 
+@pytest.mark.parametrize("turn", [(0.0, 0.02), (0.025, 0.0), (-0.02, 0.015)])
+def test_a_tilt_that_is_measured_wrong_makes_no_steps(turn: tuple[float, float]) -> None:
+    """A cloud of which the pose is tilted, after those with the right pose: it would raise ground by 8 cm at 3 m."""
+    grid = made(kerb)
+    wrong = SENSOR @ Transform.from_pose(Pose(0.0, 0.0, 0.0, *turn, 0.0))
+    for seed in range(3, 6):
+        grid.add(cloud(kerb, seed), wrong, seed / 10.0)
+    assert np.nanmax(np.abs(errors(grid, kerb))) < 0.035
+    assert grid.counters["tilted"] == 0
+
+
+def test_a_tilt_that_is_measured_wrong_at_first_is_corrected_by_what_comes_after() -> None:
+    grid = ElevationGrid(8.0, 0.1)
+    grid.add(cloud(flat, 0), SENSOR @ Transform.from_pose(Pose(pitch=0.03)), 0.0)
+    assert np.quantile(errors(grid, flat), 0.9) > 0.06
+    for seed in range(1, 25):
+        grid.add(cloud(flat, seed), SENSOR, seed / 2.0)
+    assert np.quantile(errors(grid, flat), 0.99) < 0.02  # at the border are cells that only the first cloud had
+
+
+def test_what_is_new_on_the_ground_is_not_taken_for_a_tilt() -> None:
+    grid = made(flat)
+    for seed in range(3, 6):
+        grid.add(cloud(kerb, seed), SENSOR, seed / 10.0)
+    assert np.nanmax(np.abs(errors(grid, kerb))) < 0.035
+
+
+def test_a_tilt_beyond_what_sensors_err_by_is_counted_and_left_as_measured() -> None:
+    grid = made(flat)
+    grid.add(cloud(flat, 3), SENSOR @ Transform.from_pose(Pose(pitch=0.1)), 0.3)
+    assert grid.counters["tilted"] == 1
+
+
 def test_slope_step_and_roughness() -> None:
     slope, step = made(ramp), made(kerb)
     column = round((1.5 - slope.origin[0]) / 0.1)

@@ -10,7 +10,7 @@ import pytest
 from tests.helpers.memory_cell import MemoryBackend, MemoryCell
 
 from jauspy.errors import ConfigError, RequestError
-from jauspy.messages.cell import HoldModularArm
+from jauspy.messages.cell import HoldModularArm, ScheduleConnector
 from jauspy.ocu import Robot
 from jauspy.platform.modular.arm import ArmController, MotionResult, TrajectoryPoint
 from jauspy.robot import robot_files
@@ -182,6 +182,34 @@ async def test_connector_attaches_and_releases(cell):
         assert not (await connector.state()).enabled
         with pytest.raises(TypeError, match="number is a whole number"):
             robot.component(IDS["gripper"]).connector("output")
+
+
+async def test_a_connector_is_set_after_a_delay_unless_something_else_comes(cell):
+    memory, robot = cell
+    gripper, connector = memory.connectors["gripper"], robot.component(IDS["gripper"]).connector()
+    async with robot.control(str(IDS["gripper"])):
+        await connector.enable(after=0.5)
+        await asyncio.sleep(APPLIED)
+        assert gripper.scheduled == (True, 0.5)
+        await connector.disable(after=60.0)
+        await asyncio.sleep(APPLIED)
+        assert gripper.scheduled == (False, 60.0)
+        await connector.enable()
+        await asyncio.sleep(APPLIED)
+        assert gripper.scheduled is None
+        for after in (-0.1, 60.1, math.nan, math.inf):
+            with pytest.raises(ConfigError, match=r"after=.* is outside 0\.\.60 s"):
+                await connector.disable(after=after)
+        for delay in (-0.1, 60.1, 1e300):
+            command = ScheduleConnector(1, ScheduleConnector.Enabled.DISABLED, delay)
+            await robot.component(IDS["gripper"]).service("VacuumConnector").send(command)
+        await asyncio.sleep(APPLIED)
+        assert gripper.scheduled is None
+        await connector.disable(after=30.0)
+        await asyncio.sleep(APPLIED)
+        assert gripper.scheduled == (False, 30.0)
+    await asyncio.sleep(APPLIED)
+    assert gripper.scheduled is None, "control was released"
 
 
 async def test_belt_runs_and_servo_reports(cell):

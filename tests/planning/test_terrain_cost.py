@@ -10,7 +10,7 @@ pytest.importorskip("scipy", reason="planning needs scipy")
 
 from jauspy.geometry.poses import PlanarPose
 from jauspy.planning.mobility import Mobility
-from jauspy.planning.terrain_cost import TerrainCost
+from jauspy.planning.terrain_cost import THING_COST, TerrainCost
 
 MOBILITY = Mobility(front=0.4, back=0.4, half_width=0.3, step=0.08, flipper_step=0.2, up=0.5, down=0.5, side=0.3)
 SHAPE = (80, 80)
@@ -179,3 +179,29 @@ def test_echoes_block_at_once():
     found = terrain(points=np.array([[1.0, 0.0], [9.0, 9.0], [-1e9, 0.0]]))
     assert not found.is_free(1.0, 0.0, 0.0)
     assert found.is_free(-1.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("slope", [0.0, 0.15])
+def test_what_lies_on_the_ground_is_driven_around_and_a_sill_is_not(slope):
+    base = ground(lambda x, y: slope * x + (0.03 if max(abs(x), abs(y)) < 0.18 else 0.0))
+    sill = ground(lambda x, y: slope * x + (0.03 if abs(x) < 0.18 else 0.0))
+    rough = ground(lambda x, y: slope * x + 0.005 * math.sin(40.0 * x) * math.sin(30.0 * y))
+    plain = terrain(ground(lambda x, _: slope * x)).cost_at(0.0, 0.0)
+    assert terrain(base).cost_at(0.0, 0.0) == pytest.approx(plain + THING_COST, abs=0.1)
+    assert terrain(base).cost_at(0.0, 0.45) > plain + THING_COST - 0.1, "a track would pass it"
+    assert terrain(base).cost_at(0.0, 1.0) == pytest.approx(plain, abs=0.1)
+    assert terrain(sill).cost_at(0.0, 0.0) == pytest.approx(plain, abs=0.1)
+    assert terrain(rough).cost_at(0.0, 0.0) == pytest.approx(plain, abs=0.1)
+    assert terrain(base).is_free(0.0, 0.0, 0.0), "where there is no other way"
+
+
+def test_the_base_of_a_cone_beside_its_body_is_avoided_too():
+    def height(x: float, y: float) -> float:
+        return 0.45 if max(abs(x), abs(y)) < 0.1 else 0.03 if max(abs(x), abs(y)) < 0.2 else 0.0
+
+    found = terrain(ground(height))
+    assert found.cost_at(0.15, 0.45) > terrain(ground(height_of_body_only(height))).cost_at(0.15, 0.45) + 4.0
+
+
+def height_of_body_only(height):
+    return lambda x, y: found if (found := height(x, y)) > 0.1 else 0.0

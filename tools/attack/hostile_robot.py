@@ -109,8 +109,11 @@ class _Connector(VacuumConnector):
     def state(self) -> ConnectorState:
         return ConnectorState(enabled=True, attached_to=PAYLOADS[0])
 
-    def set(self, enabled: bool) -> None:
+    def set(self, enabled: bool, delay: float = 0.0) -> None:
         """Nothing moves."""
+
+    def cancel(self) -> None:
+        """Nothing is to come."""
 
 
 class _Video(DigitalVideo):

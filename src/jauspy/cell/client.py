@@ -52,6 +52,9 @@ SILENT: Final = 1.0
 FIRST_TIME: Final = 5.0
 """Seconds in which the first observation must arrive."""
 WATCH_PERIOD: Final = 0.1
+PAUSED: Final = 0.15
+"""Seconds by which observations come later than the fastest one when the robot's time has paused; by the period of
+watching and the network they do by less."""
 """Seconds between two queries for a new observation."""
 MOVED: Final = 0.008
 """Metres, or a tenth of a radian, between two observations, from which on the part has moved."""
@@ -89,6 +92,8 @@ class CellClient:
         self._latest: dict[str, tuple[float, pin.SE3]] = {}
         self._offset = math.inf
         """Seconds that the robot's clock is behind this one, by the observation that came fastest."""
+        self._delays: deque[float] = deque(maxlen=5)
+        """Seconds from the last observations, by the robot's clock, until they came, by this one."""
         self.counts: dict[str, int] = defaultdict(int)
 
     async def __aenter__(self) -> Self:
@@ -318,11 +323,11 @@ class CellClient:
         id, number = self._connector(name)
         return await (await self._component(id)).connector(number).state()
 
-    async def enable(self, name: str, enabled: bool) -> None:
-        """Start or stop the pump of a connector or of the gripper."""
+    async def enable(self, name: str, enabled: bool, *, after: float = 0.0) -> None:
+        """Start or stop the pump of a connector or of the gripper, after so many seconds of the robot's time."""
         id, number = self._connector(name)
         connector = (await self._control(id)).connector(number)
-        await (connector.enable() if enabled else connector.disable())
+        await (connector.enable(after=after) if enabled else connector.disable(after=after))
 
     async def switch(self, names: Sequence[str], on: bool) -> None:
         """Switch modules on or off."""
@@ -448,9 +453,16 @@ class CellClient:
             else:
                 if seen.time > last:
                     last = seen.time
-                    self._offset = min(self._offset, self.now() - seen.time)
+                    self._compare_clocks(seen.time)
                     self._add(seen)
             await asyncio.sleep(WATCH_PERIOD)
+
+    def _compare_clocks(self, observed: float) -> None:
+        """Take in an observation that comes now. The time of a robot that cannot keep up pauses, and stays behind."""
+        self._delays.append(self.now() - observed)
+        least = min(self._delays)
+        if least < self._offset or (len(self._delays) == self._delays.maxlen and least > self._offset + PAUSED):
+            self._offset = least
 
     def _add(self, observation: PartObservation) -> None:
         for name, frame in observation.poses.items():

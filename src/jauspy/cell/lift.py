@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -16,6 +18,7 @@ from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout, Piece, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.throw import MARGIN, PERIOD, Load, ThrowPlan, ThrowPlanner, arm_limits, motion
+from jauspy.errors import JausError
 from jauspy.platform.modular.parts import ConveyorSetup, PartKind, TargetArea
 
 BELT_SPEED: Final = 0.15
@@ -62,7 +65,9 @@ class LiftResult:
     lift_time: float = 0.0
     """Seconds from the start until the box hung on the arm."""
     release_speed: float = 0.0
-    """m/s of the tip at the release, by its encoders."""
+    """m/s of the box at the release, as planned."""
+    rest: tuple[float, float] = (math.nan, math.nan)
+    """Metres along x and y where the sensor sees the middle of the box at rest."""
     miss: float = math.nan
     """Metres from the middle of the area at which the sensor sees the box at rest."""
     plan: ThrowPlan | None = None
@@ -180,16 +185,28 @@ class Lifter:
             if wait < POLL:
                 break
             await self.cell.sleep(min(wait, 0.2))
-        await self.cell.command_arm(await arm.vector(end), duration)
-        await self.cell.sleep(before + PRESSING)
-        await self.cell.enable(arm.tip, True)
-        held = await arm.wait_attached(arm.tip, duration)
+        await self._command(await arm.vector(end), duration, before + PRESSING, enabled=True)
+        held = await arm.wait_attached(arm.tip, before + PRESSING + duration)
         await self.cell.run_conveyor(0.0)
         await arm.move(raised, LIFT_TIME)
         if held == box and (await self.cell.connector(arm.tip)).attached_to == box:
             return True
         await self.cell.enable(arm.tip, False)
         return False
+
+    async def _command(self, vector: Sequence[float], duration: float, after: float, *, enabled: bool) -> None:
+        """Begin a motion, and set the tip's connector so many seconds after its start.
+
+        Both commands leave together, and the robot counts the seconds: a client that sent the second one in time would
+        be late by what its machine and the network take, and box and tip move by 3 mm in each millisecond of a throw.
+        """
+        tip = self.arm.tip
+        commands = self.cell.command_arm(vector, duration), self.cell.enable(tip, enabled, after=after)
+        for failure in await asyncio.gather(*commands, return_exceptions=True):
+            if isinstance(failure, BaseException):
+                with suppress(JausError):
+                    await self.cell.enable(tip, not enabled)  # takes the place of what is to come
+                raise failure
 
     def _following(self, start: Array, end: Array) -> tuple[float, float, float]:
         """Seconds of a motion whose largest speed is that of the belt; until it is reached; and y there, metres."""
@@ -225,17 +242,14 @@ class Lifter:
         self.planned = result.plan = plan
         await arm.go(plan.windup, margin=min(MARGIN, plan.clearance.distance))
         await self.cell.sleep(WINDUP_REST)
-        vector = await arm.vector(plan.follow_through)
-        asked = self.cell.now()
-        await arm.state()
-        way = 0.5 * (self.cell.now() - asked)
-        begun = self.cell.now() + way
-        await self.cell.command_arm(vector, plan.duration)
-        await self.cell.sleep(begun + plan.release - way - self.cell.now())
-        await self.cell.enable(arm.tip, False)
-        arm.scene.release()
+        await self._command(await arm.vector(plan.follow_through), plan.duration, plan.release, enabled=False)
         result.release_speed = float(np.linalg.norm(plan.flight.velocity))
-        await self.cell.sleep(max(0.0, begun + plan.duration + SETTLE - self.cell.now()))
+        await self.cell.sleep(plan.duration)
+        until = self.cell.now() + LATE
+        while (await arm.state()).moving and self.cell.now() < until:  # the robot's time may be slower than this clock
+            await self.cell.sleep(POLL)
+        arm.scene.release()
+        await self.cell.sleep(SETTLE)
         await arm.look(box)
         await arm.go(READY + plan.windup[0] * np.eye(5)[0])
         await self._learn(result)
@@ -252,8 +266,8 @@ class Lifter:
     async def _learn(self, result: LiftResult) -> None:
         seen = (await self.cell.observe(fresh=True))[result.box].pose
         at = seen.act(np.array([0.0, 0.0, self.height(result.box) / 2.0]))
-        miss = np.array([at[0] - self.target.pose.x, at[1] - self.target.pose.y])
-        result.miss = float(np.linalg.norm(miss))
+        result.rest = float(at[0]), float(at[1])
+        result.miss = math.dist(result.rest, (self.target.pose.x, self.target.pose.y))
         size = self.layout.type_of(result.box).solids[0].size
         if at[2] < max(size) / 2.0 + 0.01:  # one that rests on another box teaches nothing
             assert result.plan is not None

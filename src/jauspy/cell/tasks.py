@@ -142,17 +142,17 @@ async def lift(session: Session, seed: int) -> Measured:
             "servo_torque": seen.torque,
         }
     if session.judge is not None:
-        x, y, _ = session.judge.pose(result.box).translation
-        area = lifter.target
-        off = float(x) - area.pose.x, float(y) - area.pose.y
-        found.values |= {"off_x": off[0], "off_y": off[1]}
-        found.success = abs(off[0]) <= area.length / 2.0 and abs(off[1]) <= area.width / 2.0
-        if not found.success:
-            found.failure = f"{result.box} rests {off[0]:+.2f} m, {off[1]:+.2f} m from the middle of the area"
-        if watched and watched[-1].contacts:
-            found.success, found.failure = False, f"the arm or {result.box} touched something from the wind-up on"
+        x, y, _ = session.judge.pose(result.box).translation.tolist()
     else:
-        found.success = True
+        x, y = result.rest
+    area = lifter.target
+    off = x - area.pose.x, y - area.pose.y
+    found.values |= {"off_x": off[0], "off_y": off[1]}
+    found.success = abs(off[0]) <= area.length / 2.0 and abs(off[1]) <= area.width / 2.0
+    if not found.success:
+        found.failure = f"{result.box} rests {off[0]:+.2f} m, {off[1]:+.2f} m from the middle of the area"
+    if watched and watched[-1].contacts:
+        found.success, found.failure = False, f"the arm or {result.box} touched something from the wind-up on"
     return found
 
 

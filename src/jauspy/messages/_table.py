@@ -40,9 +40,9 @@ TABLE: Final = (
     ),
     *entries(
         "jauspy.messages.cell.v1_0.vacuum_connector", "urn:jauspy:cell:VacuumConnector", "1.0",
-        (0xDA62, "SetConnector", "1e8516a6"), (0xEA63, "QueryConnectorState", "79de0a2b"),
-        (0xEA64, "QueryConnectorSpecification", "2e38e77b"), (0xFA63, "ReportConnectorState", "93e13c96"),
-        (0xFA64, "ReportConnectorSpecification", "4652430d"),
+        (0xDA62, "SetConnector", "1e8516a6"), (0xDA6A, "ScheduleConnector", "85c722ad"),
+        (0xEA63, "QueryConnectorState", "79de0a2b"), (0xEA64, "QueryConnectorSpecification", "2e38e77b"),
+        (0xFA63, "ReportConnectorState", "93e13c96"), (0xFA64, "ReportConnectorSpecification", "4652430d"),
     ),
     *entries(
         "jauspy.messages.core.v1_0.access_control", "urn:jaus:jss:core:AccessControl", "1.0",

@@ -28,6 +28,7 @@ from jauspy.messages.cell.v1_0 import (
     ReportModularArmMotionResult,
     ReportModulePower,
     ReportServoState,
+    ScheduleConnector,
     SetConnector,
     SetConveyorSpeed,
     SetModularArmController,
@@ -39,6 +40,7 @@ from jauspy.platform.modular.arm import ArmController, ModularArmState, MotionRe
 from jauspy.platform.modular.cell import Consumption, ConveyorState, PowerState
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState
 from jauspy.services.cell.modular_arm import trajectory_command
+from jauspy.services.cell.vacuum_connector import LONGEST_DELAY
 
 ALL_FIELDS: Final = 0xFFFFFFFF
 POLL_INTERVAL: Final = 0.05
@@ -234,13 +236,27 @@ class Connector:
             last_error=report.error_text or "",
         )
 
-    async def enable(self) -> None:
-        """Start the pump: it attaches what touches it."""
-        await self._service.send(SetConnector(self.number, SetConnector.Enabled.ENABLED), ack=True)
+    async def enable(self, *, after: float = 0.0) -> None:
+        """Start the pump: it attaches what touches it; after so many seconds (0..60) by the robot's clock.
 
-    async def disable(self) -> None:
-        """Let air in: it releases what it holds."""
-        await self._service.send(SetConnector(self.number, SetConnector.Enabled.DISABLED), ack=True)
+        The next command takes the place of one that still waits. The robot cancels it when its client loses control.
+        """
+        await self._set(SetConnector.Enabled.ENABLED, after)
+
+    async def disable(self, *, after: float = 0.0) -> None:
+        """Let air in: it releases what it holds; after so many seconds, as `enable`.
+
+        Sent together with a motion, the release is as exact as the robot's control cycle, whatever the network does.
+        """
+        await self._set(SetConnector.Enabled.DISABLED, after)
+
+    async def _set(self, enabled: SetConnector.Enabled, after: float) -> None:
+        check_number(after, "after")
+        if not 0.0 <= after <= LONGEST_DELAY:
+            raise ConfigError(f"after={after:g} is outside 0..{LONGEST_DELAY:g} s")
+        command = SetConnector(self.number, enabled)
+        later = ScheduleConnector(self.number, ScheduleConnector.Enabled(enabled), after)
+        await self._service.send(later if after else command, ack=True)
 
 
 class ServoModule:

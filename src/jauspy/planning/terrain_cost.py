@@ -35,6 +35,11 @@ LOW_COST: Final = 2.5
 known, over low things."""
 LOW: Final = 0.04
 """Metres of a step from which on it may be a thing that lies there: the tracks pass it, but rather beside it."""
+THING_COST: Final = 6.0
+"""Added to the cost of a metre over what lies on the ground and can be driven around: straps, bases of cones."""
+THING: Final = 0.02
+THING_SIZE: Final = 0.7
+"""Metres above the ground from which on something lies there, and its longest side; what is longer is ground."""
 STEP_HEADING: Final = math.radians(25.0)
 """Greatest angle between the heading and the way up a step that needs flippers, radians."""
 LEAST_KNOWN: Final = 0.3
@@ -195,9 +200,10 @@ class TerrainCost:
             self._to_step = np.asarray(far * self.resolution, np.float32), nearest
         self._gradient = slope_x, slope_y
         grade = np.arctan(np.hypot(slope_x, slope_y)) / max(mobility.up, 1e-6)
-        low = seen & (steps > LOW) & ~beside_wall
+        things = self._resampled(elevation, _things(ground, elevation.resolution), 0.0)
+        low = np.maximum(THING_COST * things, LOW_COST * (seen & (steps > LOW) & ~beside_wall))
         under_tracks = ndimage.maximum_filter(low, 2 * round(mobility.half_width / self.resolution) + 1)
-        cost = SLOPE_COST * np.minimum(1.0, grade) ** 2 + LOW_COST * under_tracks
+        cost = SLOPE_COST * np.minimum(1.0, grade) ** 2 + under_tracks
         return cost.astype(np.float32), known | seen
 
     def _resampled(self, elevation: Heights, values: Array, outside: float) -> Array:
@@ -398,6 +404,21 @@ def _with_hidden(elevation: Heights, highest: float, viewpoint: tuple[float, flo
         left, low = elevation.origin
         hidden &= np.hypot(xs + left - viewpoint[0], ys + low - viewpoint[1]) < HIDDEN_REACH
     return np.where(hidden, found, seen)
+
+
+def _things(heights: Array, resolution: float) -> Array:
+    """1 in cells of what lies on the ground: all that is raised above it, and no longer than `THING_SIZE`; else 0."""
+    known = ~np.isnan(heights)
+    if not known.any():
+        return np.zeros(heights.shape, np.float32)
+    nearest = ndimage.distance_transform_edt(~known, return_distances=False, return_indices=True)
+    filled = heights[tuple(nearest)]
+    longest = max(1, round(THING_SIZE / resolution))
+    raised = known & (filled - ndimage.grey_opening(filled, longest + 1) > THING)
+    labels, _ = ndimage.label(raised, np.ones((3, 3)))
+    short = [False, *(max(s.stop - s.start for s in sides) <= longest for sides in ndimage.find_objects(labels))]
+    found: Array = np.array(short, np.float32)[labels]
+    return found
 
 
 def _is_straight_up(ahead: float, across: float) -> bool:

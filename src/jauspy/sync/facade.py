@@ -916,13 +916,19 @@ class Connector(Facade[_Connector]):
         """The part that it holds, and the force; `last_error` says why it holds nothing."""
         return self._portal.run(self._async.state())
 
-    def enable(self) -> None:
-        """Start the pump: it attaches what touches it."""
-        self._portal.run(self._async.enable())
+    def enable(self, *, after: float = 0.0) -> None:
+        """Start the pump: it attaches what touches it; after so many seconds (0..60) by the robot's clock.
 
-    def disable(self) -> None:
-        """Let air in: it releases what it holds."""
-        self._portal.run(self._async.disable())
+        The next command takes the place of one that still waits. The robot cancels it when its client loses control.
+        """
+        self._portal.run(self._async.enable(after=after))
+
+    def disable(self, *, after: float = 0.0) -> None:
+        """Let air in: it releases what it holds; after so many seconds, as `enable`.
+
+        Sent together with a motion, the release is as exact as the robot's control cycle, whatever the network does.
+        """
+        self._portal.run(self._async.disable(after=after))
 
 
 class ServoModule(Facade[_ServoModule]):

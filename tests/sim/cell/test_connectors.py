@@ -21,7 +21,7 @@ from jauspy.platform.modular.holding import LATCH, Cup
 from jauspy.platform.modular.parts import ConnectorLimits, PartType
 from jauspy_sim.assembly import TIMESTEP
 from jauspy_sim.cell.connectors import Attachments
-from jauspy_sim.cell.robot import SHORT_STEPS, SimulatedCell
+from jauspy_sim.cell.robot import CONTROL_EVERY, SHORT_STEPS, SimulatedCell
 
 Array = NDArray[np.float64]
 
@@ -103,6 +103,31 @@ def test_a_disabled_connector_holds_nothing() -> None:
     cell.connectors[TOP].set(False)
     cell.advance(0.02)
     assert cell.connectors[TOP].state().attached_to == ""
+
+
+@pytest.mark.parametrize("delay", [0.1, 0.1 + TIMESTEP, 0.5])
+def test_a_scheduled_release_comes_in_its_control_cycle(delay: float) -> None:
+    cell = two_parts()
+    put_on(cell, TOP, "tube_1")
+    cell.advance(0.2)
+    begun, connector = cell.time, cell.connectors[TOP]
+    connector.set(False, delay)
+    while connector.state().attached_to:
+        assert cell.time - begun < delay + 0.01, "it is late"
+        cell.advance(TIMESTEP)
+    assert cell.time - begun == pytest.approx(delay, abs=CONTROL_EVERY * TIMESTEP)
+
+
+def test_a_scheduled_release_is_replaced_or_cancelled() -> None:
+    cell = two_parts()
+    put_on(cell, TOP, "tube_1")
+    cell.advance(0.2)
+    connector = cell.connectors[TOP]
+    for replace_it in (connector.cancel, lambda: connector.set(True), lambda: connector.set(False, 5.0)):
+        connector.set(False, 0.05)
+        replace_it()
+        cell.advance(0.2)
+        assert connector.state().attached_to == "tube_1"
 
 
 @pytest.mark.slow

@@ -141,6 +141,21 @@ def test_climbs_20_cm_with_its_flippers(effort: float) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("yaw", [-0.02, -0.07, 0.01])
+def test_a_slow_climb_does_not_end_where_the_road_wheels_begin(yaw: float) -> None:
+    """They stand out by 2 mm; whether their corner hangs on an edge is seen with little effort behind it."""
+    robot = put(kerb(0.1), x=0.1, yaw=yaw)
+    turn_joints(robot, "flippers", FLIPPER_ANGLE)
+    robot.advance(2.0)
+    wanted, tracks = 0.25, robot.drive
+    for _ in range(800):
+        tracks.set_effort(wanted / SPEED + 0.5 * (wanted - sum(tracks.track_speeds()) / 2.0), 0.0)
+        robot.advance(0.01)
+    assert tracks.pose().x > 1.2, f"it hangs at {tracks.pose()}"
+    assert tracks.pose().z == pytest.approx(0.1, abs=0.01)
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.65, 1.0])
 def test_climbs_what_the_navigator_takes_for_climbable(share: float) -> None:
     step = share * mobility_of(INC1).flipper_step

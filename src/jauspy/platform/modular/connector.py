@@ -80,8 +80,15 @@ class VacuumConnector(OptionalPart):
         """State of the connector, as it measures it: vacuum, attached part, force and moment."""
 
     @abstractmethod
-    def set(self, enabled: bool) -> None:
-        """Start the pump, or vent. Enabled, it attaches as soon as a part is in contact and aligned."""
+    def set(self, enabled: bool, delay: float = 0.0) -> None:
+        """Start the pump, or vent, after `delay` seconds of the robot's time; the next call takes its place.
+
+        Enabled, it attaches as soon as a part is in contact and aligned.
+        """
+
+    @abstractmethod
+    def cancel(self) -> None:
+        """Forget what is to be done after a delay."""
 
     def proxy(self, link: RobotLink) -> VacuumConnector:
         """The connector for other threads."""
@@ -94,6 +101,7 @@ class ConnectorCommand(Command):
 
     name: str
     enabled: bool
+    delay: float = 0.0
 
     @property
     def part(self) -> PartId:
@@ -104,7 +112,25 @@ class ConnectorCommand(Command):
         """Set it."""
         for part in robot.optional_parts:
             if isinstance(part, VacuumConnector) and part.name == self.name:
-                part.set(self.enabled)
+                part.set(self.enabled, self.delay)
+
+
+@dataclass(frozen=True, slots=True)
+class CancelConnectorCommand(Command):
+    """Forget what a vacuum connector is to do after a delay."""
+
+    name: str
+
+    @property
+    def part(self) -> PartId:
+        """The connector."""
+        return PartId(VacuumConnector, self.name)
+
+    def apply(self, robot: Robot) -> None:
+        """Cancel it."""
+        for part in robot.optional_parts:
+            if isinstance(part, VacuumConnector) and part.name == self.name:
+                part.cancel()
 
 
 class _ConnectorProxy(VacuumConnector):
@@ -117,5 +143,8 @@ class _ConnectorProxy(VacuumConnector):
         assert isinstance(state, ConnectorState)
         return state
 
-    def set(self, enabled: bool) -> None:
-        self._link.submit(ConnectorCommand(self.name, enabled))
+    def set(self, enabled: bool, delay: float = 0.0) -> None:
+        self._link.submit(ConnectorCommand(self.name, enabled, delay))
+
+    def cancel(self) -> None:
+        self._link.submit(CancelConnectorCommand(self.name))

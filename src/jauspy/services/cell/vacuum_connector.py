@@ -10,6 +10,7 @@ from jauspy.messages.cell import (
     QueryConnectorState,
     ReportConnectorSpecification,
     ReportConnectorState,
+    ScheduleConnector,
     SetConnector,
 )
 from jauspy.platform.modular.connector import ConnectorError, VacuumConnector
@@ -18,6 +19,9 @@ from jauspy.platform.modular.parts import ConnectorLimits
 from jauspy.services.core import present_authority
 from jauspy.services.service import Service
 from jauspy.services.units import sent_text
+
+LONGEST_DELAY: Final = 60.0
+"""Seconds after which a scheduled command takes effect at most."""
 
 _Error: Final = ReportConnectorState.Error
 _ERRORS: Final = {
@@ -55,23 +59,39 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
 
         Venting a load that a client with a higher authority attached is refused, counted, and reported as an error.
         """
+        self._set(msg, enabled=msg.enabled == SetConnector.Enabled.ENABLED)
+
+    def schedule_connector(self, msg: ScheduleConnector) -> None:
+        """Do the same after a delay, by the robot's clock; one that is outside of 0..60 s is ignored and counted."""
+        if 0.0 <= msg.delay <= LONGEST_DELAY:
+            self._set(msg, enabled=msg.enabled == ScheduleConnector.Enabled.ENABLED, delay=msg.delay)
+        else:
+            self.host.count("bad_delay", f"{msg}")
+            self.host.begin_command()(False)
+
+    def _set(self, msg: SetConnector | ScheduleConnector, *, enabled: bool, delay: float = 0.0) -> None:
         if (connector := self._connectors.get(msg.connector)) is None:
             self.host.count("unknown_connector", f"{msg}")
             return
         authority, load = present_authority(self.host), connector.state().attached_to
         needed = connector.attached_with if load else None
         self._refusals.pop(msg.connector, None)
-        if msg.enabled == SetConnector.Enabled.ENABLED:
+        if enabled:
             connector.attached_with = authority if needed is None else max(needed, authority)
-            connector.set(True)
         elif needed is not None and authority < needed:
             why = f"not released: a client with authority {needed} attached {load}, and this one has {authority}"
             self._refusals[msg.connector] = why
             self.host.count("load_held", f"connector {msg.connector}: {why}")
             self.host.begin_command()(False)
-        else:
+            return
+        elif not delay:
             connector.attached_with = None
-            connector.set(False)
+        connector.set(enabled, delay)
+
+    def cancel_schedule(self) -> None:
+        """Cancel what is scheduled, because Ready is left: what is held stays held."""
+        for connector in self._connectors.values():
+            connector.cancel()
 
     def report_connector_state(self, query: QueryConnectorState) -> ReportConnectorState | None:
         """The state of a connector; no answer for an unknown number."""

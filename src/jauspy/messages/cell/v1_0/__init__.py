@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from jauspy.messages.cell.v1_0.vacuum_connector import (
         QueryConnectorSpecification as QueryConnectorSpecification, QueryConnectorState as QueryConnectorState,
         ReportConnectorSpecification as ReportConnectorSpecification, ReportConnectorState as ReportConnectorState,
-        SetConnector as SetConnector,
+        ScheduleConnector as ScheduleConnector, SetConnector as SetConnector,
     )
 
 __all__, __getattr__, __dir__ = lazy(__name__, {
@@ -46,5 +46,5 @@ __all__, __getattr__, __dir__ = lazy(__name__, {
     "jauspy.messages.cell.v1_0.module_power": "QueryModuleEnergy QueryModulePower ReportModuleEnergy ReportModulePower SetModulePower",
     "jauspy.messages.cell.v1_0.part_sensor": "QueryPartObservations ReportPartObservations",
     "jauspy.messages.cell.v1_0.servo_module": "QueryServoGains QueryServoSpecification QueryServoState ReportServoGains ReportServoSpecification ReportServoState SetServoGains SetServoTarget",
-    "jauspy.messages.cell.v1_0.vacuum_connector": "QueryConnectorSpecification QueryConnectorState ReportConnectorSpecification ReportConnectorState SetConnector",
+    "jauspy.messages.cell.v1_0.vacuum_connector": "QueryConnectorSpecification QueryConnectorState ReportConnectorSpecification ReportConnectorState ScheduleConnector SetConnector",
 })

@@ -24,6 +24,24 @@ class SetConnector(jd.Message):
     enabled: SetConnector.Enabled | int = jd.field("Enabled", lambda: jd.Number("B", jd.Values(SetConnector.Enabled)))
 
 
+@jd.message(_SERVICE, 0xDA6A, command=True)
+class ScheduleConnector(jd.Message):
+    """ScheduleConnector (0xDA6A): Enables a connector, or lets air in, after a time. The next command for the connector takes its place, and leaving Ready cancels it.
+
+    connector: 1..255. Number of the connector of the part, from 1
+    enabled: Enabled. Whether the pump runs
+    delay: in second. Seconds by the clock of the robot, 0 to 60
+    """
+
+    class Enabled(IntEnum):
+        DISABLED = 0
+        ENABLED = 1
+
+    connector: int = jd.field("Connector", jd.Number("B", jd.Values(None, ((1, 255),))))
+    enabled: ScheduleConnector.Enabled | int = jd.field("Enabled", lambda: jd.Number("B", jd.Values(ScheduleConnector.Enabled)))
+    delay: float = jd.field("Delay", jd.Number("d", jd.ANY, "second"))
+
+
 @jd.message(_SERVICE, 0xFA63, presence="I")
 class ReportConnectorState(jd.Message):
     """ReportConnectorState (0xFA63): Tells the state of a connector.
