@@ -31,7 +31,7 @@ ODOMETRY_DEVIATION: Final = (0.05, math.radians(2.0))
 """Standard deviations of odometry between two such scans, metres and radians."""
 GAP: Final = 0.3
 """Metres between two such scans from which on some were left out, as of a tilted robot: its tracks may have slipped."""
-SLIP: Final = 0.5
+SLIP: Final = 1.0
 """Standard deviation of the distance over such a gap, as a part of it."""
 MAX_REACH: Final = 1.0
 """Metres around the guess that are searched after a gap."""

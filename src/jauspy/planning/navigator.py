@@ -74,7 +74,7 @@ NEXT: Final = 0.02
 """Metres from the end of a leg within which the next one is driven."""
 LEAD: Final = 0.2
 """Metres that a robot drives at most while it gets a new list of waypoints."""
-STEP_SPEED: Final = 0.2
+STEP_SPEED: Final = 0.3
 """m/s at steps."""
 FLIPPER_TOLERANCE: Final = 0.05
 """Radians."""
