@@ -24,9 +24,12 @@ AXLE_SHARE: Final = 0.8
 """Step that tracks climb without flippers, as a part of the height of their front axle."""
 WHEEL_SHARE: Final = 0.5
 """Step that wheels climb, as a part of their radius."""
-FLIPPER_ANGLE: Final = 0.15
-"""Elevation of flippers at a step, radians: their tips are just above it. Higher ones pass above its edge, and the
-tracks stand at its face; so inc1 does not climb 0.1 m with 0.35 rad or more, and 0.2 m with 0.15."""
+FLIPPER_ANGLE: Final = 0.05
+"""Elevation of flippers at a step, radians. Their belts climb its edge and lift the front before the tracks meet its
+face. Higher ones, from 0.15 rad on, lift it less or pass above the edge: at the height of their axle the tracks may
+slip on the face for ever."""
+TIP_SHARE: Final = 0.25
+"""Height of an edge above the middle of the flippers' tips that their belts climb, as a part of their thickness."""
 CLIMBING_PITCH: Final = math.radians(45.0)
 """Greatest pitch, radians, on the edge of a step; with more the robot falls back over its rear."""
 LEVEL: Final = 0.01
@@ -160,7 +163,8 @@ def _steps(robot: RobotModel, chassis: Chassis, posture: Mapping[str, float], pi
     rear = -min(place[0] - size[0] / 2.0 for place, size in shapes if place[2] - size[2] / 2.0 <= ground + LEVEL)
     # where the centre of mass passes the edge
     lifted = (rear + chassis.centre_of_gravity[0]) * math.sin(min(pitch, CLIMBING_PITCH))
-    tip = max(axles) - ground + _flipper_length(robot) * math.sin(FLIPPER_ANGLE)
+    length, thickness = _flipper_size(robot)
+    tip = max(axles) - ground + length * math.sin(FLIPPER_ANGLE) + TIP_SHARE * thickness
     return step, max(step, min(lifted, tip))
 
 
@@ -170,8 +174,10 @@ def _carrier(robot: RobotModel, belt: str) -> Joint | None:
     return next((joint for joint in robot.description.joints.values() if joint.child == parent), None)
 
 
-def _flipper_length(robot: RobotModel) -> float:
+def _flipper_size(robot: RobotModel) -> tuple[float, float]:
+    """Length from the axle and thickness of the flippers, metres."""
     assert robot.tracks is not None
     links = {robot.description.joint(name).child for name in robot.tracks.left[1:]}
     shapes = [shape for shape in collision_boxes(robot.description.urdf) if shape.link in links]
-    return max((abs(shape.origin.x) + shape.size[0] / 2.0 for shape in shapes), default=0.0)
+    length = max((abs(shape.origin.x) + shape.size[0] / 2.0 for shape in shapes), default=0.0)
+    return length, max((shape.size[2] for shape in shapes), default=0.0)

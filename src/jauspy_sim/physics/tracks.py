@@ -5,6 +5,7 @@ At each contact, a belt moves along the surface of its shape (`Belts`).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
@@ -20,6 +21,9 @@ from jauspy_sim.physics.joints import FloatingBase
 
 ALONG_THE_TRACK: Final = 0.002
 """Cosines of normals to the track, of all contacts together, below which MuJoCo's own Jacobian is right."""
+
+NORMAL: Final = 0.98
+"""Cosine of the angle between the normal of a contact and that of a round shape there from which on it is right."""
 
 FRICTION: Final = 3
 """Rows of the Jacobian for a contact with friction: along the normal and two tangents."""
@@ -58,12 +62,17 @@ class Belts:
         dofs = {int(model.jnt_bodyid[joint.id]): int(joint.dofadr[0]) for joint in found}
         bodies = model.geom_bodyid.tolist()
         self._belts = {geom: dofs[body] for geom, body in enumerate(bodies) if body in dofs}
+        round_shape = int(mujoco.mjtGeom.mjGEOM_CYLINDER)
+        self._round = {geom for geom in self._belts if model.geom_type[geom] == round_shape}
         self._robots = model.body_rootid[model.geom_bodyid].tolist()
         self._known: dict[tuple[int, int], tuple[_Belt, ...]] = {}
         """Belts by pairs of geometries that touched."""
 
-    def run_around(self) -> None:
-        """Correct the Jacobian of the belts' contacts, and what `mj_step1` computed with it."""
+    def run_around(self, *, trusting: bool) -> bool:
+        """Correct the Jacobian of the belts' contacts, and what `mj_step1` computed with it.
+
+        Unless it is `trusting`, false with nothing changed if a contact has a normal that its round shape has not.
+        """
         data, known, nv = self._data, self._known, self._nv
         contacts = data.contact
         jacobian = view(data.efc_J)
@@ -82,7 +91,9 @@ class Belts:
                 pushed += push * push
                 found.append((contact, row, column, belt))
         if pushed < ALONG_THE_TRACK**2:
-            return
+            return True
+        if not (trusting or all(self._is_right(contact) for contact, *_ in found)):
+            return False
         lateral = (contacts.frame.reshape(-1, 3, 3) @ (self._frame @ self._lateral)).tolist()
         reference, stiffness, qvel = view(data.efc_aref), view(data.efc_KBIP[:, 1]), self._qvel
         for contact, row, column, (dof, _, length, internal) in found:
@@ -94,6 +105,21 @@ class Belts:
                 target, place = row + line, column + line * length
                 reference[target] -= stiffness[target] * (after - jacobian[place]) * speed
                 jacobian[place] = after
+        return True
+
+    def _is_right(self, number: int) -> bool:
+        """True unless the normal of a contact is neither that of the curved side nor of the end of its round shape."""
+        data = self._data
+        contact = data.contact[number]
+        normal = contact.frame[:3]
+        for geom in contact.geom.tolist():
+            if geom in self._round:
+                axis = data.geom_xmat[geom].reshape(3, 3)[:, 2]
+                away = contact.pos - data.geom_xpos[geom]
+                away -= (away @ axis) * axis
+                if abs(normal @ away) < NORMAL * math.sqrt(away @ away) and abs(normal @ axis) < NORMAL:
+                    return False
+        return True
 
     def _learn(self, geoms: tuple[int, int], row: int) -> tuple[_Belt, ...]:
         """The belts of a contact between these, whose row along the normal is `row`. It depends on their bodies."""
@@ -147,9 +173,12 @@ class SimulatedTracks(SkidSteerDrive):
             self._data.ctrl[motor] = -speed * effort  # on the ground a belt runs backward when the robot drives forward
             self._model.dof_frictionloss[dof] = brake if braking else friction
 
-    def run_belts_around(self) -> None:
-        """Let the belts run around their shapes, between the two halves of a step of the physics."""
-        self._belts.run_around()
+    def run_belts_around(self, *, trusting: bool = False) -> bool:
+        """Let the belts run around their shapes, between the two halves of a step of the physics.
+
+        Unless it is `trusting`, false if MuJoCo's contacts are wrong: its first half is to be made anew.
+        """
+        return self._belts.run_around(trusting=trusting)
 
     def take_run(self) -> None:
         """Add what the belts have run in a step of the physics, after which their joints are at zero again."""

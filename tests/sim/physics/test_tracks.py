@@ -140,19 +140,35 @@ def test_climbs_20_cm_with_its_flippers(effort: float) -> None:
     assert tilt(robot.drive.pose()) < 0.02
 
 
+def driven_slowly(robot: SimulatedRobot, wanted: float, seconds: float, gain: float) -> Pose:
+    """The pose after a drive with the tracks at this speed, m/s; `gain`: effort for each m/s that is missing."""
+    tracks = robot.drive
+    for _ in range(round(100.0 * seconds)):
+        tracks.set_effort(wanted / SPEED + gain * (wanted - sum(tracks.track_speeds()) / 2.0), 0.0)
+        robot.advance(0.01)
+    return tracks.pose()
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("yaw", [-0.02, -0.07, 0.01])
 def test_a_slow_climb_does_not_end_where_the_road_wheels_begin(yaw: float) -> None:
-    """They stand out by 2 mm; whether their corner hangs on an edge is seen with little effort behind it."""
+    """They stand out by 2 mm: their corner must not hang on an edge."""
     robot = put(kerb(0.1), x=0.1, yaw=yaw)
+    turn_joints(robot, "flippers", 0.15)
+    robot.advance(2.0)
+    pose = driven_slowly(robot, 0.25, 8.0, 0.5)
+    assert pose.x > 1.2, f"it hangs at {pose}"
+    assert pose.z == pytest.approx(0.1, abs=0.01)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("x", [0.0, 0.13, 0.26])
+def test_tracks_do_not_slip_on_the_face_of_a_step(x: float) -> None:
+    robot = put(kerb(0.1), x=x)
     turn_joints(robot, "flippers", FLIPPER_ANGLE)
     robot.advance(2.0)
-    wanted, tracks = 0.25, robot.drive
-    for _ in range(800):
-        tracks.set_effort(wanted / SPEED + 0.5 * (wanted - sum(tracks.track_speeds()) / 2.0), 0.0)
-        robot.advance(0.01)
-    assert tracks.pose().x > 1.2, f"it hangs at {tracks.pose()}"
-    assert tracks.pose().z == pytest.approx(0.1, abs=0.01)
+    pose = driven_slowly(robot, 0.1, 16.0, 3.0)
+    assert pose.x > 0.9, f"it hangs at {pose}"
 
 
 @pytest.mark.slow
