@@ -37,6 +37,11 @@ ROWS = [
         "62da0301",
         id="a connector",
     ),
+    pytest.param(
+        m.ScheduleConnector(3, m.ScheduleConnector.Enabled.DISABLED, 0.25),
+        "6ada0300000000000000d03f",
+        id="a connector that is vented after a quarter of a second",
+    ),
     pytest.param(m.SetConveyorSpeed(-0.25), "63da000080be", id="a conveyor that runs backward"),
     pytest.param(
         m.SetModulePower([POWER("servo_1", m.SetModulePower.Power.SWITCHED_OFF)]),
