@@ -196,12 +196,7 @@ def test_what_lies_on_the_ground_is_driven_around_and_a_sill_is_not(slope):
 
 
 def test_the_base_of_a_cone_beside_its_body_is_avoided_too():
-    def height(x: float, y: float) -> float:
-        return 0.45 if max(abs(x), abs(y)) < 0.1 else 0.03 if max(abs(x), abs(y)) < 0.2 else 0.0
+    def cone(base: float):
+        return ground(lambda x, y: 0.45 if (out := max(abs(x), abs(y))) < 0.1 else base * (out < 0.2))
 
-    found = terrain(ground(height))
-    assert found.cost_at(0.15, 0.45) > terrain(ground(height_of_body_only(height))).cost_at(0.15, 0.45) + 4.0
-
-
-def height_of_body_only(height):
-    return lambda x, y: found if (found := height(x, y)) > 0.1 else 0.0
+    assert terrain(cone(0.03)).cost_at(0.15, 0.45) > terrain(cone(0.0)).cost_at(0.15, 0.45) + 4.0
