@@ -71,7 +71,8 @@ class Belts:
     def run_around(self, *, trusting: bool) -> bool:
         """Correct the Jacobian of the belts' contacts, and what `mj_step1` computed with it.
 
-        Unless it is `trusting`, false with nothing changed if a contact has a normal that its round shape has not.
+        Unless it is `trusting`, false with nothing changed if one of several contacts of a round shape with another one
+        has a normal that the shape has not there.
         """
         data, known, nv = self._data, self._known, self._nv
         contacts = data.contact
@@ -92,8 +93,10 @@ class Belts:
                 found.append((contact, row, column, belt))
         if pushed < ALONG_THE_TRACK**2:
             return True
-        if not (trusting or all(self._is_right(contact) for contact, *_ in found)):
-            return False
+        if not trusting:
+            pairs = [tuple(pair) for pair in contacts.geom.tolist()]
+            if not all(self._is_right(contact) for contact, *_ in found if pairs.count(pairs[contact]) > 1):
+                return False
         lateral = (contacts.frame.reshape(-1, 3, 3) @ (self._frame @ self._lateral)).tolist()
         reference, stiffness, qvel = view(data.efc_aref), view(data.efc_KBIP[:, 1]), self._qvel
         for contact, row, column, (dof, _, length, internal) in found:
