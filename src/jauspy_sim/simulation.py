@@ -21,7 +21,8 @@ MAX_STEPS_AT_ONCE: Final = 2
 """Maximal number of physics steps in one call of MuJoCo."""
 
 SINGLE_CONTACTS: Final = int(getattr(mujoco.mjtDisableBit, "mjDSBL_MULTICCD", 0))
-"""Flag of MuJoCo, from version 4 on: one contact of each pair of rounded shapes or meshes, as before."""
+"""Flag of MuJoCo, from version 4 on: one contact of each pair of rounded shapes or meshes; 0 before, when there was no
+more than that."""
 
 MAX_AHEAD: Final = 50
 """Steps, 0.1 s: how far the others may take the world beyond the time of a robot that pauses, before the rest is lost
@@ -102,7 +103,7 @@ class Simulation:
     def _run(self, steps: int) -> None:
         """Run physics steps; controllers and sensors act on a fixed grid, however `advance` divides the time."""
         model, data, tracks = self.model, self.data, self._tracks
-        every, end = self._every, self._steps + steps
+        every, end, trusting = self._every, self._steps + steps, not SINGLE_CONTACTS
         while self._steps < end:
             phase = self._steps % every
             if not phase:
@@ -113,7 +114,7 @@ class Simulation:
             else:
                 for _ in range(count):
                     mujoco.mj_step1(model, data)
-                    if not all(chassis.run_belts_around() for chassis in tracks):
+                    if not all(chassis.run_belts_around(trusting=trusting) for chassis in tracks):
                         self._begin_step_with_single_contacts()
                     mujoco.mj_step2(model, data)
                     for chassis in tracks:

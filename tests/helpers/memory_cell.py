@@ -97,14 +97,15 @@ class MemoryConnector(VacuumConnector):
     def state(self) -> ConnectorState:
         return self.current
 
-    def set(self, enabled: bool, delay: float = 0.0) -> None:
-        self.scheduled = (enabled, delay) if delay else None
-        if delay:
-            return
+    def set(self, enabled: bool) -> None:
+        self.scheduled = None
         holds = self.touches if enabled else ""
         error = ConnectorError.NO_CONTACT if enabled and not holds else ConnectorError.NONE
         text = "nothing touches the plate" if enabled and not holds else ""
         self.current = replace(self.current, enabled=enabled, attached_to=holds, error=error, last_error=text)
+
+    def schedule(self, enabled: bool, delay: float) -> None:
+        self.scheduled = enabled, delay
 
     def cancel(self) -> None:
         self.scheduled = None

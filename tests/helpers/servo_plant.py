@@ -115,12 +115,14 @@ class PlantConnector(VacuumConnector):
     def state(self) -> ConnectorState:
         return self.current
 
-    def set(self, enabled: bool, delay: float = 0.0) -> None:
-        assert not delay
+    def set(self, enabled: bool) -> None:
         self.current = replace(self.current, enabled=enabled)
 
+    def schedule(self, enabled: bool, delay: float) -> None:
+        raise NotImplementedError
+
     def cancel(self) -> None:
-        pass
+        raise NotImplementedError
 
     def attach(self, part: str, offset: Transform = IDENTITY) -> None:
         self.current = replace(self.current, attached_to=part, offset=offset)

@@ -212,6 +212,28 @@ async def test_a_connector_is_set_after_a_delay_unless_something_else_comes(cell
     assert gripper.scheduled is None, "control was released"
 
 
+async def test_a_command_before_control_is_released_takes_effect(cell):
+    memory, robot = cell
+    gripper, connector = memory.connectors["gripper"], robot.component(IDS["gripper"]).connector()
+    gripper.touches = "box_1"
+    async with robot.control(str(IDS["gripper"])):
+        await connector.enable()
+        await asyncio.sleep(APPLIED)
+        await connector.disable()
+    await asyncio.sleep(APPLIED)
+    assert (gripper.current.enabled, gripper.current.attached_to) == (False, "")
+
+
+async def test_a_release_is_scheduled_right_after_the_pump_was_started(cell):
+    memory, robot = cell
+    gripper, connector = memory.connectors["gripper"], robot.component(IDS["gripper"]).connector()
+    async with robot.control(str(IDS["gripper"])):
+        await connector.enable()
+        await connector.disable(after=5.0)
+        await asyncio.sleep(APPLIED)
+        assert (gripper.current.enabled, gripper.scheduled) == (True, (False, 5.0))
+
+
 async def test_belt_runs_and_servo_reports(cell):
     memory, robot = cell
     belt, servo = robot.component(IDS["CM-CNV"]).conveyor, robot.component(IDS["servo_1"]).servo

@@ -109,7 +109,10 @@ class _Connector(VacuumConnector):
     def state(self) -> ConnectorState:
         return ConnectorState(enabled=True, attached_to=PAYLOADS[0])
 
-    def set(self, enabled: bool, delay: float = 0.0) -> None:
+    def set(self, enabled: bool) -> None:
+        """Nothing moves."""
+
+    def schedule(self, enabled: bool, delay: float) -> None:
         """Nothing moves."""
 
     def cancel(self) -> None:

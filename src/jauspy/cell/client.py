@@ -52,10 +52,10 @@ SILENT: Final = 1.0
 FIRST_TIME: Final = 5.0
 """Seconds in which the first observation must arrive."""
 WATCH_PERIOD: Final = 0.1
+"""Seconds between two queries for a new observation."""
 PAUSED: Final = 0.15
 """Seconds by which observations come later than the fastest one when the robot's time has paused; by the period of
 watching and the network they do by less."""
-"""Seconds between two queries for a new observation."""
 MOVED: Final = 0.008
 """Metres, or a tenth of a radian, between two observations, from which on the part has moved."""
 APPEAR_TIME: Final = 5.0

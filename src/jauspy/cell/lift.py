@@ -68,8 +68,6 @@ class LiftResult:
     """m/s of the box at the release, as planned."""
     rest: tuple[float, float] = (math.nan, math.nan)
     """Metres along x and y where the sensor sees the middle of the box at rest."""
-    miss: float = math.nan
-    """Metres from the middle of the area at which the sensor sees the box at rest."""
     plan: ThrowPlan | None = None
 
 
@@ -267,7 +265,6 @@ class Lifter:
         seen = (await self.cell.observe(fresh=True))[result.box].pose
         at = seen.act(np.array([0.0, 0.0, self.height(result.box) / 2.0]))
         result.rest = float(at[0]), float(at[1])
-        result.miss = math.dist(result.rest, (self.target.pose.x, self.target.pose.y))
         size = self.layout.type_of(result.box).solids[0].size
         if at[2] < max(size) / 2.0 + 0.01:  # one that rests on another box teaches nothing
             assert result.plan is not None

@@ -121,6 +121,7 @@ async def lift(session: Session, seed: int) -> Measured:
     if (judge := session.judge) is not None:
         lifter.on_throw = lambda box: watched.append(judge.watch((*arm.parts, box)))
     result = await lifter.run()
+    area = lifter.target
     found = Measured(seed, "lift", duration=session.cell.now() - begun)
     found.values = {
         "attempts": float(result.attempts),
@@ -128,7 +129,7 @@ async def lift(session: Session, seed: int) -> Measured:
         "lift_time": result.lift_time,
         "release_speed": result.release_speed,
         "planned_clearance": arm.clearance.distance,
-        "miss": result.miss,
+        "miss": math.dist(result.rest, (area.pose.x, area.pose.y)),
     }
     if (plan := result.plan) is not None:
         found.values["planned_clearance"] = min(arm.clearance.distance, plan.clearance.distance)
@@ -145,7 +146,6 @@ async def lift(session: Session, seed: int) -> Measured:
         x, y, _ = session.judge.pose(result.box).translation.tolist()
     else:
         x, y = result.rest
-    area = lifter.target
     off = x - area.pose.x, y - area.pose.y
     found.values |= {"off_x": off[0], "off_y": off[1]}
     found.success = abs(off[0]) <= area.length / 2.0 and abs(off[1]) <= area.width / 2.0

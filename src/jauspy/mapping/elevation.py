@@ -59,6 +59,7 @@ SAME_LEVEL: Final = 0.04
 """Metres between points and known ground within which they are of the same ground."""
 TILT_POINTS: Final = 100
 TILT_ROUNDS: Final = 6
+"""Points of known ground that tell the tilt of a cloud at least, and how often it is computed from those that fit."""
 LARGEST_TILT: Final = 0.08
 """Radians of an error of the measured tilt at most."""
 STEADY_TIME: Final = 3.0
@@ -215,11 +216,8 @@ class ElevationGrid:
 
     def _tilt_of(self, start: Floats, ends: Floats) -> Floats:
         """Slopes along x and y by which points are above known ground with their distance; 0 if that is not known."""
-        assert self._corner is not None
-        columns, rows = np.floor(ends[:, :2] / self.resolution).astype(np.int64).T - np.array(self._corner)[:2, None]
-        inside = (columns >= 0) & (columns < self.cells) & (rows >= 0) & (rows < self.cells)
-        columns, rows = columns[inside], rows[inside]
-        off = ends[inside, 2] - self.heights[rows, columns]
+        voxels, inside = self._voxels(ends)
+        off = ends[inside, 2] - self.heights.reshape(-1)[voxels % self.cells**2]
         away = np.column_stack([ends[inside, :2] - start[:2], np.ones(len(off))])
         tilt = np.zeros(3)
         for _ in range(TILT_ROUNDS):  # from what agrees without a tilt, near the sensor, to what is farther away

@@ -98,10 +98,8 @@ class SimulatedConnector(VacuumConnector):
         """Seconds until the latch has locked; infinite when it does not, 0 when it has."""
         self.enabled = False
         """True while its pump runs."""
-        self._scheduled: bool | None = None
-        """What it is to be set to after a delay; None without."""
-        self._delay = 0.0
-        """Seconds until then."""
+        self._scheduled: tuple[bool, float] | None = None
+        """The scheduled command, enabled or not, and the seconds that are left until then; None without one."""
         self.payload = NOTHING
         """All that hangs on the robot's gripper, as the robot has found it out."""
         self._state = ConnectorState()
@@ -157,26 +155,27 @@ class SimulatedConnector(VacuumConnector):
             return self.latch, 1.0
         return self._suction, self.vacuum
 
-    def set(self, enabled: bool, delay: float = 0.0) -> None:
-        """Start the pump, or vent, now or after a delay in seconds; without effect when there is no power then."""
-        self._scheduled, self._delay = (enabled, delay) if delay else (None, 0.0)
-        if not delay:
-            self._set(enabled)
+    def schedule(self, enabled: bool, delay: float) -> None:
+        """Call `set` after `delay` seconds, at the beginning of a control cycle."""
+        self._scheduled = enabled, delay
 
     def cancel(self) -> None:
-        """Forget what is to be done after a delay."""
+        """Cancel what is scheduled."""
         self._scheduled = None
 
     def count_down(self, dt: float) -> None:
-        """Do what is to be done now, at the beginning of a control cycle of `dt` seconds."""
+        """Do what is scheduled for now, at the beginning of a control cycle of `dt` seconds."""
         if self._scheduled is None:
             return
-        if self._delay < dt / 2.0:
-            enabled, self._scheduled = self._scheduled, None
-            self._set(enabled)
-        self._delay -= dt
+        enabled, left = self._scheduled
+        if left < dt / 2.0:
+            self.set(enabled)
+        else:
+            self._scheduled = enabled, left - dt
 
-    def _set(self, enabled: bool) -> None:
+    def set(self, enabled: bool) -> None:
+        """Start the pump, or vent, and cancel what is scheduled; without effect when there is no power."""
+        self._scheduled = None
         if not self._state.powered:
             self.change(error=ConnectorError.NO_POWER, last_error=f"{self.part} has no power")
             return

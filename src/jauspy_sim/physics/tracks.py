@@ -71,8 +71,7 @@ class Belts:
     def run_around(self, *, trusting: bool) -> bool:
         """Correct the Jacobian of the belts' contacts, and what `mj_step1` computed with it.
 
-        Unless it is `trusting`, false with nothing changed if one of several contacts of a round shape with another one
-        has a normal that the shape has not there.
+        Unless it is `trusting`, false with nothing changed if one of several contacts of a pair has a wrong normal.
         """
         data, known, nv = self._data, self._known, self._nv
         contacts = data.contact
@@ -80,7 +79,8 @@ class Belts:
         starts = view(data.efc_J_rowadr) if self._sparse else None
         found = []
         pushed = 0.0
-        for contact, (geoms, row) in enumerate(zip(contacts.geom.tolist(), contacts.efc_address.tolist(), strict=True)):
+        pairs = contacts.geom.tolist()
+        for contact, (geoms, row) in enumerate(zip(pairs, contacts.efc_address.tolist(), strict=True)):
             if row < 0:
                 continue
             pair = geoms[0], geoms[1]
@@ -93,10 +93,8 @@ class Belts:
                 found.append((contact, row, column, belt))
         if pushed < ALONG_THE_TRACK**2:
             return True
-        if not trusting:
-            pairs = [tuple(pair) for pair in contacts.geom.tolist()]
-            if not all(self._is_right(contact) for contact, *_ in found if pairs.count(pairs[contact]) > 1):
-                return False
+        if not (trusting or all(self._is_right(contact, pairs) for contact, *_ in found)):
+            return False
         lateral = (contacts.frame.reshape(-1, 3, 3) @ (self._frame @ self._lateral)).tolist()
         reference, stiffness, qvel = view(data.efc_aref), view(data.efc_KBIP[:, 1]), self._qvel
         for contact, row, column, (dof, _, length, internal) in found:
@@ -110,18 +108,25 @@ class Belts:
                 jacobian[place] = after
         return True
 
-    def _is_right(self, number: int) -> bool:
-        """True unless the normal of a contact is neither that of the curved side nor of the end of its round shape."""
+    def _is_right(self, number: int, pairs: list[list[int]]) -> bool:
+        """False for one of several contacts of a pair with a normal that its round shape has not there.
+
+        That is neither the normal of the curved side nor that of an end. `pairs`: the geometries of all contacts.
+        """
+        shapes = self._round.intersection(pairs[number])
+        if not shapes or pairs.count(pairs[number]) == 1:
+            return True
         data = self._data
-        contact = data.contact[number]
-        normal = contact.frame[:3]
-        for geom in contact.geom.tolist():
-            if geom in self._round:
-                axis = data.geom_xmat[geom].reshape(3, 3)[:, 2]
-                away = contact.pos - data.geom_xpos[geom]
-                away -= (away @ axis) * axis
-                if abs(normal @ away) < NORMAL * math.sqrt(away @ away) and abs(normal @ axis) < NORMAL:
-                    return False
+        nx, ny, nz = data.contact.frame[number, :3].tolist()
+        x, y, z = data.contact.pos[number].tolist()
+        for geom in shapes:
+            (_, _, ax), (_, _, ay), (_, _, az) = data.geom_xmat[geom].reshape(3, 3).tolist()
+            cx, cy, cz = data.geom_xpos[geom].tolist()
+            along = (x - cx) * ax + (y - cy) * ay + (z - cz) * az
+            rx, ry, rz = x - cx - along * ax, y - cy - along * ay, z - cz - along * az
+            radial, axial = abs(nx * rx + ny * ry + nz * rz), abs(nx * ax + ny * ay + nz * az)
+            if radial < NORMAL * math.hypot(rx, ry, rz) and axial < NORMAL:
+                return False
         return True
 
     def _learn(self, geoms: tuple[int, int], row: int) -> tuple[_Belt, ...]:
@@ -176,7 +181,7 @@ class SimulatedTracks(SkidSteerDrive):
             self._data.ctrl[motor] = -speed * effort  # on the ground a belt runs backward when the robot drives forward
             self._model.dof_frictionloss[dof] = brake if braking else friction
 
-    def run_belts_around(self, *, trusting: bool = False) -> bool:
+    def run_belts_around(self, *, trusting: bool) -> bool:
         """Let the belts run around their shapes, between the two halves of a step of the physics.
 
         Unless it is `trusting`, false if MuJoCo's contacts are wrong: its first half is to be made anew.

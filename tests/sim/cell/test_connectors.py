@@ -111,7 +111,7 @@ def test_a_scheduled_release_comes_in_its_control_cycle(delay: float) -> None:
     put_on(cell, TOP, "tube_1")
     cell.advance(0.2)
     begun, connector = cell.time, cell.connectors[TOP]
-    connector.set(False, delay)
+    connector.schedule(False, delay)
     while connector.state().attached_to:
         assert cell.time - begun < delay + 0.01, "it is late"
         cell.advance(TIMESTEP)
@@ -123,8 +123,8 @@ def test_a_scheduled_release_is_replaced_or_cancelled() -> None:
     put_on(cell, TOP, "tube_1")
     cell.advance(0.2)
     connector = cell.connectors[TOP]
-    for replace_it in (connector.cancel, lambda: connector.set(True), lambda: connector.set(False, 5.0)):
-        connector.set(False, 0.05)
+    for replace_it in (connector.cancel, lambda: connector.set(True), lambda: connector.schedule(False, 5.0)):
+        connector.schedule(False, 0.05)
         replace_it()
         cell.advance(0.2)
         assert connector.state().attached_to == "tube_1"

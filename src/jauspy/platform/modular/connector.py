@@ -80,15 +80,19 @@ class VacuumConnector(OptionalPart):
         """State of the connector, as it measures it: vacuum, attached part, force and moment."""
 
     @abstractmethod
-    def set(self, enabled: bool, delay: float = 0.0) -> None:
-        """Start the pump, or vent, after `delay` seconds of the robot's time; the next call takes its place.
+    def set(self, enabled: bool) -> None:
+        """Start the pump, or vent, and cancel what is scheduled.
 
         Enabled, it attaches as soon as a part is in contact and aligned.
         """
 
     @abstractmethod
+    def schedule(self, enabled: bool, delay: float) -> None:
+        """Call `set` after `delay` seconds of the robot's time, in place of what is scheduled."""
+
+    @abstractmethod
     def cancel(self) -> None:
-        """Forget what is to be done after a delay."""
+        """Cancel what is scheduled."""
 
     def proxy(self, link: RobotLink) -> VacuumConnector:
         """The connector for other threads."""
@@ -101,7 +105,6 @@ class ConnectorCommand(Command):
 
     name: str
     enabled: bool
-    delay: float = 0.0
 
     @property
     def part(self) -> PartId:
@@ -110,27 +113,36 @@ class ConnectorCommand(Command):
 
     def apply(self, robot: Robot) -> None:
         """Set it."""
-        for part in robot.optional_parts:
-            if isinstance(part, VacuumConnector) and part.name == self.name:
-                part.set(self.enabled, self.delay)
+        if (connector := _find(robot, self.name)) is not None:
+            connector.set(self.enabled)
 
 
 @dataclass(frozen=True, slots=True)
-class CancelConnectorCommand(Command):
-    """Forget what a vacuum connector is to do after a delay."""
+class ConnectorSchedule(Command):
+    """Schedule a command for a vacuum connector; None as `enabled` cancels what is scheduled."""
 
     name: str
+    enabled: bool | None
+    delay: float = 0.0
 
     @property
     def part(self) -> PartId:
-        """The connector."""
-        return PartId(VacuumConnector, self.name)
+        """The schedule of the connector: a pending command is not replaced."""
+        return PartId(ConnectorSchedule, self.name)
 
     def apply(self, robot: Robot) -> None:
-        """Cancel it."""
-        for part in robot.optional_parts:
-            if isinstance(part, VacuumConnector) and part.name == self.name:
-                part.cancel()
+        """Schedule or cancel it."""
+        if (connector := _find(robot, self.name)) is None:
+            return
+        if self.enabled is None:
+            connector.cancel()
+        else:
+            connector.schedule(self.enabled, self.delay)
+
+
+def _find(robot: Robot, name: str) -> VacuumConnector | None:
+    parts = (part for part in robot.optional_parts if isinstance(part, VacuumConnector))
+    return next((part for part in parts if part.name == name), None)
 
 
 class _ConnectorProxy(VacuumConnector):
@@ -143,8 +155,11 @@ class _ConnectorProxy(VacuumConnector):
         assert isinstance(state, ConnectorState)
         return state
 
-    def set(self, enabled: bool, delay: float = 0.0) -> None:
-        self._link.submit(ConnectorCommand(self.name, enabled, delay))
+    def set(self, enabled: bool) -> None:
+        self._link.submit(ConnectorCommand(self.name, enabled))
+
+    def schedule(self, enabled: bool, delay: float) -> None:
+        self._link.submit(ConnectorSchedule(self.name, enabled, delay))
 
     def cancel(self) -> None:
-        self._link.submit(CancelConnectorCommand(self.name))
+        self._link.submit(ConnectorSchedule(self.name, None))

@@ -59,34 +59,41 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
 
         Venting a load that a client with a higher authority attached is refused, counted, and reported as an error.
         """
-        self._set(msg, enabled=msg.enabled == SetConnector.Enabled.ENABLED)
+        enabled = msg.enabled == SetConnector.Enabled.ENABLED
+        if (connector := self._permitted(msg, enabled)) is None:
+            return
+        if not enabled:
+            connector.attached_with = None
+        connector.set(enabled)
 
     def schedule_connector(self, msg: ScheduleConnector) -> None:
         """Do the same after a delay, by the robot's clock; one that is outside of 0..60 s is ignored and counted."""
-        if 0.0 <= msg.delay <= LONGEST_DELAY:
-            self._set(msg, enabled=msg.enabled == ScheduleConnector.Enabled.ENABLED, delay=msg.delay)
-        else:
+        if not 0.0 <= msg.delay <= LONGEST_DELAY:
             self.host.count("bad_delay", f"{msg}")
             self.host.begin_command()(False)
-
-    def _set(self, msg: SetConnector | ScheduleConnector, *, enabled: bool, delay: float = 0.0) -> None:
-        if (connector := self._connectors.get(msg.connector)) is None:
-            self.host.count("unknown_connector", f"{msg}")
             return
+        enabled = msg.enabled == ScheduleConnector.Enabled.ENABLED
+        if (connector := self._permitted(msg, enabled)) is not None:
+            connector.schedule(enabled, msg.delay)
+
+    def _permitted(self, msg: SetConnector | ScheduleConnector, enabled: bool) -> VacuumConnector | None:
+        """The connector of a command, if there is one and the client may set it so."""
+        number = msg.connector
+        if (connector := self._connectors.get(number)) is None:
+            self.host.count("unknown_connector", f"{msg}")
+            return None
         authority, load = present_authority(self.host), connector.state().attached_to
         needed = connector.attached_with if load else None
-        self._refusals.pop(msg.connector, None)
+        self._refusals.pop(number, None)
         if enabled:
             connector.attached_with = authority if needed is None else max(needed, authority)
         elif needed is not None and authority < needed:
             why = f"not released: a client with authority {needed} attached {load}, and this one has {authority}"
-            self._refusals[msg.connector] = why
-            self.host.count("load_held", f"connector {msg.connector}: {why}")
+            self._refusals[number] = why
+            self.host.count("load_held", f"connector {number}: {why}")
             self.host.begin_command()(False)
-            return
-        elif not delay:
-            connector.attached_with = None
-        connector.set(enabled, delay)
+            return None
+        return connector
 
     def cancel_schedule(self) -> None:
         """Cancel what is scheduled, because Ready is left: what is held stays held."""
