@@ -10,6 +10,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -149,19 +150,32 @@ class WatchedRobot:
         self._realtime = RecordingRealTime(robot)
         return self._realtime
 
-    def wait(self, moving: bool) -> None:
-        """Until the robot moves, or has stood for 0.2 s of its time."""
+    def moves(self) -> bool:
+        """True if it has driven for the last 0.2 s of its time."""
+        speeds = self._last_speeds()
+        return len(speeds) == 100 and min(speeds) > 0.3
 
-        def is_so() -> bool:
-            last = [abs(speed) for _, speed in list(self._realtime.samples.copy())[-100:]]
-            return len(last) == 100 and (min(last) > 0.3 if moving else max(last) < STANDS)
+    def stands(self) -> bool:
+        """True if it has stood for the last 0.2 s of its time."""
+        speeds = self._last_speeds()
+        return len(speeds) == 100 and max(speeds) < STANDS
 
-        _wait_until(is_so, f"the robot does not {'move' if moving else 'stand'}")
+    def _last_speeds(self) -> list[float]:
+        return [abs(speed) for _, speed in list(self._realtime.samples.copy())[-100:]]
+
+    def wait_until_it_moves(self) -> None:
+        _wait_until(self.moves, "the robot does not move")
+
+    def wait_until_it_stands(self) -> None:
+        _wait_until(self.stands, "the robot does not stand")
 
     def assert_stopped(self, *kinds: type[Message]) -> None:
         """Stopped by its console, soon after the last message that moved it; by a message of these kinds, if given."""
-        _wait_until(lambda: any(each.stops_at_once for each in self._after_last_command()), "nothing stops the robot")
-        self.wait(moving=False)
+
+        def is_stopped() -> bool:  # at one moment: a busy console may stop it, drive on, and stop it for good
+            return any(each.stops_at_once for each in self._after_last_command()) and self.stands()
+
+        _wait_until(is_stopped, "nothing stops the robot")
         last, *after = self._after_last_command()
         before = after[: next(index for index, each in enumerate(after) if each.stops)]
         queries = [each for each in before if each.source == last.source and isinstance(each.message, QueryStatus)]
@@ -224,8 +238,9 @@ def url(robot: WatchedRobot) -> Iterator[str]:
         yield address
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def browser() -> Iterator[Any]:
+    """The browser of all tests; pages of a test that fails do not drive on during the next one."""
     with chromium() as launched:
         yield launched
 
@@ -237,17 +252,21 @@ def page(browser: Any) -> Iterator[Any]:
     opened.close()
 
 
-def take(page: Any) -> None:
-    """Take control, again when it is refused: on a busy machine a component may not be Ready in time."""
+def take(page: Any, key: str = "") -> None:
+    """Take control, again when it is refused: on a busy machine a component may not be Ready in time.
+
+    With a click on its button, or with this key, if the focus is on the button.
+    """
     operates = page.get_by_text("you operate this robot")
     button = page.get_by_role("button", name=re.compile("^take( over)?$"))
     operates.or_(button).first.wait_for()
+    press = partial(page.keyboard.press, key) if key else partial(button.click, timeout=1_000)
 
     def is_taken() -> bool:
         if operates.is_visible():
             return True
         with suppress(sync_api.TimeoutError):
-            button.click(timeout=1_000)  # away when control was granted meanwhile
+            press()  # a button that is away has granted control meanwhile
             operates.wait_for(timeout=5_000)
         return bool(operates.is_visible())
 
@@ -273,7 +292,7 @@ def drive(page: Any, url: str, robot: WatchedRobot) -> None:
     page.get_by_text("101 inc1").first.wait_for()
     take(page)
     page.keyboard.down("KeyW")
-    robot.wait(moving=True)
+    robot.wait_until_it_moves()
 
 
 def note_what_is_sent_after(page: Any, event: str) -> None:
@@ -424,11 +443,13 @@ def test_the_robot_stands_soon_after_the_emergency_stop_while_the_page_is_floode
     page.get_by_role("tab", name="Log").click()
     page.get_by_text("routine", exact=True).click()
     flooding = background.run(begin())
-    note_what_is_sent_after(page, "keydown")
-    page.evaluate(FLOOD)
-    page.keyboard.press("Escape")
-    robot.assert_stopped(SetWrenchEffort, SetEmergency)
-    background.loop.call_soon_threadsafe(flooding.cancel)
+    try:
+        note_what_is_sent_after(page, "keydown")
+        page.evaluate(FLOOD)
+        page.keyboard.press("Escape")
+        robot.assert_stopped(SetWrenchEffort, SetEmergency)
+    finally:
+        background.loop.call_soon_threadsafe(flooding.cancel)
     assert sent_after(page)[:2] == ["[0,0]", "stop all"]
     assert page.evaluate("sentDuring")[:2] == ["keydown", "keydown"], "in the first task after the key"
     _wait_until(lambda: robot.has_received(SetEmergency), "no emergency stop comes")
@@ -451,8 +472,7 @@ def test_the_robot_stands_when_the_server_is_killed(browser: Any, robot: Watched
 def test_a_robot_that_is_killed_is_reported_and_found_again(page: Any) -> None:
     with shared_robot(few_pictures=True) as doomed, console_for(doomed.local) as (address, _):
         page.goto(address)
-        page.get_by_role("button", name="take", exact=True).click()
-        page.get_by_text("you operate this robot").wait_for()
+        take(page)
         doomed.process.kill()
         page.locator(".alarm-text", has_text="robot 101 inc1 does not answer any more").wait_for()
         page.get_by_text("Looking for robots").wait_for()
@@ -525,9 +545,8 @@ def test_the_keyboard_alone(page: Any, url: str, robot: WatchedRobot) -> None:
         if name in ("take", "take over"):
             break
     assert [each for each in ("STOP ALL", "Video", "Plots", "Log") if not any(each in name for name in seen)] == []
-    page.keyboard.press("Enter")
-    page.get_by_text("you operate this robot").wait_for()
+    take(page, "Enter")
     page.keyboard.down("ArrowUp")
-    robot.wait(moving=True)
+    robot.wait_until_it_moves()
     page.keyboard.up("ArrowUp")
-    robot.wait(moving=False)
+    robot.wait_until_it_stands()

@@ -53,6 +53,31 @@ async def test_open_waits_for_a_late_node_manager(root: Path) -> None:
         await transport.close()
 
 
+async def test_a_cancellation_in_the_moment_in_which_the_node_manager_answers_is_not_lost(
+    root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Ctrl-C in the moment in which a component becomes known ends its program."""
+    transport = LocalTransport(A, root)
+    accept = transport._accepted.set
+
+    async def serve() -> None:
+        await transport.open()
+        try:
+            await asyncio.Event().wait()
+        finally:
+            await transport.close()
+
+    def accept_and_cancel() -> None:
+        accept()
+        asyncio.get_running_loop().call_soon(serving.cancel)  # after the waiter was told, and before it runs on
+
+    monkeypatch.setattr(transport._accepted, "set", accept_and_cancel)
+    async with manager(root):
+        serving = asyncio.create_task(serve())
+        await until(serving.done)
+        assert serving.cancelled()
+
+
 async def test_connects_again_when_the_node_manager_is_back(root: Path) -> None:
     a, b = LocalTransport(A, root), LocalTransport(B, root)
     arrived: list[bytes] = []

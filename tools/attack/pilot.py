@@ -84,7 +84,8 @@ class Pilot:
         """Wait so long, or until the mode changes."""
         self._is_changed.clear()
         with contextlib.suppress(TimeoutError):
-            await asyncio.wait_for(self._is_changed.wait(), seconds)
+            async with asyncio.timeout(seconds):
+                await self._is_changed.wait()
 
 
 async def main(settings: dict[str, Any]) -> None:

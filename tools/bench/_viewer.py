@@ -38,7 +38,8 @@ async def view(port: int) -> None:
             receiver = stack.enter_context(RtpReceiver(HOST))
             loop.add_reader(receiver.fileno(), take, receiver, str(camera))
             await stack.enter_async_context(registered(ocu, camera, 1, url_of((HOST, receiver.port))))
-        await asyncio.wait_for(seen.wait(), 60.0)
+        async with asyncio.timeout(60.0):
+            await seen.wait()
         before = dict(counts)
         print("ready", flush=True)
         await asyncio.to_thread(sys.stdin.read)

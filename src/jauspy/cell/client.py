@@ -297,7 +297,8 @@ class CellClient:
                 return {name: self._known(name, type) for name, type in self._last_seen.items()}
             self._observed.clear()
             try:
-                await asyncio.wait_for(self._observed.wait(), SILENT if self._in_view else FIRST_TIME)
+                async with asyncio.timeout(SILENT if self._in_view else FIRST_TIME):
+                    await self._observed.wait()
             except TimeoutError:
                 if not self._in_view:
                     raise RequestError(f"the part sensor has reported no part for {FIRST_TIME:g} s") from None

@@ -128,9 +128,11 @@ async def _answer(ocu: OCU, id: JausID, answer: Answer, authority: int, *, as_js
         while not handed_over.is_set():
             control.check()
             with suppress(TimeoutError):
-                await asyncio.wait_for(handed_over.wait(), CHECK_PERIOD)
+                async with asyncio.timeout(CHECK_PERIOD):
+                    await handed_over.wait()
         with suppress(TimeoutError):  # the answer is resent until it has arrived, before control is released
-            await asyncio.wait_for(control.until_lost(), HANDOVER_TIME)
+            async with asyncio.timeout(HANDOVER_TIME):
+                await control.until_lost()
 
 
 def _print(row: dict[str, Any], *, as_json: bool) -> None:

@@ -194,7 +194,8 @@ class ChildProcess:
         if process.returncode is None:
             try:
                 process.send_signal(signal.SIGTERM)
-                await asyncio.wait_for(process.wait(), STOP_TIMEOUT)
+                async with asyncio.timeout(STOP_TIMEOUT):
+                    await process.wait()
             except TimeoutError:
                 process.kill()
                 await process.wait()

@@ -181,7 +181,8 @@ async def send_in_control(
                 explained = asyncio.create_task(_ignored(client, command))
                 try:
                     with suppress(TimeoutError):
-                        await asyncio.wait_for(control.until_lost(), hold)
+                        async with asyncio.timeout(hold):
+                            await control.until_lost()
                     control.check()
                     reason = await explained
                 finally:

@@ -309,7 +309,8 @@ async def record(
                         why = no_picture(camera, address, receiver.counters, receiver.note)
                         console.note(f"no picture yet: {why}")
                     await _first_picture(started, receiver)
-                    await asyncio.wait_for(ended.wait(), seconds)
+                    async with asyncio.timeout(seconds):
+                        await ended.wait()
         finally:
             if telling is not None:
                 telling.cancel()
@@ -348,7 +349,8 @@ async def _tell_notes(camera: JausID, receiver: RtpReceiver) -> None:
 
 async def _starts(started: asyncio.Event, seconds: float) -> bool:
     with suppress(TimeoutError):
-        await asyncio.wait_for(started.wait(), seconds)
+        async with asyncio.timeout(seconds):
+            await started.wait()
     return started.is_set()
 
 

@@ -290,6 +290,7 @@ class NodeManagerLink:
 
     async def _next(self, seconds: float) -> Arrival | None:
         try:
-            return await asyncio.wait_for(self._arrived.get(), max(0.0, seconds))
+            async with asyncio.timeout(max(0.0, seconds)):
+                return await self._arrived.get()
         except TimeoutError:
             return None

@@ -540,9 +540,11 @@ class Connection:
                     self.send(destination, message, broadcast=broadcast)
                     send_at = now + QUERY_EACH_INTERVAL
                 try:
-                    yield await asyncio.wait_for(answers.get(), min(send_at, end) - now)
+                    async with asyncio.timeout(min(send_at, end) - now):
+                        answer = await answers.get()
                 except TimeoutError:
                     continue
+                yield answer
         while not answers.empty():  # these arrived in time, but the reader was slow
             yield answers.get_nowait()
 

@@ -207,7 +207,8 @@ class _Client:
         read_before = 0
         while not self._side.ended.is_set() and not self._sdk.ended.is_set():
             with suppress(TimeoutError):
-                await asyncio.wait_for(self._side.ended.wait(), CHECK_INTERVAL)
+                async with asyncio.timeout(CHECK_INTERVAL):
+                    await self._side.ended.wait()
             now, unsent = clock(), self._side.unsent
             read = self._sdk.received - unsent
             if not unsent or read > read_before:

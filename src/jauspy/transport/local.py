@@ -97,7 +97,8 @@ class LocalTransport:
         self._keep_alive = loop.create_task(self._keep_connected(), name=f"keep {self.id} connected")
         if self._timeout is not None:
             try:
-                await asyncio.wait_for(self._accepted.wait(), self._timeout)
+                async with asyncio.timeout(self._timeout):
+                    await self._accepted.wait()
             except BaseException as error:
                 await self.close()
                 if not isinstance(error, TimeoutError):

@@ -327,7 +327,8 @@ class TcpTransport:
         if self._timeout is None:
             return
         try:
-            await asyncio.wait_for(dialer.connected.wait(), self._timeout)
+            async with asyncio.timeout(self._timeout):
+                await dialer.connected.wait()
         except BaseException as error:
             await self.close()
             if not isinstance(error, TimeoutError):
