@@ -26,6 +26,7 @@ from jauspy.component.inbox import ClientInbox, may_wait
 from jauspy.errors import ConfigError, ProtocolError, TransportError
 from jauspy.ids import JausID, component_id, message_id
 from jauspy.logs import get_logger
+from jauspy.messages.core import ReportHeartbeatPulse
 from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
@@ -37,7 +38,7 @@ from jauspy.services.messaging import Outgoing
 from jauspy.services.service import Service, check_services
 from jauspy.transport import LocalTransport, Transport
 from jauspy.transport.age import MAX_AGE
-from jauspy.transport.base import AddressedTransport, ClashAwareTransport, LocatingTransport
+from jauspy.transport.base import AddressedTransport, ClashAwareTransport, FilteringTransport, LocatingTransport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
 
@@ -214,6 +215,7 @@ class Component:
         self._clock = options.clock
         self._transport = transport
         host.on_timer_change = self._on_timer_change
+        host.on_expect = self._leave_out_heartbeats
         host.locate = self._locate
         self._errors: Counter[str] = Counter()
         self._guard = ErrorGuard(f"component {host.id}", self._errors)
@@ -296,6 +298,7 @@ class Component:
             self._stop()
             await transport.close()
             raise
+        self._leave_out_heartbeats()
         self._flush()
 
     async def close(self) -> None:
@@ -384,6 +387,7 @@ class Component:
         """
         self._require_open()
         self._intercept = IDRequest(self.host, key).intercept
+        self._leave_out_heartbeats()
         self._flush()
 
     def wake(self) -> None:
@@ -484,7 +488,7 @@ class Component:
         if self._loop is None:
             return
         if (code := broadcast_code(datagram)) is not None and self._intercept is None and not self.host.takes(code):
-            # Heartbeats of all robots reach all components: this is all that most of them do about it.
+            # as heartbeats of all robots where the transport does not leave them out
             self.host.count("unknown_message", f"{code:04X}h")
             return
         with self._guard:
@@ -563,6 +567,12 @@ class Component:
             self._transport.locate(id, found)
         else:
             found(UNKNOWN_LOCATION)
+
+    def _leave_out_heartbeats(self) -> None:
+        """Have those broadcasts left out that all robots send, unless a service takes them (ADR 220)."""
+        if isinstance(self._transport, FilteringTransport):
+            is_taken = self._intercept is not None or self.host.takes(ReportHeartbeatPulse.CODE)
+            self._transport.leave_out_broadcasts(() if is_taken else (ReportHeartbeatPulse.CODE,))
 
     def _on_timer_change(self) -> None:
         self._set_timer()

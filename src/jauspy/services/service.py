@@ -268,6 +268,8 @@ class ServiceHost:
         """The operator who sealed the message that is being handled; set by the admission."""
         self.clock_offset = timedelta()
         """Difference of the component's clock to the wall clock; set by Time."""
+        self.on_expect: Callable[[], None] = lambda: None
+        """Called when a service begins to expect a kind of message."""
         self.on_timer_change: Callable[[], None] = lambda: None
         """Called when a timer is set from outside of the host; set by the component that runs it."""
         self.locate: Callable[[JausID, Callable[[Location], None]], None] = lambda _, found: found(HERE)
@@ -389,6 +391,7 @@ class ServiceHost:
         if kind.CODE in self._bound.inputs:
             raise ConfigError(f"{kind.NAME} is an input of {self.id}, and so cannot be an answer to it")
         self._answers.setdefault(kind.CODE, (kind, []))[1].append(take)
+        self.on_expect()
 
     # --- events, commands, timers -----------------------------------------------------------------------------------
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import socket
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
 
 from jauspy.ids import JausID
@@ -70,6 +70,14 @@ class AddressedTransport(Transport, Protocol):
 
     def host_towards(self, id: JausID) -> str | None:
         """The host to which datagrams for a component go; None if it is not known yet."""
+
+
+@runtime_checkable
+class FilteringTransport(Transport, Protocol):
+    """A transport that can leave out broadcasts before they wake the program."""
+
+    def leave_out_broadcasts(self, codes: Collection[int]) -> None:
+        """Leave out broadcasts with these message ids from now on, where that is possible, and no others."""
 
 
 @runtime_checkable

@@ -11,7 +11,7 @@ import pwd
 import shutil
 import socket
 import stat
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 from typing import Final, Self
 
@@ -26,6 +26,7 @@ from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.node_status import Locator
 from jauspy.transport.send_queue import SendQueue
+from jauspy.transport.socket_filter import set_filter
 
 _LOG = get_logger(__name__)
 
@@ -69,6 +70,7 @@ class LocalTransport:
         self._accepted = asyncio.Event()
         self._loss = asyncio.Event()
         self._unanswered = 0
+        self._left_out: Collection[int] = ()
 
     @property
     def path(self) -> Path:
@@ -143,6 +145,12 @@ class LocalTransport:
         """Call `found`, now or later, with the machine of a component, from the node manager's status."""
         self._locator.locate(id, found, is_here=is_alive(self._path(id)))
 
+    def leave_out_broadcasts(self, codes: Collection[int]) -> None:
+        """Let the kernel drop broadcasts with these message ids, on Linux; they are not counted."""
+        self._left_out = codes
+        if self._socket is not None:
+            set_filter(self._socket, codes)
+
     async def id_clash(self) -> str | None:
         """The address of another machine that uses this id, from the node manager's status."""
         try:
@@ -160,6 +168,8 @@ class LocalTransport:
 
     def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> LocalSender:
         self._socket = sock
+        if self._left_out:
+            set_filter(sock, self._left_out)
         sender = self._sender = LocalSender(sock, self._counters, self._lost, self.max_age)
         reader = DatagramReader(sock, self._counters, self.max_age)
         base.start_reading(loop, reader, self._take, self._failed)

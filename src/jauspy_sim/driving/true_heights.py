@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
@@ -35,11 +36,18 @@ class TrueHeights:
     resolution: float
     heights: NDArray[np.float32]
     """Metres, shape (rows along y, columns along x); NaN without ground."""
+    outside: Callable[[float, float], float]
+    """Measures the height at a point that is not in the map."""
 
     def highest_around(self, x: float, y: float) -> float:
-        """The highest of the four cells around a point, in metres; NaN outside, and without ground."""
+        """The highest of the 16 cells around a point, in metres; NaN without ground."""
         column, row = (round((value - low) / self.resolution) for value, low in zip((x, y), self.origin, strict=True))
-        around = self.heights[max(0, row - 2) : max(0, row + 2), max(0, column - 2) : max(0, column + 2)]
+        rows, columns = self.heights.shape
+        if 2 <= row <= rows - 2 and 2 <= column <= columns - 2:
+            around = self.heights[row - 2 : row + 2, column - 2 : column + 2]
+        else:
+            beside = (np.arange(4) - 1.5) * self.resolution
+            around = np.array([[self.outside(x + dx, y + dy) for dx in beside] for dy in beside], np.float32)
         known = around[~np.isnan(around)]
         return float(known.max()) if known.size else math.nan
 
@@ -60,7 +68,7 @@ def true_heights(model: mujoco.MjModel, data: mujoco.MjData, name_prefix: str, s
                 first, last = (min(count - 1, max(0, math.floor((end - low) / CELL))) for end in ends)
                 passed = line[first : last + 1]
                 passed[passed < step + RISE] = ABOVE
-    return TrueHeights((low, low), CELL, heights)
+    return TrueHeights((low, low), CELL, heights, rays.height)
 
 
 class _Rays:

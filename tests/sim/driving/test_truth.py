@@ -26,6 +26,7 @@ SHAPES = """
   <geom name="fence" type="box" pos="-5.02 5 0.5" size="0.01 0.5 0.5"/>
   <geom name="above the shop" type="box" pos="7.0 -4 5.0" size="0.15 0.5 2.0"/>
   <geom name="shop" type="box" pos="7.0 -4 1.5" size="0.15 0.5 1.5"/>
+  <geom name="kerb" type="box" pos="12 8 0.05" size="1 1 0.05"/>
   <geom name="tower" type="box" pos="5 -4 3.5" size="0.3 0.3 3.5"/>
 """
 CRATE = '<body name="crate" pos="5 5 0.2"><freejoint/><geom type="box" size="0.2 0.2 0.2"/></body>'
@@ -101,11 +102,12 @@ def test_a_wall_on_which_another_one_stands_is_an_obstacle(still: Box) -> None:
     assert height(still, 7.25, -4.0) == pytest.approx(0.0, abs=1e-3)
 
 
-def test_heights_end_at_the_border_of_the_map(still: Box) -> None:
+def test_heights_beyond_the_border_of_the_map_are_measured_where_they_are_needed(still: Box) -> None:
     heights = still.truth.heights
     assert heights.highest_around(2.0, 0.0) == pytest.approx(1.0, abs=1e-3)
-    assert math.isnan(heights.highest_around(500.0, 0.0))
-    assert math.isnan(heights.highest_around(-500.0, -500.0))
+    assert heights.highest_around(10.99, 8.0) == pytest.approx(0.1, abs=1e-3), "of the kerb, 1 cm away"
+    assert heights.highest_around(11.05, 8.0) == pytest.approx(0.1, abs=1e-3)
+    assert heights.highest_around(-14.0, 0.0) == pytest.approx(0.0, abs=1e-3)
 
 
 def test_a_depth_camera_sees_the_wall_with_noise(still: Box) -> None:
