@@ -64,6 +64,11 @@ LARGEST_TILT: Final = 0.08
 """Radians of an error of the measured tilt at most."""
 STEADY_TIME: Final = 3.0
 """Seconds in which a difference between the measured tilt and known ground becomes one of that ground."""
+KEPT_WAY: Final = 7.0
+"""Metres of the sensor's way after which ground that was not seen again is forgotten: heights of poses drift by some
+millimetres a metre, and ground that is seen again would be a step beside what was seen long before."""
+FORGET_INTERVAL: Final = 0.5
+"""Metres of the way between two looks at what is to be forgotten."""
 RECENTRE: Final = 0.125
 """The grid moves when the sensor is farther than this part of its side from the middle."""
 CLIMB: Final = 0.5
@@ -113,6 +118,12 @@ class ElevationGrid:
         """Hits in each voxel, and the sum of their heights above its lower face, metres."""
         self._seen = np.full((cells, cells), np.nan)
         """When each cell was hit last."""
+        self._way = 0.0
+        """Metres that the sensor has moved."""
+        self._seen_on_way = np.zeros((cells, cells))
+        """The same, when each cell was hit last."""
+        self._place: Floats | None = None
+        """Where the sensor was when what is too old was forgotten last, x and y."""
         self._heights: Heights | None = None
         self._steady = np.zeros(2)
         """The part that stays of the slopes, along x and y, by which clouds are above known ground."""
@@ -167,6 +178,7 @@ class ElevationGrid:
             return 0
         near = self._near(points, max_range)
         self._move_to(start)
+        self._follow_way(start)
         ends = near @ turn.T + start
         some = slice(None, None, max(1, -(-len(ends) // MAX_RAYS)))
         ends[:, 2] -= (ends[:, :2] - start[:2]) @ self._passing_tilt(start, ends[some], time)
@@ -242,9 +254,23 @@ class ElevationGrid:
             shift = (wanted - self._corner)[::-1]  # layers, rows, columns
             self._weights, self._sums = _shifted(self._weights, shift, 0.0), _shifted(self._sums, shift, 0.0)
             self._seen = _shifted(self._seen, shift[1:], np.nan)
+            self._seen_on_way = _shifted(self._seen_on_way, shift[1:], 0.0)
             self._heights = None
         column, row, layer = wanted.tolist()
         self._corner = column, row, layer
+
+    def _follow_way(self, start: Floats) -> None:
+        """Measure the way of the sensor, and forget what was seen too long ago on it."""
+        if self._place is None:
+            self._place = start[:2].copy()
+        moved = math.dist(self._place, start[:2])
+        if moved < FORGET_INTERVAL:
+            return
+        self._way += moved
+        self._place = start[:2].copy()
+        old = self._way - self._seen_on_way > KEPT_WAY
+        self._weights[:, old] = self._sums[:, old] = 0.0
+        self._heights = None
 
     def _voxels(self, points: Floats) -> tuple[Indices, NDArray[np.bool_]]:
         """Flat numbers of the voxels of the points that are inside, shape (n,), and which are inside."""
@@ -285,6 +311,7 @@ class ElevationGrid:
         sums[voxels] *= excess
         weights[voxels] *= excess
         self._seen.reshape(-1)[places] = time
+        self._seen_on_way.reshape(-1)[places] = self._way
         self._heights = None
         return len(voxels)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections import Counter, deque
+from collections import Counter, defaultdict, deque
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -291,6 +291,8 @@ class Connection:
         self.replies = ReplyDispatcher(registry, self.on_malformed)
         self.request_counts: Counter[JausID] = Counter()
         self._motions: Counter[JausID] = Counter()
+        self.list_changes: defaultdict[JausID, asyncio.Lock] = defaultdict(asyncio.Lock)
+        """Held while the list of a component is replaced: a replacement that is cancelled cleans up before the next."""
         self.controls = ActiveControls()
         self.events = EventUsers()
         self.program_silence: Callable[[], float] = lambda: 0.0

@@ -95,8 +95,9 @@ async def drive_course(
         SetLocalWaypoint(x=point.x, y=-point.y, waypoint_tolerance=point.tolerance, path_tolerance=point.path_tolerance)
         for point in points
     ]
-    await driver.elements.upload(waypoints)
-    uids = await ListClient(connection, driver.id).uids()
+    async with connection.list_changes[driver.id]:
+        await driver.elements.upload(waypoints)
+        uids = await ListClient(connection, driver.id).uids()
     entries = [
         SetEnhancedLocalWaypointInformation.WaypointInformationRec(
             uid, None if point.reverse is None else int(point.reverse), point.wait

@@ -12,7 +12,7 @@ from collections.abc import Callable, Coroutine, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 from jauspy.arguments import check_number
 from jauspy.errors import ConfigError, ControlRejected, JausError, RequestError
@@ -47,6 +47,8 @@ LOOK_AHEAD: Final = 6.0
 BLOCKING: Final = -0.03
 """Metres beside the footprint within which something blocks the way: noise and cells of the map must not do it in a
 door, and the way was planned with more."""
+STEP_LOOK: Final = 1.5
+"""Metres of the way ahead in which a step is sought for which the flippers are not set."""
 STOP_DISTANCE: Final = 1.0
 """Metres to an obstacle on the way within which the robot stops before it plans again."""
 REVIEW_INTERVAL: Final = 3.0
@@ -233,7 +235,7 @@ class Navigator:
             if progress is not None:
                 progress(NavigationProgress(self._left(pose), now - began, pose, self._plans, self._replanned_in))
             if self._held:
-                free = await self._free_metres(pose)
+                free = (await self._look_ahead(pose)).free
                 self._choice.look(is_free=free >= LOOK_AHEAD, now=now)
                 await (self._resend(pose) if free >= LOOK_AHEAD else self._avoid(x, y, pose, now))
             elif self._course is None or self._course.done():
@@ -247,12 +249,15 @@ class Navigator:
             elif watch.is_stalled(pose, now):
                 watch.count(pose, self._distance_to(pose, x, y), (x, y))
                 await self._take_way(x, y, clock())
-            elif (free := await self._free_metres(pose)) < LOOK_AHEAD:
+            elif (ahead := await self._look_ahead(pose)).free < LOOK_AHEAD:
                 self._choice.look(is_free=False, now=now)
-                if free < STOP_DISTANCE:
+                if ahead.free < STOP_DISTANCE:
                     await self._hold(pose)
                 await self._avoid(x, y, pose, now)
                 reviewed = clock()
+            elif ahead.step is not None:
+                self._rest = [*parts(self.ahead(pose), ahead.step), *self._rest]
+                await self._next_part()
             else:
                 self._choice.look(is_free=True, now=now)
                 if now - reviewed > REVIEW_INTERVAL:
@@ -345,12 +350,17 @@ class Navigator:
         await self._next_part()
 
     async def _next_part(self) -> bool:
-        """Drive the next part of the way; false at its end. Raises what ended the last one."""
+        """Drive the next part of the way; false at its end, and if the robot did not drive the last part to its end.
+
+        Raises what ended that, unless the robot refused it.
+        """
         course = self._course
         failed = course is not None and course.done() and not course.cancelled()
         error = course.exception() if course is not None and failed else None
         if error is not None and (isinstance(error, ControlRejected) or not isinstance(error, RequestError)):
             raise error
+        if error is not None:
+            self._rest = []
         if not self._rest:
             return False
         part = self._rest.pop(0)
@@ -465,14 +475,13 @@ class Navigator:
         assert self.terrain is not None
         return sum(way_cost(self.terrain, part.points) for part in self._left_parts(pose))
 
-    async def _free_metres(self, pose: RobotPose) -> float:
-        """Metres of the way ahead without an obstacle, at most `LOOK_AHEAD`."""
+    async def _look_ahead(self, pose: RobotPose) -> _Ahead:
         here = self.map.to_map(_planar(pose))
         nearest, *rest = self._way_ahead(PathPoint(here.x, here.y))
         if rest and math.dist(nearest[:2], rest[0][:2]) > NEXT:  # the heading of a shorter leg says nothing
             rest.insert(0, nearest)
         ahead = first_metres(rest, LOOK_AHEAD)
-        return await self.map.compute(self._free_part, ahead, here) if len(ahead) > 1 else LOOK_AHEAD
+        return await self.map.compute(self._seen_ahead, ahead, here) if len(ahead) > 1 else _Ahead(LOOK_AHEAD)
 
     def _way_ahead(self, place: PathPoint) -> list[PathPoint]:
         """Points of the part that is driven, from the one nearest to the robot.
@@ -487,15 +496,33 @@ class Navigator:
         nearest = nearest_on_leg(place, self._driven[number - 1], rest[0])
         return [nearest if math.dist(nearest[:2], place[:2]) <= CORNER_TOLERANCE else place, *rest]
 
-    def _free_part(self, ahead: list[PathPoint], pose: PlanarPose) -> float:
+    def _seen_ahead(self, ahead: list[PathPoint], pose: PlanarPose) -> _Ahead:
         assert self._mobility is not None
         terrain = self.map.terrain(self._mobility, [point[:2] for point in ahead], margin=1.0)
         terrain.margin = BLOCKING
         terrain.start_at(pose)
-        if all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(ahead)):
-            return LOOK_AHEAD
         near = first_metres(ahead, STOP_DISTANCE)
-        return STOP_DISTANCE if all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(near)) else 0.0
+        if not all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(ahead)):
+            return _Ahead(
+                STOP_DISTANCE if all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(near)) else 0.0
+            )
+        has_step = (
+            self._flippers is None
+            and bool(flipper_joints(self._model))
+            and any(part.flippers is not None for part in parts(first_metres(ahead, STEP_LOOK), terrain))
+        )
+        return _Ahead(LOOK_AHEAD, terrain if has_step else None)
+
+
+class _Ahead(NamedTuple):
+    """Metres of the way ahead without an obstacle, at most `LOOK_AHEAD`.
+
+    And the newest costs, if they have a step on the part that is driven, for which the flippers are not set: the way
+    may be older than what is known of the step.
+    """
+
+    free: float
+    step: TerrainCost | None = None
 
 
 def _planar(pose: RobotPose) -> PlanarPose:

@@ -142,31 +142,43 @@ def find_path_with_margins(
 ) -> Path:
     """A way with the first of `MARGINS` that has one, or with less room if that is much shorter.
 
-    Raises `NoPath`, that of the first of them, or at `end`, in processor time. Each search may take half of the time
+    What lies on the ground is driven around where that is possible, even if the robot could drive over it.
+
+    Raises `NoPath`, that of the first margin, or at `end`, in processor time. Each search may take half of the time
     that is left: one that looks for a way through a door that is a cell too narrow looks everywhere else first.
     """
     first: NoPath | None = None
+    among_things: NoPath | None = None
     best: Path | None = None
-    used = MARGINS[0]
+    tries = [(margin, False) for margin in MARGINS]
+    if terrain.has_things:
+        tries.insert(0, (MARGINS[0], True))
+    used = tries[0]
     direct = math.dist(start[:2], goal)
-    for margin in MARGINS:
+    for margin, keeps_off in tries:
         if best is not None and best.length <= DETOUR * direct + MORE:
             break
         terrain.margin = margin
-        share = 1.0 if margin == MARGINS[-1] else 0.5
+        terrain.keep_off_things(keeps_off)
+        share = 1.0 if (margin, keeps_off) == tries[-1] else 0.5
         try:
             found = find_path(terrain, start, goal, backward=backward, seconds=share * (end - time.thread_time()))
         except NoPath as reason:
-            first = first or reason
+            if keeps_off:
+                among_things = reason
+            else:
+                first = first or reason
         else:
             if best is None or found.cost < MUCH_SHORTER * best.cost - MORE:
-                best, used = found, margin
+                best, used = found, (margin, keeps_off)
         if time.thread_time() > end:
             break
-    terrain.margin = used
+    terrain.margin = used[0]
+    terrain.keep_off_things(used[1])
     if best is None:
-        assert first is not None
-        raise first
+        problem = first or among_things
+        assert problem is not None
+        raise problem
     return best
 
 

@@ -116,6 +116,8 @@ class TerrainCost:
         """Cells with a step that needs flippers; None without any."""
         self._to_step: tuple[Array, NDArray[np.intp]] | None = None
         """Metres from each cell to the nearest of them, and its row and column."""
+        self._things: Cells | None = None
+        """Cells with something that lies on the ground; None without any."""
         slope_cost = np.zeros(self.shape, np.float32)
         if elevation is not None:
             slope_cost, known = self._add_elevation(elevation, blocked, known, scan_height, viewpoint)
@@ -124,13 +126,24 @@ class TerrainCost:
         self.centres, self.radius = mobility.circles
         self.margin = MARGIN
         """Metres that stay free beside the footprint."""
-        self.distance = self._distances(self.blocked)
+        self.distance = self._to_blocked = self._distances(self.blocked)
         """Metres from the centre of each cell to the nearest blocked one."""
         self.cost = self._costs(slope_cost)
         """Cost of a metre in each cell, 1 on free and level ground."""
         self._start: PlanarPose | None = None
         self._start_clearance = math.inf
         self._starts_at_step = False
+
+    @property
+    def has_things(self) -> bool:
+        """True if something lies on the ground that the robot could drive over."""
+        return self._things is not None
+
+    def keep_off_things(self, keep_off: bool) -> None:
+        """Take such things for obstacles, or again for ground that costs more."""
+        self.distance = self._to_blocked
+        if keep_off and self._things is not None:
+            self.distance = np.minimum(self._to_blocked, self._distances(self._things))
 
     # --- cells ------------------------------------------------------------------------------------------------------
 
@@ -201,6 +214,8 @@ class TerrainCost:
         self._gradient = slope_x, slope_y
         grade = np.arctan(np.hypot(slope_x, slope_y)) / max(mobility.up, 1e-6)
         things = self._resampled(elevation, _things(ground, elevation.resolution), 0.0)
+        if things.any():
+            self._things = things > 0.0
         low = np.maximum(THING_COST * things, LOW_COST * (seen & (steps > LOW) & ~beside_wall))
         under_tracks = ndimage.maximum_filter(low, 2 * round(mobility.half_width / self.resolution) + 1)
         cost = SLOPE_COST * np.minimum(1.0, grade) ** 2 + under_tracks

@@ -80,13 +80,19 @@ SKIDDING_GAINS = AxisGains(forward=0.25, breakaway=0.12, proportional=0.15, inte
 
 BREAKAWAY_BAND = 0.1
 """Velocity (m/s, rad/s) below which the breakaway effort is proportional, so that it does not jump at zero."""
+FADE_TIME = 1.5
+"""Seconds in which the integral of the turn rate fades while a robot is to drive straight on.
+
+With one track on a kerb it would stay as it was: the robot does not turn, while one track slips and the other rests.
+"""
 
 
 class AxisControl:
-    """PI control with feed-forward and anti-windup."""
+    """PI control with feed-forward and anti-windup; the integral fades in `fade_time` seconds while 0 is wanted."""
 
-    def __init__(self, gains: AxisGains) -> None:
+    def __init__(self, gains: AxisGains, *, fade_time: float = math.inf) -> None:
         self._gains = gains
+        self._fade_time = fade_time
         self._integral = 0.0
 
     def reset(self) -> None:
@@ -97,6 +103,8 @@ class AxisControl:
         """The effort, -1..1, for the next `dt` seconds."""
         gains, error = self._gains, wanted - measured
         feed_forward = gains.forward * wanted + gains.breakaway * clamp(wanted / BREAKAWAY_BAND)
+        if abs(wanted) < BREAKAWAY_BAND:
+            self._integral *= math.exp(-dt / self._fade_time)
         integral = self._integral + gains.integral * error * dt
         effort = feed_forward + gains.proportional * error + integral
         if abs(effort) <= 1.0 or effort * error < 0.0:
@@ -124,7 +132,8 @@ class VelocityControl:
         if chassis.moves_sideways:
             lever = (chassis.wheel_base + chassis.track_separation) / 2.0
             turn = replace(turn, forward=lever / chassis.max_speed, breakaway=0.01)
-        self._speed, self._turn, self._sideways = AxisControl(speed), AxisControl(turn), AxisControl(speed)
+        self._speed, self._sideways = AxisControl(speed), AxisControl(speed)
+        self._turn = AxisControl(turn, fade_time=FADE_TIME)
 
     def reset(self) -> None:
         """Clear the integrals."""
