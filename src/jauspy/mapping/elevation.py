@@ -60,6 +60,10 @@ SAME_LEVEL: Final = 0.04
 TILT_POINTS: Final = 100
 TILT_ROUNDS: Final = 6
 """Points of known ground that tell the tilt of a cloud at least, and how often it is computed from those that fit."""
+LARGEST_RISE: Final = 0.3
+RISE_PART: Final = 0.3
+"""Metres by which the height of a pose is off after an edge at most, and the part of the points of known ground that
+must agree about it."""
 LARGEST_TILT: Final = 0.08
 """Radians of an error of the measured tilt at most."""
 STEADY_TIME: Final = 3.0
@@ -127,6 +131,8 @@ class ElevationGrid:
         self._heights: Heights | None = None
         self._steady = np.zeros(2)
         """The part that stays of the slopes, along x and y, by which clouds are above known ground."""
+        self._rise = 0.0
+        """Metres by which poses are above known ground, since edges that tracks slipped on."""
 
     @property
     def origin(self) -> tuple[float, float]:
@@ -166,8 +172,13 @@ class ElevationGrid:
         inside = 0 <= column < self.cells and 0 <= row < self.cells
         return float(self.heights[row, column]) if inside else math.nan
 
-    def add(self, points: Points, sensor: Transform, time: float, max_range: float = 10.0) -> int:
+    def add(
+        self, points: Points, sensor: Transform, time: float, max_range: float = 10.0, *, has_tipped: bool = False
+    ) -> int:
         """Add a cloud, shape (n, 3), in the frame of a sensor at `sensor`. Returns the number of points used.
+
+        Of a robot that `has_tipped` since the last cloud, as over an edge, the height may be decimetres off: tracks
+        that slip run on while it is tilted. It is that which fits known ground, also for clouds after this one.
 
         Points that are not finite or farther than `max_range` metres are left out, and the whole cloud if the pose or
         the time is not finite. The robot's own points must have been removed (`LinkBoxes.contain`).
@@ -177,10 +188,16 @@ class ElevationGrid:
             self.counters["no pose"] += 1
             return 0
         near = self._near(points, max_range)
+        start[2] -= self._rise
         self._move_to(start)
         self._follow_way(start)
         ends = near @ turn.T + start
         some = slice(None, None, max(1, -(-len(ends) // MAX_RAYS)))
+        if has_tipped:
+            risen = self._rise_of(ends[some])
+            self._rise += risen
+            start[2] -= risen
+            ends[:, 2] -= risen
         ends[:, 2] -= (ends[:, :2] - start[:2]) @ self._passing_tilt(start, ends[some], time)
         self._clear(start, ends[some])
         used = self._hit(ends, time)
@@ -196,7 +213,7 @@ class ElevationGrid:
         """
         x, y = (np.arange(-half, half + 1e-9, self.resolution / 2.0) for half in (size[0] / 2.0, size[1] / 2.0))
         flat = np.stack([*np.meshgrid(x, y), np.full((len(y), len(x)), -ground)], axis=-1).reshape(-1, 3)
-        ends = flat @ np.array(base.rotation).T + np.array(base.position)
+        ends = flat @ np.array(base.rotation).T + np.array(base.position) - (0.0, 0.0, self._rise)
         if not (np.abs(ends) <= MAX_POSITION).all():
             self.counters["no pose"] += 1
             return
@@ -225,6 +242,20 @@ class ElevationGrid:
         kept = math.exp(-max(0.0, time - self.stamp) / STEADY_TIME) if math.isfinite(self.stamp) else 0.0
         self._steady = kept * self._steady + (1.0 - kept) * tilt
         return tilt - self._steady
+
+    def _rise_of(self, ends: Floats) -> float:
+        """Metres by which most points of known ground are above it; 0 if no height fits enough of them."""
+        voxels, inside = self._voxels(ends)
+        off = ends[inside, 2] - self.heights.reshape(-1)[voxels % self.cells**2]
+        off = off[np.abs(off) < LARGEST_RISE]
+        if len(off) < TILT_POINTS:
+            return 0.0
+        ordered = np.sort(off)
+        agreeing = np.searchsorted(ordered, ordered + SAME_LEVEL) - np.arange(len(ordered))
+        first = int(agreeing.argmax())
+        if agreeing[first] < RISE_PART * len(ordered):
+            return 0.0
+        return float(np.median(ordered[first : first + agreeing[first]]))
 
     def _tilt_of(self, start: Floats, ends: Floats) -> Floats:
         """Slopes along x and y by which points are above known ground with their distance; 0 if that is not known."""

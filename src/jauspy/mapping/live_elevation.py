@@ -69,6 +69,8 @@ class LiveElevation(SensorFeed):
         """The vertical in the frame of the robot, at the last cloud."""
         self._tipped = -math.inf
         """When that last changed fast."""
+        self._has_tipped = False
+        """True if it has, since the last cloud that was used."""
         self._arrivals = dict.fromkeys(self._clouds, math.nan)
         """When the last cloud of each address came, by the clock of the event loop."""
 
@@ -104,6 +106,7 @@ class LiveElevation(SensorFeed):
         self._up = up
         if 0.0 <= measured.time - self._tipped < SETTLING_TIME:
             self.counters["clouds of a robot that tips"] += 1
+            self._has_tipped = True
             return False
         positions = measured.postures[-1]
         every = max(1, -(-len(measured.points) // MAX_POINTS))
@@ -116,7 +119,8 @@ class LiveElevation(SensorFeed):
         self.counters["own points"] += int(np.count_nonzero(own))
         x, y, yaw = self._local()
         base = Transform.from_pose(Pose(x, y, yaw=yaw)) @ measured.base
-        used = self.grid.add(points[~own], base @ measured.mount, measured.time)
+        used = self.grid.add(points[~own], base @ measured.mount, measured.time, has_tipped=self._has_tipped)
+        self._has_tipped = False
         if self._boxes.names:
             size, ground = footprint(self._boxes, positions)
             self.grid.add_footprint(base, size, ground, measured.time)

@@ -61,6 +61,8 @@ farther away is not certain, so that the robot first drives to the nearest place
 CORNER_TOLERANCE: Final = 0.12
 NARROW_TOLERANCE: Final = 0.04
 """Metres within which a corner of the way counts as reached, and one where the robot just fits."""
+PART_TOLERANCE: Final = 0.25
+"""Metres within which the end of a part before a step counts as reached: a robot that is past it need not turn back."""
 PATH_TOLERANCE: Final = 0.3
 """Metres beside a leg at whose end the robot need not turn back for it."""
 SEARCH_TIME: Final = 0.4
@@ -375,6 +377,8 @@ class Navigator:
         points = [self._course_point(point) for point in self._driven[1:]]
         if points and not self._rest:  # the goal need not be hit as a corner in a door: the robot would turn for it
             points[-1] = replace(points[-1], tolerance=CORNER_TOLERANCE, path_tolerance=CORNER_TOLERANCE)
+        elif points:
+            points[-1] = replace(points[-1], tolerance=self._tolerance(part.points[-1], PART_TOLERANCE))
         if points:
             await self._begin_course(self._robot.drive_course(points, speed=speed, timeout=3600.0))
         return True
@@ -399,10 +403,10 @@ class Navigator:
         reverse = point.backward if self._backward else None
         return CoursePoint(x, y, reverse=reverse, tolerance=self._tolerance(point), path_tolerance=PATH_TOLERANCE)
 
-    def _tolerance(self, point: PathPoint) -> float:
-        """Metres within which a point of the way counts as reached."""
+    def _tolerance(self, point: PathPoint, wide: float = CORNER_TOLERANCE) -> float:
+        """Metres within which a point of the way counts as reached: `wide`, and less where there is little room."""
         assert self.terrain is not None
-        return min(CORNER_TOLERANCE, max(NARROW_TOLERANCE, self.terrain.room(point.x, point.y)))
+        return min(wide, max(NARROW_TOLERANCE, self.terrain.room(point.x, point.y)))
 
     async def _begin_course(self, drive: Coroutine[Any, Any, RobotPose]) -> None:
         """Begin a new list of waypoints; the earlier one ends without a stop."""

@@ -168,6 +168,8 @@ class LocalizationState:
     """Acceleration in the frame of the base, without gravity."""
     acceleration_rms: float
     angular_acceleration_rms: float
+    turn_slip: float = 0.0
+    """rad/s by which tracks or wheels turn to the left faster than the robot does."""
 
 
 AT_ORIGIN: Final = PoseEstimate(ORIGIN, 0.0, 0.0, 0.0)

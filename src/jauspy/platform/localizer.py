@@ -39,6 +39,8 @@ RATE: Final = 50.0
 
 SLIP: Final = 0.01
 """Metres after one metre, along each axis, that tracks slip; grows with the square root of the way."""
+SLIP_TIME: Final = 0.1
+"""Seconds over which it is averaged how much faster tracks turn than the robot: encoders count in steps."""
 TURN_ERROR: Final = 0.15
 """Standard deviation of a turn by odometry alone, as a part of it: tracks skid, more or less by the ground."""
 TILT_ERROR: Final = math.radians(0.2)
@@ -104,6 +106,7 @@ class Localizer(Localization):
         self._x, self._y, self._z = pose.x, pose.y, pose.z
         self._rates: Vector = (0.0, 0.0, 0.0)
         self._speed = 0.0
+        self._turn_slip = 0.0
         self._rest = 0.0
         self._sampling = Sampling(self._imu_setup.rate)
         self._counted_at = self._read_at = self._moved_at = 0.0
@@ -172,6 +175,7 @@ class Localizer(Localization):
         angular = scaled(difference(rates, self._rates), 1.0 / dt)
         at_rest = self._rest > REST_TIME
         self._rates = rates
+        self._turn_slip += (travel.turn / dt - rates[2] - self._turn_slip) * min(1.0, dt / SLIP_TIME)
         # at rest a turn about the vertical is bias and noise: the heading stays
         turned = difference(rates, scaled(up, dot(rates, up))) if at_rest else rates
         # what the accelerometer measures of a curve and of speeding up, which is not gravity: dv/dt + w x v
@@ -254,6 +258,7 @@ class Localizer(Localization):
             acceleration_rms=math.sqrt(3.0)
             * math.hypot(force_noise, setup.acceleration_bias, GRAVITY * self._tilt_rms),
             angular_acceleration_rms=math.sqrt(6.0) * gyro_noise / dt,
+            turn_slip=self._turn_slip,
         )
 
 

@@ -6,7 +6,7 @@ See docs/adr/0037-guidance.md. A robot that may tip over is stopped (`TiltGuard`
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, Protocol
 
 from jauspy.geometry.poses import jaus_pose, jaus_twist
@@ -14,6 +14,7 @@ from jauspy.logs import get_logger
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.guards import ObstacleGuard
+from jauspy.platform.localization import Localization
 from jauspy.platform.stability import StabilityMonitor
 from jauspy.services.mobility import tilt_guard
 from jauspy.services.mobility.courses import Course, Halt, VectorCourse, VelocityCourse
@@ -31,6 +32,11 @@ PERIOD: Final = 0.02
 """Seconds between two steps of the control loop."""
 MAX_TIME_STEP: Final = 0.1
 """Seconds that one step counts at most, so that the velocity does not jump after a stall."""
+MIN_SPEED: Final = 0.05
+"""m/s above which a robot is to drive on, and not to turn on the spot, where tracks slip anyway."""
+SLIP: Final = 0.2
+SLIP_SHARE: Final = 0.25
+"""rad/s, and share of what the tracks turn, by which they may turn faster than the robot on the ground."""
 _TIMER: Final = "pilot"
 _TILT_TIMER: Final = "tilt guard"
 
@@ -82,10 +88,12 @@ class Pilot:
         drive: DriveBase,
         chassis: Chassis,
         *,
+        localization: Localization | None = None,
         stability: StabilityMonitor | None = None,
         obstacle_guard: ObstacleGuard | None = None,
     ) -> None:
         self._drive = drive
+        self._localization = localization
         self._obstacle_guard = obstacle_guard
         self._chassis = chassis
         self.limits = AccelerationLimits(
@@ -266,8 +274,23 @@ class Pilot:
             self._control.reset()
             self._drive.stop()
             return
-        efforts = self._control.efforts(self._velocity, self._measured(), dt)
+        measured = self._measured()
+        if abs(self._velocity.speed) > MIN_SPEED:
+            measured = replace(measured, turn_rate=measured.turn_rate - self._turn_slip())
+        efforts = self._control.efforts(self._velocity, measured, dt)
         self._set_efforts(efforts.forward, efforts.right_turn, efforts.sideways)
+
+    def _turn_slip(self) -> float:
+        """rad/s to the left by which tracks or wheels turn much faster than the robot, of which less is not slip.
+
+        With one track on an edge the robot does not turn, while the other one slips: by the speed of the robot, and by
+        the mean of the tracks, all would be as it is to be.
+        """
+        if self._localization is None:
+            return 0.0
+        state = self._localization.state()
+        usual = SLIP + SLIP_SHARE * abs(state.turn_slip + state.twist.wz)
+        return math.copysign(max(0.0, abs(state.turn_slip) - usual), state.turn_slip)
 
     def _set_efforts(self, forward: float, right: float, sideways: float) -> None:
         if self._chassis.moves_sideways:

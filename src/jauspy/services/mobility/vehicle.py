@@ -38,7 +38,9 @@ class Vehicle:
         self.localization = localization
         self.name = name
         self.chassis = chassis or Chassis()
-        self.pilot = Pilot(drive, self.chassis, stability=stability, obstacle_guard=obstacle_guard)
+        self.pilot = Pilot(
+            drive, self.chassis, localization=localization, stability=stability, obstacle_guard=obstacle_guard
+        )
         self.local_frame = LocalFrame()
         self._global_frame = GlobalFrame(origin) if origin else None
         self.goal: Waypoint | None = None
