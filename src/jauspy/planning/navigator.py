@@ -37,7 +37,7 @@ from jauspy.planning.path_search import (
 from jauspy.planning.stall import Stall
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.planning.way_choice import WayChoice
-from jauspy.planning.way_parts import Part, first_metres, nearest_on_leg, parts
+from jauspy.planning.way_parts import Part, first_metres, nearest_on_leg, parts, without_short_start
 from jauspy.platform.description import RobotModel
 
 PERIOD: Final = 0.2
@@ -365,7 +365,7 @@ class Navigator:
             self._rest = []
         if not self._rest:
             return False
-        part = self._rest.pop(0)
+        part, *self._rest = without_short_start(self._rest)
         self._driven = list(part.points)
         if course is not None and not course.done():
             self._skip_near_corners()

@@ -40,6 +40,8 @@ THING_COST: Final = 6.0
 THING: Final = 0.02
 THING_SIZE: Final = 0.7
 """Metres above the ground from which on something lies there, and its longest side; what is longer is ground."""
+EDGE: Final = 0.15
+"""Metres beside a step that needs flippers in which nothing is told from it."""
 STEP_HEADING: Final = math.radians(25.0)
 """Greatest angle between the heading and the way up a step that needs flippers, radians."""
 LEAST_KNOWN: Final = 0.3
@@ -214,6 +216,8 @@ class TerrainCost:
         self._gradient = slope_x, slope_y
         grade = np.arctan(np.hypot(slope_x, slope_y)) / max(mobility.up, 1e-6)
         things = self._resampled(elevation, _things(ground, elevation.resolution), 0.0)
+        if high.any():  # a part of an edge
+            things[ndimage.maximum_filter(high, 2 * round(EDGE / self.resolution) + 1)] = 0.0
         if things.any():
             self._things = things > 0.0
         low = np.maximum(THING_COST * things, LOW_COST * (seen & (steps > LOW) & ~beside_wall))
@@ -429,11 +433,10 @@ def _things(heights: Array, resolution: float) -> Array:
     nearest = ndimage.distance_transform_edt(~known, return_distances=False, return_indices=True)
     filled = heights[tuple(nearest)]
     longest = max(1, round(THING_SIZE / resolution))
-    raised = known & (filled - ndimage.grey_opening(filled, longest + 1) > THING)
+    raised = filled - ndimage.grey_opening(filled, longest + 1) > THING  # what is seen of a pavement in dots is one
     labels, _ = ndimage.label(raised, np.ones((3, 3)))
     short = [False, *(max(s.stop - s.start for s in sides) <= longest for sides in ndimage.find_objects(labels))]
-    found: Array = np.array(short, np.float32)[labels]
-    return found
+    return np.asarray(np.array(short)[labels] & known, np.float32)
 
 
 def _is_straight_up(ahead: float, across: float) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from jauspy.planning.mobility import FLIPPER_ANGLE
@@ -18,8 +18,8 @@ from jauspy.planning.terrain_cost import TerrainCost
 SPACING: Final = 0.05
 """Metres between the points of a way that are compared with steps."""
 SHORT: Final = 0.35
-"""Metres of a first part that is left out before a step: the robot may be past its end before it has the list, and
-would turn back for it."""
+"""Metres of a part that is left out before a step: the robot may be past its end before it has the list, and would turn
+back for it."""
 STEP_ROOM: Final = 0.7
 """Metres before and after a step between which flippers are set for it."""
 
@@ -75,14 +75,15 @@ def parts(points: Sequence[PathPoint], terrain: TerrainCost) -> list[Part]:
         first = [close[run[0] - 1]] if run[0] else []
         inner = [close[number] for number in run if close[number][:2] in corners or number in (run[0], run[-1])]
         found.append(Part((*first, *inner), FLIPPER_ANGLE if climbs else None))
-    if len(found) > 1 and _length(found[0].points) < SHORT:
-        start, *rest = found
-        found = [Part((start.points[0], *rest[0].points[1:]), rest[0].flippers), *rest[1:]]
     return found
 
 
-def _length(points: Sequence[PathPoint]) -> float:
-    return sum(math.dist(before[:2], after[:2]) for before, after in itertools.pairwise(points))
+def without_short_start(found: Sequence[Part]) -> list[Part]:
+    """Parts of which the first is not too short to be driven: then the next one begins where the robot is."""
+    first, *rest = found
+    if not rest or sum(math.dist(a[:2], b[:2]) for a, b in itertools.pairwise(first.points)) >= SHORT:
+        return [first, *rest]
+    return [replace(rest[0], points=(first.points[0], *rest[0].points[1:])), *rest[1:]]
 
 
 def _dense(points: Sequence[PathPoint], step: float) -> list[PathPoint]:
