@@ -12,6 +12,7 @@ import itertools
 import math
 import time
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, Final, NamedTuple
 
@@ -142,44 +143,57 @@ def find_path_with_margins(
 ) -> Path:
     """A way with the first of `MARGINS` that has one, or with less room if that is much shorter.
 
-    What lies on the ground is driven around where that is possible, even if the robot could drive over it.
+    What lies on the ground is driven around where that is not much longer, even if the robot could drive over it.
 
-    Raises `NoPath`, that of the first margin, or at `end`, in processor time. Each search may take half of the time
+    Raises `NoPath`, that of the first of them, or at `end`, in processor time. Each search may take half of the time
     that is left: one that looks for a way through a door that is a cell too narrow looks everywhere else first.
     """
     first: NoPath | None = None
-    among_things: NoPath | None = None
     best: Path | None = None
-    tries = [(margin, False) for margin in MARGINS]
-    if terrain.has_things:
-        tries.insert(0, (MARGINS[0], True))
-    used = tries[0]
+    used = MARGINS[0]
     direct = math.dist(start[:2], goal)
-    for margin, keeps_off in tries:
+    terrain.keep_off_things(False)
+    for margin in MARGINS:
         if best is not None and best.length <= DETOUR * direct + MORE:
             break
         terrain.margin = margin
-        terrain.keep_off_things(keeps_off)
-        share = 1.0 if (margin, keeps_off) == tries[-1] else 0.5
+        share = 1.0 if margin == MARGINS[-1] else 0.5
         try:
             found = find_path(terrain, start, goal, backward=backward, seconds=share * (end - time.thread_time()))
         except NoPath as reason:
-            if keeps_off:
-                among_things = reason
-            else:
-                first = first or reason
+            first = first or reason
         else:
             if best is None or found.cost < MUCH_SHORTER * best.cost - MORE:
-                best, used = found, (margin, keeps_off)
+                best, used = found, margin
         if time.thread_time() > end:
             break
-    terrain.margin = used[0]
-    terrain.keep_off_things(used[1])
+    terrain.margin = used
     if best is None:
-        problem = first or among_things
-        assert problem is not None
-        raise problem
-    return best
+        assert first is not None
+        raise first
+    return _around_things(terrain, start, goal, best, backward=backward, end=end)
+
+
+def _around_things(
+    terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float], way: Path, *, backward: bool, end: float
+) -> Path:
+    """The way, or one that keeps off what lies on the ground and is not much longer; the terrain is as for that one."""
+    if not terrain.has_things:
+        return way
+    margin = terrain.margin
+    terrain.keep_off_things(True)
+    terrain.start_at(start)
+    if all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(way.points)):
+        return way
+    with suppress(NoPath):
+        terrain.margin = MARGINS[0]
+        around = find_path(terrain, start, goal, backward=backward, seconds=end - time.thread_time())
+        if around.length <= DETOUR * way.length + MORE:
+            return around
+    terrain.margin = margin
+    terrain.keep_off_things(False)
+    terrain.start_at(start)
+    return way
 
 
 def is_leg_free(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> bool:

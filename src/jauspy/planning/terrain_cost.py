@@ -42,6 +42,8 @@ THING_SIZE: Final = 0.7
 """Metres above the ground from which on something lies there, and its longest side; what is longer is ground."""
 EDGE: Final = 0.15
 """Metres beside a step that needs flippers in which nothing is told from it."""
+THING_ROOM: Final = 0.08
+"""Metres that stay free beside what lies on the ground, in addition: not all of it is seen."""
 STEP_HEADING: Final = math.radians(25.0)
 """Greatest angle between the heading and the way up a step that needs flippers, radians."""
 LEAST_KNOWN: Final = 0.3
@@ -145,7 +147,7 @@ class TerrainCost:
         """Take such things for obstacles, or again for ground that costs more."""
         self.distance = self._to_blocked
         if keep_off and self._things is not None:
-            self.distance = np.minimum(self._to_blocked, self._distances(self._things))
+            self.distance = np.minimum(self._to_blocked, self._distances(self._things) - np.float32(THING_ROOM))
 
     # --- cells ------------------------------------------------------------------------------------------------------
 
