@@ -68,9 +68,15 @@ def test_after_a_gap_a_pose_far_off_is_found(slip: tuple[float, float]) -> None:
     assert math.hypot(found.x - pose.x, found.y - pose.y) < 0.05
 
 
+def test_a_robot_that_slipped_all_the_way_is_found_where_it_was() -> None:
+    before, pose = PlanarPose(0.4, 0.1), PlanarPose(0.5, 0.1)
+    found = search(mapped(), ends(pose), PlanarPose(2.3, 0.4), before)
+    assert math.hypot(found.x - pose.x, found.y - pose.y) < 0.11, "a step of the search"
+
+
 def test_corridor_keeps_the_guess_along_it_after_a_gap() -> None:
     pose = PlanarPose(1.5, 0.2, 0.0)
-    found = search(mapped(corridor=True), ends(pose, corridor=True), PlanarPose(1.2, 0.5, 0.0), 0.4)
+    found = search(mapped(corridor=True), ends(pose, corridor=True), PlanarPose(1.2, 0.5, 0.0), PlanarPose(0.8, 0.5))
     assert found.x == pytest.approx(1.2, abs=0.11), "a step of the search"
     assert found.y == pytest.approx(0.2, abs=0.1)
 

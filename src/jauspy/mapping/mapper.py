@@ -33,8 +33,12 @@ GAP: Final = 0.3
 """Metres between two such scans from which on some were left out, as of a tilted robot: its tracks may have slipped."""
 SLIP: Final = 1.0
 """Standard deviation of the distance over such a gap, as a part of it."""
+ASIDE: Final = 0.3
+"""Standard deviation to the side, metres."""
+MAX_GAP: Final = 5.0
+"""Metres of a gap, back from the guess, that are searched."""
 MAX_REACH: Final = 1.0
-"""Metres around the guess that are searched after a gap."""
+"""Metres around the guess that are searched in a map that was made before."""
 SEARCH_STEP: Final = 0.1
 SEARCHED_POINTS: Final = 150
 """Echoes of a scan, evenly spread, by which places are compared."""
@@ -122,8 +126,8 @@ class Mapper:
         way = math.hypot(step.x, step.y)
         if way < GAP:
             return match(self.grid, points, guess, ODOMETRY_DEVIATION)
-        deviation = SLIP * way, ODOMETRY_DEVIATION[1]
-        return match(self.grid, points, search(self.grid, points, guess, deviation[0]), deviation)
+        found = search(self.grid, points, guess, self.path[-1])
+        return match(self.grid, points, found, (SLIP * way, ODOMETRY_DEVIATION[1]))
 
     def _ends(
         self, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]
@@ -143,14 +147,21 @@ def _moved(step: PlanarPose) -> bool:
     return math.hypot(step.x, step.y) >= MIN_DISTANCE or abs(step.yaw) >= MIN_TURN
 
 
-def search(grid: OccupancyGrid, points: Points, guess: PlanarPose, deviation: float) -> PlanarPose:
-    """The place around `guess` where the echoes of a scan, shape (n, 2) in the robot's frame, fit the map best.
+def search(grid: OccupancyGrid, points: Points, guess: PlanarPose, before: PlanarPose) -> PlanarPose:
+    """The place between the last one and `guess` where the echoes of a scan, shape (n, 2), fit the map best.
 
-    For a guess farther off than walls attract; `deviation` is its standard deviation in metres. The heading stays.
+    A robot whose tracks slip, as at a kerb, is on its way, and not as far as odometry tells. The heading stays.
     """
     if len(points) < MIN_POINTS:
         return guess
-    return _Comparison(grid, points).best(guess, deviation)[0]
+    back_x, back_y = before.x - guess.x, before.y - guess.y
+    way = math.hypot(back_x, back_y)
+    along = np.arange(-2.0 * ASIDE, min(way, MAX_GAP) + SEARCH_STEP, SEARCH_STEP)
+    aside = np.arange(-2.0 * ASIDE, 2.0 * ASIDE + SEARCH_STEP / 2.0, SEARCH_STEP)
+    offsets = np.stack(np.meshgrid(along, aside), axis=-1).reshape(-1, 2)
+    turned = offsets @ np.array([[back_x, back_y], [-back_y, back_x]]) / way
+    doubts = (offsets[:, 0] / (SLIP * way)) ** 2 + (offsets[:, 1] / ASIDE) ** 2
+    return _Comparison(grid, points).best(guess, turned, doubts)[0]
 
 
 def locate(grid: OccupancyGrid, points: Points, guess: PlanarPose) -> PlanarPose:
@@ -165,7 +176,10 @@ def locate(grid: OccupancyGrid, points: Points, guess: PlanarPose) -> PlanarPose
     comparison = _Comparison(grid, points)
     turns = np.arange(-START_TURN, START_TURN + START_STEP / 2.0, START_STEP).tolist()
     guesses = [PlanarPose(guess.x, guess.y, guess.yaw + turn) for turn in turns]
-    found, _ = min((comparison.best(turned, START_DEVIATION) for turned in guesses), key=lambda pair: pair[1])
+    along = np.arange(-MAX_REACH, MAX_REACH + SEARCH_STEP / 2.0, SEARCH_STEP)
+    offsets = np.stack(np.meshgrid(along, along), axis=-1).reshape(-1, 2)
+    doubts = (offsets * offsets).sum(axis=1) / START_DEVIATION**2
+    found, _ = min((comparison.best(turned, offsets, doubts) for turned in guesses), key=lambda pair: pair[1])
     pose = match(grid, points, found, (SEARCH_STEP, START_STEP))
     if (fit := comparison.fit(pose)) < MIN_FIT:
         raise ConfigError(
@@ -185,15 +199,15 @@ class _Comparison:
         # ends where nothing is known yet say nothing: otherwise a scan would slide to the part that the map already has
         self._known = (grid.log_odds != 0.0) | (self._near > 0.0)
 
-    def best(self, guess: PlanarPose, deviation: float) -> tuple[PlanarPose, float]:
-        """The best place around a guess with this standard deviation in metres, with its heading; and its cost."""
-        count = round(min(MAX_REACH, 2.0 * deviation) / SEARCH_STEP)
-        along = SEARCH_STEP * np.arange(-count, count + 1)
-        offsets = np.stack(np.meshgrid(along, along), axis=-1).reshape(-1, 2)
+    def best(self, guess: PlanarPose, offsets: Points, doubts: Array) -> tuple[PlanarPose, float]:
+        """The best place at one of the offsets, shape (m, 2), from a guess, with its heading; and its cost.
+
+        `doubts`, shape (m,), are the squares of the offsets in standard deviations.
+        """
         rows, columns = self._cells(transformed(guess, self._points) + offsets[:, np.newaxis])
         counted = self._known[rows, columns]
         lacking = ((1.0 - self._near[rows, columns]) ** 2 * counted).sum(axis=1) / np.maximum(counted.sum(axis=1), 1)
-        costs = FIT_WEIGHT * lacking + (offsets * offsets).sum(axis=1) / deviation**2
+        costs = FIT_WEIGHT * lacking + doubts
         chosen = int(costs.argmin())
         x, y = offsets[chosen].tolist()
         return PlanarPose(guess.x + x, guess.y + y, guess.yaw), float(costs[chosen])
