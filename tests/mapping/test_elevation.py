@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
-from jauspy.mapping.elevation import MAX_POINTS, ElevationGrid
+from jauspy.mapping.elevation import KEPT_WAY, MAX_POINTS, ElevationGrid
 from jauspy.mapping.surfaces import fitted_planes, largest_steps
 
 Floats = NDArray[np.float64]
@@ -99,6 +99,58 @@ def test_a_tilt_that_is_measured_wrong_makes_no_steps(turn: tuple[float, float])
         grid.add(cloud(kerb, seed), wrong, seed / 10.0)
     assert np.nanmax(np.abs(errors(grid, kerb))) < 0.035
     assert grid.counters["tilted"] == 0
+
+
+def shifted(x: float, up: float = 0.0) -> Transform:
+    """The sensor so many metres farther along x, with a pose that is `up` metres too high."""
+    return Transform.from_pose(Pose(x, 0.0, up)) @ SENSOR
+
+
+@pytest.mark.parametrize("up", [0.08, -0.15, 0.25])
+@pytest.mark.parametrize("ground", [flat, kerb])
+def test_a_height_that_is_off_since_an_edge_makes_no_steps(ground: Ground, up: float) -> None:
+    """Tracks that slipped at a kerb ran on, up or down, while the robot was tilted."""
+    grid = made(ground)
+    for seed in range(3, 6):
+        grid.add(cloud(ground, seed), shifted(0.0, up), seed / 10.0, has_tipped=seed == 3)
+    assert np.percentile(errors(grid, ground), 99) < 0.03
+    grid.add_footprint(Transform.from_pose(Pose(3.5, 3.5, up)), (0.4, 0.4), 0.0, 1.0)
+    assert grid.height_at(3.5, 3.5) == pytest.approx(0.0, abs=0.03)
+    without = made(ground)
+    for seed in range(3, 6):
+        without.add(cloud(ground, seed), shifted(0.0, up), seed / 10.0)
+    assert np.percentile(errors(without, ground), 99) > 0.05
+
+
+def test_ground_that_nothing_agrees_with_tells_no_height() -> None:
+    grid = made(flat)
+    grid.add(cloud(ramp, 9), shifted(0.0, 0.1), 1.0, has_tipped=True)
+    assert abs(grid._rise) < 0.12
+    empty = ElevationGrid(8.0, 0.1)
+    empty.add(cloud(flat), shifted(0.0, 0.2), 0.0, has_tipped=True)
+    assert empty._rise == 0.0
+
+
+def test_ground_that_was_seen_long_ago_on_the_way_is_forgotten() -> None:
+    """Poses drift by centimetres in ten metres: ground that is seen again would be a step beside older ground."""
+    grid = ElevationGrid(40.0, 0.1)
+    grid.add(cloud(flat, 0, 30_000), SENSOR, 0.0)
+    known = np.isfinite(grid.heights).sum()
+    assert known > 2000
+    for number in range(1, int(0.8 * KEPT_WAY / 0.4)):
+        grid.add(np.empty((0, 3)), shifted(0.4 * number), float(number))
+    assert np.isfinite(grid.heights).sum() == known, "it is not so long"
+    for number in range(int(0.8 * KEPT_WAY / 0.4), int(1.2 * KEPT_WAY / 0.4)):
+        grid.add(np.empty((0, 3)), shifted(0.4 * number), float(number))
+    assert np.isnan(grid.heights).all()
+
+
+def test_a_robot_that_stands_forgets_nothing() -> None:
+    grid = made(flat)
+    before = grid.heights.copy()
+    for number in range(100):
+        grid.add(np.empty((0, 3)), shifted(0.2 * (number % 2)), 1.0 + number)
+    assert np.array_equal(grid.heights, before, equal_nan=True)
 
 
 def test_a_tilt_that_is_measured_wrong_at_first_is_corrected_by_what_comes_after() -> None:

@@ -39,6 +39,22 @@ async def test_four_local_waypoints_in_order(virtual_network, robot, ocu, loss):
     assert all(math.dist(*pair) < 0.5 for pair in zip(reached, SQUARE, strict=True)), reached
 
 
+@pytest.mark.parametrize("begun", [0.02, 0.1, 0.14, 0.2, 0.3, 0.5])
+async def test_a_course_that_replaces_another_one_at_once_is_driven(virtual_network, robot, ocu, begun):
+    """The first one may be on its way to the robot still, and is cancelled once the second one has begun."""
+    virtual_network.delay = 0.02
+    found = await ocu.robot(101)
+    async with found.control("drive"):
+        first = asyncio.create_task(found.drive_course([(3.0, 0.0), (3.0, 3.0)]))
+        await asyncio.sleep(begun)
+        second = asyncio.create_task(found.drive_course([(0.5, 0.0), (1.0, 0.0)]))
+        await asyncio.sleep(0)
+        first.cancel()
+        pose = await second
+        assert first.cancelled()
+    assert math.dist((pose.x, pose.y), (1.0, 0.0)) < 0.3
+
+
 @pytest.mark.slow
 async def test_four_global_waypoints_in_order(virtual_network, robot, ocu):
     found = await ocu.discover(101)

@@ -17,7 +17,7 @@ import numpy as np
 
 from jauspy.backends import kinematic
 from jauspy.backends.kinematic import KinematicRobot
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, RequestError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid, transformed
 from jauspy.messages.iop import AddNoGoZone, QueryCostMap2D, QueryNoGoZones, QueryPath, RemoveNoGoZone
@@ -330,3 +330,38 @@ def test_the_rest_of_a_way_does_not_lead_back_to_a_corner_that_is_behind():
         assert place[:2] == (x, y)
         assert len(rest) == corners, (x, y)
         assert rest[-1] == (1.0, 2.0, False)
+
+
+class Kerb:
+    """0.12 m high, at x = 2."""
+
+    origin = (-5.0, -5.0)
+    resolution = 0.1
+    heights = np.where(np.arange(100) >= 70, 0.12, 0.0).astype(np.float32) * np.ones((100, 1), np.float32)
+
+
+@pytest.mark.parametrize(("x", "angle", "is_told"), [(1.0, None, True), (-0.5, None, False), (1.0, 0.05, False)])
+def test_a_step_that_was_not_known_when_the_way_was_planned_is_told_in_time(x, angle, is_told):
+    """A robot that met it with its flippers up pressed against it for seconds."""
+    cells = np.zeros((200, 200), bool)
+    terrain = TerrainCost(mobility_of(MODEL), cells, ~cells, (-5.0, -5.0), 0.05, elevation=Kerb())
+    around = SimpleNamespace(to_map=lambda pose: pose, terrain=lambda *_, **__: terrain)
+    driver = Navigator(SimpleNamespace(components=()), MODEL, around)  # type: ignore[arg-type]
+    driver._mobility, driver._flippers = mobility_of(MODEL), angle
+    ahead = driver._seen_ahead([PathPoint(x, 0.0), PathPoint(4.0, 0.0)], PlanarPose(x, 0.0, 0.0))
+    assert ahead.free == navigator.LOOK_AHEAD
+    assert (ahead.step is terrain) is is_told
+
+
+async def test_a_part_that_the_robot_refused_is_not_taken_for_driven(inc1):
+    """The next one would begin somewhere else, with the flippers for another place."""
+
+    async def refused() -> RobotPose:
+        raise RequestError("refused")
+
+    driver = Navigator(inc1, MODEL, SimpleNamespace())  # type: ignore[arg-type]
+    driver._rest = [Part((PathPoint(1.0, 0.0), PathPoint(2.0, 0.0)), None)]
+    driver._course = asyncio.create_task(refused())
+    await asyncio.wait({driver._course})
+    assert await driver._next_part() is False
+    assert driver._rest == []

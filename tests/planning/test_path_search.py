@@ -79,6 +79,39 @@ def test_a_wide_way_is_taken_unless_it_is_a_detour():
     assert 0.0 < crossed["far"] < 0.7, "the narrow one"
 
 
+@dataclass
+class Heights:
+    heights: np.ndarray
+    origin: tuple[float, float] = (-5.0, -5.0)
+    resolution: float = 0.1
+
+
+def with_strap(*boxes: tuple[float, float, float, float]) -> TerrainCost:
+    """Ground with a strap across the way, 0.5 m long and 3 cm high, and boxes."""
+    heights = np.zeros((100, 100), np.float32)
+    heights[48:53, 50:52] = 0.03
+    bare = terrain(*boxes)
+    return TerrainCost(
+        MOBILITY, bare.blocked, np.ones_like(bare.blocked), (-5.0, -5.0), 0.1, elevation=Heights(heights)
+    )
+
+
+def test_what_lies_on_the_ground_is_not_driven_over_where_there_is_another_way():
+    start, goal = PlanarPose(-2.0, 0.0, 0.0), (2.0, 0.0)
+    end = time.thread_time() + 5.0
+    found = with_strap()
+    path = find_path_with_margins(found, start, goal, backward=True, end=end)
+    assert abs(crossing(path)) > 0.6
+    assert path.length < 5.5
+    found = with_strap((-0.5, 0.5, 0.5, 5.0), (-0.5, -5.0, 0.5, -0.5))
+    path = find_path_with_margins(found, start, goal, backward=True, end=end)
+    assert abs(crossing(path)) < 0.2, "between walls it is driven over"
+    assert_free(found, path)
+    far = with_strap((-0.5, 0.5, 0.5, 5.0), (-0.5, -3.9, 0.5, -0.5))
+    path = find_path_with_margins(far, start, goal, backward=True, end=end)
+    assert abs(crossing(path)) < 0.2, "the way around is too long"
+
+
 def test_a_narrow_door_is_passed_in_the_middle_where_it_is_wider_than_needed():
     for cells in (16, 18):
         found = doors(cells)

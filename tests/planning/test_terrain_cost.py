@@ -200,3 +200,21 @@ def test_the_base_of_a_cone_beside_its_body_is_avoided_too():
         return ground(lambda x, y: 0.45 if (out := max(abs(x), abs(y))) < 0.1 else base * (out < 0.2))
 
     assert terrain(cone(0.03)).cost_at(0.15, 0.45) > terrain(cone(0.0)).cost_at(0.15, 0.45) + 4.0
+
+
+def test_what_lies_on_the_ground_is_an_obstacle_where_it_is_to_be():
+    found = terrain(ground(lambda x, y: 0.03 if max(abs(x), abs(y)) < 0.18 else 0.0))
+    assert found.has_things
+    for keep_off in (True, False):
+        found.keep_off_things(keep_off)
+        assert found.is_free(0.0, 0.0, 0.0) is not keep_off
+        assert found.is_free(1.0, 0.0, 0.0) is True
+    assert not terrain(ground(lambda x, y: 0.0)).has_things
+
+
+def test_a_kerb_that_is_seen_in_parts_is_nothing_that_lies_there():
+    """From the road, some cells of a pavement are seen between others that are not."""
+    seen = ground(lambda x, _: 0.12 if x > 1.0 else 0.0)
+    columns, rows = np.meshgrid(np.arange(80), np.arange(80))
+    seen.heights[(columns > 51) & ((columns + 2 * rows) % 5 > 1)] = np.nan
+    assert not terrain(seen).has_things

@@ -80,6 +80,22 @@ def test_control_recovers_from_saturation() -> None:
     assert too_fast[-1] < too_fast[0] - 0.1
 
 
+def test_what_turned_the_robot_is_forgotten_while_it_drives_straight_on() -> None:
+    """With one track on an edge it does not turn, whatever the effort: there is no error that would take it back."""
+    control = VelocityControl(Chassis())
+    turning, straight = PlanarVelocity(0.3, 0.4), PlanarVelocity(0.3, 0.0)
+    for _ in range(200):
+        control.efforts(turning, PlanarVelocity(0.3, 0.1), 0.02)
+    first = control.efforts(straight, straight, 0.02).right_turn
+    for _ in range(150):
+        control.efforts(straight, straight, 0.02)
+    assert first > 0.2
+    assert control.efforts(straight, straight, 0.02).right_turn < 0.2 * first
+    for _ in range(2000):  # a side slope that turns the robot is held
+        control.efforts(straight, PlanarVelocity(0.3, -0.05), 0.02)
+    assert control.efforts(straight, straight, 0.02).right_turn > 0.02
+
+
 def test_standstill_needs_no_effort() -> None:
     assert VelocityControl(Chassis()).efforts(STANDSTILL, STANDSTILL, 0.02) == Efforts(0.0, 0.0, 0.0)
 
