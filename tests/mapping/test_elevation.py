@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
-from jauspy.mapping.elevation import KEPT_WAY, MAX_POINTS, ElevationGrid
+from jauspy.mapping.elevation import MAX_POINTS, ElevationGrid
 from jauspy.mapping.surfaces import fitted_planes, largest_steps
 
 Floats = NDArray[np.float64]
@@ -131,22 +131,25 @@ def test_ground_that_nothing_agrees_with_tells_no_height() -> None:
     assert empty._rise == 0.0
 
 
-def test_ground_that_was_seen_long_ago_on_the_way_is_forgotten() -> None:
+@pytest.mark.parametrize(("kept_way", "is_forgotten"), [(6.0, True), (math.inf, False)])
+def test_ground_that_was_seen_long_ago_on_the_way_is_forgotten(kept_way: float, is_forgotten: bool) -> None:
     """Poses drift by centimetres in ten metres: ground that is seen again would be a step beside older ground."""
-    grid = ElevationGrid(40.0, 0.1)
+    grid = ElevationGrid(40.0, 0.1, kept_way=kept_way)
     grid.add(cloud(flat, 0, 30_000), SENSOR, 0.0)
     known = np.isfinite(grid.heights).sum()
     assert known > 2000
-    for number in range(1, int(0.8 * KEPT_WAY / 0.4)):
+    for number in range(1, 13):
         grid.add(np.empty((0, 3)), shifted(0.4 * number), float(number))
     assert np.isfinite(grid.heights).sum() == known, "it is not so long"
-    for number in range(int(0.8 * KEPT_WAY / 0.4), int(1.2 * KEPT_WAY / 0.4)):
+    for number in range(13, 18):
         grid.add(np.empty((0, 3)), shifted(0.4 * number), float(number))
-    assert np.isnan(grid.heights).all()
+    assert bool(np.isnan(grid.heights).all()) is is_forgotten
 
 
 def test_a_robot_that_stands_forgets_nothing() -> None:
-    grid = made(flat)
+    grid = ElevationGrid(8.0, 0.1, kept_way=6.0)
+    for seed in range(3):
+        grid.add(cloud(flat, seed), SENSOR, seed / 10.0)
     before = grid.heights.copy()
     for number in range(100):
         grid.add(np.empty((0, 3)), shifted(0.2 * (number % 2)), 1.0 + number)

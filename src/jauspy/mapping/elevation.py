@@ -68,9 +68,6 @@ LARGEST_TILT: Final = 0.08
 """Radians of an error of the measured tilt at most."""
 STEADY_TIME: Final = 3.0
 """Seconds in which a difference between the measured tilt and known ground becomes one of that ground."""
-KEPT_WAY: Final = 7.0
-"""Metres of the sensor's way after which ground that was not seen again is forgotten: heights of poses drift by some
-millimetres a metre, and ground that is seen again would be a step beside what was seen long before."""
 FORGET_INTERVAL: Final = 0.5
 """Metres of the way between two looks at what is to be forgotten."""
 RECENTRE: Final = 0.125
@@ -97,11 +94,15 @@ class GroundHeights:
 class ElevationGrid:
     """A square of `size` metres around the sensor, in cells of `resolution` metres, that moves with it by whole cells.
 
-    `clearance` is the height, in metres, that the robot needs to drive below something. Arrays of cells have the shape
+    `clearance` is the height, in metres, that the robot needs to drive below something. Ground that was not seen again
+    for `kept_way` metres of the sensor's way is forgotten: heights of poses drift by some millimetres a metre, and what
+    is seen again would be a step beside what was seen long before. Arrays of cells have the shape
     (cells, cells): rows along y, columns along x, both ascending. The frame is that of the poses given to `add`, z up.
     """
 
-    def __init__(self, size: float = 12.0, resolution: float = 0.1, clearance: float = 0.6) -> None:
+    def __init__(
+        self, size: float = 12.0, resolution: float = 0.1, clearance: float = 0.6, *, kept_way: float = math.inf
+    ) -> None:
         cells = round(size / resolution)
         if not 4 <= cells <= MAX_CELLS:
             many = f"{size:g} m in cells of {resolution:g} m are {cells} cells along a side"
@@ -109,6 +110,7 @@ class ElevationGrid:
         self.resolution = resolution
         self.cells = cells
         self.clearance = clearance
+        self._kept_way = kept_way
         self._gap = math.ceil(min(max(clearance, LAYER), LAYERS * LAYER) / LAYER)
         self.stamp = math.nan
         """Time of the latest cloud, in seconds of the clock of `add`; NaN before the first."""
@@ -299,7 +301,7 @@ class ElevationGrid:
             return
         self._way += moved
         self._place = start[:2].copy()
-        old = self._way - self._seen_on_way > KEPT_WAY
+        old = self._way - self._seen_on_way > self._kept_way
         self._weights[:, old] = self._sums[:, old] = 0.0
         self._heights = None
 

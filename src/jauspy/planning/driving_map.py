@@ -52,6 +52,8 @@ FIRST_SCAN_TIMEOUT: Final = 10.0
 """Seconds until the first scan."""
 FIRST_HEIGHTS_TIMEOUT: Final = 20.0
 """Seconds until the first cloud that can be used: depth cameras take some to start."""
+KEPT_WAY: Final = 7.0
+"""Metres of the way after which heights are forgotten that were not measured again: poses drift by 2 mm a metre."""
 HEIGHTS_SIZE: Final = 16.0
 """Side of the elevation grid, metres."""
 
@@ -253,7 +255,7 @@ def heights_of_clouds(
     body = OwnBody(model.description, BODY_MARGIN)
 
     def make(local: Callable[[], PlanarPose]) -> LiveElevation:
-        grid = ElevationGrid(HEIGHTS_SIZE)
+        grid = ElevationGrid(HEIGHTS_SIZE, kept_way=KEPT_WAY)
         return LiveElevation(robot, config, model, grid, clouds, local=local, is_own=body.contains, threaded=threaded)
 
     return make
