@@ -302,8 +302,9 @@ class ElevationGrid:
         self._way += moved
         self._place = start[:2].copy()
         old = self._way - self._seen_on_way > self._kept_way
-        self._weights[:, old] = self._sums[:, old] = 0.0
-        self._heights = None
+        if old.any():
+            self._weights[:, old] = self._sums[:, old] = 0.0
+            self._heights = None
 
     def _voxels(self, points: Floats) -> tuple[Indices, NDArray[np.bool_]]:
         """Flat numbers of the voxels of the points that are inside, shape (n,), and which are inside."""

@@ -269,7 +269,7 @@ class ServiceHost:
         self.clock_offset = timedelta()
         """Difference of the component's clock to the wall clock; set by Time."""
         self.on_expect: Callable[[], None] = lambda: None
-        """Called when a service begins to expect a kind of message."""
+        """Called when a service begins to expect a kind of message; set by the component that runs it."""
         self.on_timer_change: Callable[[], None] = lambda: None
         """Called when a timer is set from outside of the host; set by the component that runs it."""
         self.locate: Callable[[JausID, Callable[[Location], None]], None] = lambda _, found: found(HERE)
