@@ -66,6 +66,9 @@ RISE_PART: Final = 0.3
 must agree about it."""
 LARGEST_TILT: Final = 0.08
 """Radians of an error of the measured tilt at most."""
+TILT_DOUBT: Final = 25.0
+"""Square metres, of a sum over points, below which they tell less about a tilt than that it is small: those of a strip
+in front of a door would raise the floor behind it."""
 STEADY_TIME: Final = 3.0
 """Seconds in which a difference between the measured tilt and known ground becomes one of that ground."""
 FORGET_INTERVAL: Final = 0.5
@@ -269,7 +272,8 @@ class ElevationGrid:
             same = np.abs(off - away @ tilt) < SAME_LEVEL
             if np.count_nonzero(same) < TILT_POINTS:
                 return np.zeros(2)
-            tilt = np.linalg.lstsq(away[same], off[same])[0]
+            a = away[same]
+            tilt = np.linalg.solve(a.T @ a + np.diag([TILT_DOUBT, TILT_DOUBT, 0.0]), a.T @ off[same])
         if math.hypot(tilt[0], tilt[1]) > LARGEST_TILT:
             self.counters["tilted"] += 1
             return np.zeros(2)
