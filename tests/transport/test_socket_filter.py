@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import pytest
-from hypothesis import given, strategies as st
+from hypothesis import given, settings, strategies as st
 
 from jauspy.component import Component
 from jauspy.ids import JausID
@@ -67,6 +67,7 @@ near = st.builds(
 )
 
 
+@settings(max_examples=500)
 @given(near | st.builds(lambda one, other: one + other, near, near | st.binary(max_size=40)) | st.binary(max_size=60))
 def test_what_is_dropped_is_what_the_header_says(pair: tuple[socket.socket, socket.socket], sent: bytes) -> None:
     assert passes(pair, sent) == (header.broadcast_code(sent) not in CODES)

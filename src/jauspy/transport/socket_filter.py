@@ -53,7 +53,7 @@ _IS_BROADCAST: Final = (
     _Step(_Operation.LOAD_BYTE, 0),
     _Step(_Operation.IF_EQUAL, VERSION, wanted=True),
     _Step(_Operation.LOAD_BYTE, 1),
-    _Step(_Operation.IF_ANY_BIT, 0xC0, wanted=False),  # no header compression
+    _Step(_Operation.IF_EQUAL, 0, wanted=True),  # no header compression, no other flag
     _Step(_Operation.LOAD_BYTE, 4),
     _Step(_Operation.IF_ANY_BIT, 0xF0, wanted=False),  # no ACK, no fragment
     _Step(_Operation.IF_ANY_BIT, 0x0C, wanted=True),
