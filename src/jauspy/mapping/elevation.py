@@ -248,10 +248,14 @@ class ElevationGrid:
         self._steady = kept * self._steady + (1.0 - kept) * tilt
         return tilt - self._steady
 
+    def _above_known(self, points: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+        """Metres by which the points inside are above the ground, NaN where it is unknown; and which are inside."""
+        voxels, inside = self._voxels(points)
+        return points[inside, 2] - self.heights.reshape(-1)[voxels % self.cells**2], inside
+
     def _rise_of(self, ends: Floats) -> float:
         """Metres by which most points of known ground are above it; 0 if no height fits enough of them."""
-        voxels, inside = self._voxels(ends)
-        off = ends[inside, 2] - self.heights.reshape(-1)[voxels % self.cells**2]
+        off, _ = self._above_known(ends)
         off = off[np.abs(off) < LARGEST_RISE]
         if len(off) < TILT_POINTS:
             return 0.0
@@ -264,8 +268,7 @@ class ElevationGrid:
 
     def _tilt_of(self, start: Floats, ends: Floats) -> Floats:
         """Slopes along x and y by which points are above known ground with their distance; 0 if that is not known."""
-        voxels, inside = self._voxels(ends)
-        off = ends[inside, 2] - self.heights.reshape(-1)[voxels % self.cells**2]
+        off, inside = self._above_known(ends)
         away = np.column_stack([ends[inside, :2] - start[:2], np.ones(len(off))])
         tilt = np.zeros(3)
         for _ in range(TILT_ROUNDS):  # from what agrees without a tilt, near the sensor, to what is farther away

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 import time
 from collections.abc import Callable
@@ -15,6 +14,7 @@ from jauspy.navigation_trials.goals import Goal
 from jauspy.navigation_trials.judge import DrivingTruth
 from jauspy.navigation_trials.results import MAX_TEXT, Drive
 from jauspy.planning.navigator import NavigationProgress, Navigator
+from jauspy.planning.path_search import way_length
 from jauspy.planning.way_parts import first_metres
 
 LIMIT: Final = 180.0
@@ -122,7 +122,7 @@ class _DriveWatch:
     def _put(self, progress: NavigationProgress) -> None:
         """Put a thing ahead on the way, unless the part that is driven is too short for it."""
         ahead = self._navigator.ahead(progress.pose)
-        if sum(math.dist(start[:2], end[:2]) for start, end in itertools.pairwise(ahead)) < AHEAD:
+        if way_length(ahead) < AHEAD:
             return
         x, y, _ = first_metres(ahead, AHEAD)[-1]
         local, true = progress.pose, self._truth.pose()

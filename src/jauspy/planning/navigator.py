@@ -31,8 +31,10 @@ from jauspy.planning.path_search import (
     PathPoint,
     find_path_with_margins,
     is_leg_free,
+    is_way_free,
     place_to_stand,
     way_cost,
+    way_length,
 )
 from jauspy.planning.stall import Stall
 from jauspy.planning.terrain_cost import TerrainCost
@@ -471,8 +473,7 @@ class Navigator:
 
     def _left(self, pose: RobotPose) -> float:
         """Metres of the way that are left."""
-        parts = self._left_parts(pose)
-        return sum(math.dist(a[:2], b[:2]) for part in parts for a, b in itertools.pairwise(part.points))
+        return sum(way_length(part.points) for part in self._left_parts(pose))
 
     def _cost_left(self, pose: RobotPose) -> float:
         """Cost of what is left of the way, on the newest map."""
@@ -505,11 +506,8 @@ class Navigator:
         terrain = self.map.terrain(self._mobility, [point[:2] for point in ahead], margin=1.0)
         terrain.margin = BLOCKING
         terrain.start_at(pose)
-        near = first_metres(ahead, STOP_DISTANCE)
-        if not all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(ahead)):
-            return _Ahead(
-                STOP_DISTANCE if all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(near)) else 0.0
-            )
+        if not is_way_free(terrain, ahead):
+            return _Ahead(STOP_DISTANCE if is_way_free(terrain, first_metres(ahead, STOP_DISTANCE)) else 0.0)
         has_step = (
             self._flippers is None
             and bool(flipper_joints(self._model))

@@ -101,7 +101,7 @@ class Path:
     @property
     def length(self) -> float:
         """Metres."""
-        return sum(math.dist(a[:2], b[:2]) for a, b in itertools.pairwise(self.points))
+        return way_length(self.points)
 
 
 class _Motion(NamedTuple):
@@ -183,7 +183,7 @@ def _around_things(
     margin = terrain.margin
     terrain.keep_off_things(True)
     terrain.start_at(start)
-    if all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(way.points)):
+    if is_way_free(terrain, way.points):
         return way
     with suppress(NoPath):
         terrain.margin = MARGINS[0]
@@ -202,6 +202,16 @@ def is_leg_free(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> bool:
     parts = np.linspace(0.0, 1.0, max(1, math.ceil(math.dist(start[:2], end[:2]) / CHECK)) + 1)
     xs, ys = start.x + parts * (end.x - start.x), start.y + parts * (end.y - start.y)
     return terrain.all_free(xs, ys, heading, backward=end.backward)
+
+
+def is_way_free(terrain: TerrainCost, points: Sequence[PathPoint]) -> bool:
+    """True if the robot can drive along straight legs through points."""
+    return all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(points))
+
+
+def way_length(points: Sequence[PathPoint]) -> float:
+    """Metres of straight legs through points."""
+    return sum(math.dist(a[:2], b[:2]) for a, b in itertools.pairwise(points))
 
 
 def way_cost(terrain: TerrainCost, points: Sequence[PathPoint]) -> float:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from jauspy.planning.mobility import FLIPPER_ANGLE
-from jauspy.planning.path_search import PathPoint
+from jauspy.planning.path_search import PathPoint, way_length
 from jauspy.planning.terrain_cost import TerrainCost
 
 SPACING: Final = 0.05
@@ -81,7 +81,7 @@ def parts(points: Sequence[PathPoint], terrain: TerrainCost) -> list[Part]:
 def without_short_start(found: Sequence[Part]) -> list[Part]:
     """Parts of which the first is not too short to be driven: then the next one begins where the robot is."""
     first, *rest = found
-    if not rest or sum(math.dist(a[:2], b[:2]) for a, b in itertools.pairwise(first.points)) >= SHORT:
+    if not rest or way_length(first.points) >= SHORT:
         return [first, *rest]
     return [replace(rest[0], points=(first.points[0], *rest[0].points[1:])), *rest[1:]]
 
