@@ -80,6 +80,23 @@ def test_goals_are_drawn_by_the_seed_and_can_be_reached() -> None:
         assert NEAR < goal.shortest < FAR
         assert abs(goal.x) > ROOM or goal.y > 2.0
         assert goal.x < 3.0 or goal.y < 3.0
+        assert goal.planned is not None
+        assert goal.planned == pytest.approx(goal.shortest, rel=0.15)
+
+
+@pytest.mark.parametrize(("half_width", "is_wide"), [(0.4, False), (0.8, True)])
+def test_the_planned_way_turns_the_robot_which_a_corridor_may_be_too_narrow_for(
+    half_width: float, is_wide: bool
+) -> None:
+    heights = ground()
+    for side in (cells(half_width, half_width + 0.2), cells(-half_width - 0.2, -half_width)):
+        heights[side] = 1.0
+    heights[cells(half_width, half_width + 0.2), cells(0.0, 1.0)] = 0.0
+    goal = TrueMap(Ground(heights), MOBILITY).goal_at(PlanarPose(-0.3, 0.0, 0.0), 0.5, 3.0)
+    assert goal is not None
+    assert goal.shortest < 3.6
+    assert (goal.planned is not None) is is_wide
+    assert goal.planned is None or goal.planned == pytest.approx(goal.shortest, rel=0.05)
 
 
 def test_without_ground_there_is_no_goal() -> None:

@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from tests.helpers.robot import described
 
@@ -43,6 +44,17 @@ def test_circles_cover_the_footprint():
     for x in (-mobility.back, 0.0, mobility.front):
         assert min(math.hypot(x - centre, mobility.half_width) for centre in centres) <= radius + 1e-9
     assert radius < 1.1 * mobility.half_width
+
+
+def test_tiles_cover_the_footprint_and_hardly_more():
+    mobility = mobility_of(INC1)
+    centres, radii = mobility.tiles
+    xs, ys = np.meshgrid(np.linspace(-0.6, 0.6, 241), np.linspace(-0.6, 0.6, 241))
+    points = np.column_stack([xs.ravel(), ys.ravel()])
+    covered = (np.hypot(*(points[:, None] - centres).transpose(2, 0, 1)) <= radii + 1e-9).any(axis=1)
+    low, high = np.array([-mobility.back, -mobility.half_width]), np.array([mobility.front, mobility.half_width])
+    assert covered[((points >= low) & (points <= high)).all(axis=1)].all()
+    assert not covered[((points < low - 0.01) | (points > high + 0.01)).any(axis=1)].any()
 
 
 def test_a_base_that_is_fixed_cannot_drive():

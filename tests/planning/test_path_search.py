@@ -12,7 +12,7 @@ pytest.importorskip("scipy", reason="planning needs scipy")
 
 from jauspy.geometry.poses import PlanarPose
 from jauspy.planning.mobility import Mobility
-from jauspy.planning.path_search import MARGINS, NoPath, find_path, find_path_with_margins, is_leg_free, way_cost
+from jauspy.planning.path_search import ROOMS, NoPath, find_path, find_path_with_margins, is_leg_free, way_cost
 from jauspy.planning.terrain_cost import TerrainCost
 
 MOBILITY = Mobility(front=0.4, back=0.4, half_width=0.3, step=0.08, flipper_step=0.2, up=0.5, down=0.5, side=0.3)
@@ -79,6 +79,31 @@ def test_a_wide_way_is_taken_unless_it_is_a_detour():
     assert 0.0 < crossed["far"] < 0.7, "the narrow one"
 
 
+LONGER = replace(MOBILITY, front=0.5, back=0.5)
+CROSSING = ((-4.0, -0.7, 4.0, -0.5), (-4.0, 0.6, -0.4, 0.8), (0.4, 0.6, 4.0, 0.8))
+"""A corridor of 1.1 m with a door of 0.8 m in one wall, and open ends."""
+
+
+def test_a_robot_turns_closely_where_it_would_drive_far_to_turn():
+    found, start, goal = terrain(*CROSSING, mobility=LONGER), PlanarPose(0.0, 0.0, 0.0), (0.0, 2.0)
+    assert find_path(found, start, goal).length > 7.0, "to the end of the corridor"
+    path = find_path_with_margins(found, start, goal, backward=True, end=time.thread_time() + 10.0)
+    assert found.is_exact
+    assert path.length < 3.0
+    assert_free(found, path)
+    nearer = start._replace(x=-3.5)
+    path = find_path_with_margins(found, nearer, (-3.5, 2.0), backward=True, end=time.thread_time() + 10.0)
+    assert not found.is_exact, "the way around the end is not much longer"
+    assert_free(found, path)
+
+
+def test_legs_are_free_from_where_the_robot_turns_onto_them():
+    """A robot that turns on the spot drives a curve as two straight legs."""
+    found = doors(13)
+    found.is_exact = True
+    assert_free(found, find_path(found, PlanarPose(-1.5, 1.5, 0.0), (1.5, -0.9)))
+
+
 @dataclass
 class Heights:
     heights: np.ndarray
@@ -134,7 +159,7 @@ def test_less_room_is_taken_where_more_is_a_long_detour(other: slice, is_near: b
     found, start, goal = doors(14, other=other), PlanarPose(-0.8, 0.3, 0.0), (0.8, 0.3)
     path = find_path_with_margins(found, start, goal, backward=True, end=time.thread_time() + 10.0)
     assert (0.0 < crossing(path) < 0.65) is is_near
-    assert found.margin == (0.02 if is_near else MARGINS[0]), "that of the way that was taken"
+    assert found.margin == (0.02 if is_near else ROOMS[0].margin), "that of the way that was taken"
     assert_free(found, path)
 
 

@@ -28,8 +28,8 @@ def terrain(elevation=None) -> TerrainCost:
 
 
 def test_flippers_are_set_near_a_step_only():
-    assert parts(WAY, terrain()) == [Part(WAY, None)]
-    before, climb, after = parts(WAY, terrain(Kerb()))
+    assert parts(WAY, terrain(), flippers=True) == [Part(WAY, None)]
+    before, climb, after = parts(WAY, terrain(Kerb()), flippers=True)
     assert [part.flippers for part in (before, climb, after)] == [None, FLIPPER_ANGLE, None]
     assert before.points[-1].x == pytest.approx(-STEP_ROOM, abs=0.3)
     assert climb.points[-1].x == pytest.approx(STEP_ROOM, abs=0.3)
@@ -45,6 +45,26 @@ def test_a_short_part_before_a_step_is_left_out(length: float, count: int):
     assert found[0].points[0] == here
     assert found[-1].flippers == 0.1
     assert found[-1].points[-1] == beyond
+
+
+def test_tight_places_are_parts_of_their_own():
+    cells = np.zeros((80, 80), bool)
+    cells[[34, 46], :40] = True  # walls 1.2 m apart, up to x = 0
+    found = TerrainCost(MOBILITY, cells, np.ones_like(cells), (-4.0, -4.0), 0.1)
+    way = tuple(PathPoint(x, 0.05) for x in (-3.0, -2.0, 1.0, 2.0, 3.0))
+    assert parts(way, found, flippers=False) == [Part(way, None)], "it keeps far from where it would touch"
+    found.is_exact = True
+    assert parts(way, found, flippers=False) == [Part(way[:3], None, is_tight=True), Part(way[2:], None)]
+
+
+def test_no_corner_is_left_out_in_a_tight_place():
+    here, corner, beyond = PathPoint(0.0, 0.0), PathPoint(0.1, 0.0), PathPoint(0.1, 1.0)
+    for tight in ((True, False), (False, True)):
+        found = [
+            Part(points, None, is_tight)
+            for points, is_tight in zip(((here, corner), (corner, beyond)), tight, strict=True)
+        ]
+        assert without_short_start(found) == found
 
 
 def test_the_last_part_is_driven_however_short_it_is():

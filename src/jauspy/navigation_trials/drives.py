@@ -89,6 +89,7 @@ async def drive_to(
         cpu=round(time.process_time() - began, 1),
         known=place.known,
         blocked=watch.blocked,
+        planned=None if goal.planned is None else round(goal.planned, 2),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Final
 
@@ -31,11 +32,14 @@ SEARCH_TIME: Final = 3.0
 
 @dataclass(frozen=True)
 class Goal:
-    """A point of the world, and the metres of the shortest way to it."""
+    """A point of the world, and ways to it, in metres."""
 
     x: float
     y: float
     shortest: float
+    """The shortest way of a grid search."""
+    planned: float | None = None
+    """The way of the navigator's search on the true map, which turns the robot from its heading; None without one."""
 
 
 class TrueMap:
@@ -59,18 +63,22 @@ class TrueMap:
         for number in rng.permutation(len(rows))[:TRIES].tolist():
             place = (np.array([columns[number], rows[number]]) + 0.5) * terrain.resolution + terrain.origin
             goal = float(place[0]), float(place[1])
-            try:
-                find_path(terrain, here, goal, seconds=SEARCH_TIME)
-            except NoPath:
-                continue
-            return Goal(*goal, float(ways[rows[number], columns[number]]))
+            planned = self._planned(here, goal)
+            if planned is not None:
+                return Goal(*goal, float(ways[rows[number], columns[number]]), planned)
         return None
 
     def goal_at(self, here: PlanarPose, x: float, y: float) -> Goal | None:
         """The goal at a point, with the shortest way to it from a pose; None without a way."""
         cell = self.terrain.cell(x, y)
         length = math.inf if cell is None else float(self.shortest(here)[cell])
-        return Goal(x, y, length) if math.isfinite(length) else None
+        return Goal(x, y, length, self._planned(here, (x, y))) if math.isfinite(length) else None
+
+    def _planned(self, here: PlanarPose, goal: tuple[float, float]) -> float | None:
+        """Metres of the way of the navigator's search; None without one."""
+        with suppress(NoPath):
+            return find_path(self.terrain, here, goal, seconds=SEARCH_TIME).length
+        return None
 
     def shortest(self, start: PlanarPose) -> NDArray[np.float64]:
         """Metres of the shortest way from a place to each cell, inf without one.

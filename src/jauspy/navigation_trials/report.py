@@ -54,6 +54,10 @@ class WorldReport:
     """Way driven by the shortest one, of goals that were reached."""
     too_long: int
     """Ways of more than `LONGER` times the shortest one."""
+    to_planned: Spread | None
+    """Way driven by the one of the navigator's search on the true map, of goals that were reached."""
+    longer_than_planned: int
+    """Ways of more than `LONGER` times that one."""
     planning: float
     """Seconds of processor time of the longest search."""
     things: int
@@ -104,6 +108,7 @@ def reported(results: TrialResults) -> Report:
 def _of_world(world: str, drives: Sequence[Drive]) -> WorldReport:
     reached = [drive for drive in drives if drive.reached]
     ratios = [drive.way / drive.shortest for drive in reached]
+    to_planned = [drive.way / drive.planned for drive in reached if drive.planned]
     goals = sum(drive.counts for drive in drives)
     low, high = wilson(len(reached), goals)
     return WorldReport(
@@ -116,6 +121,8 @@ def _of_world(world: str, drives: Sequence[Drive]) -> WorldReport:
         high=round(high, 4),
         ratio=_spread(ratios),
         too_long=sum(ratio > LONGER for ratio in ratios),
+        to_planned=_spread(to_planned),
+        longer_than_planned=sum(ratio > LONGER for ratio in to_planned),
         planning=max(drive.planning for drive in drives),
         things=sum(bool(drive.thing) for drive in drives),
         blocked=len(drives) - goals,
@@ -162,6 +169,7 @@ def _label(world: str, *, known: bool) -> str:
 
 HEADINGS: Final = (
     *("goals", "reached", "95 %", "touched", "way / shortest, median", "p95", "most", f"> {LONGER}"),
+    *("way / planned on the true map, median", "p95", "most", f"> {LONGER}"),
     *("longest search, CPU s", "things put", "no way left", "new way after, s, median", "p95", "most"),
 )
 
@@ -189,6 +197,8 @@ def _row(world: WorldReport) -> tuple[str, ...]:
         str(world.touched),
         *_spread_texts(world.ratio),
         str(world.too_long),
+        *_spread_texts(world.to_planned),
+        str(world.longer_than_planned),
         f"{world.planning:.2f}",
         str(world.things),
         str(world.blocked),

@@ -84,7 +84,7 @@ class Drive:
     way: _Length
     """Length of the way that was driven."""
     shortest: Annotated[float, Field(gt=0.0, le=1e9)]
-    """Length of the shortest way on the true map."""
+    """Length of the shortest way of a grid search on the true map, which turns nowhere."""
     contacts: Annotated[Mapping[_Text, _Count], Field(max_length=1000)]
     """Samples of the physics with a contact that is not with the ground, by body of the world."""
     plans: _Count
@@ -105,6 +105,8 @@ class Drive:
     """True for a robot that began with the map of earlier drives."""
     blocked: bool = False
     """True if what was put into the way left none on the true map: the robot is right to say so."""
+    planned: Annotated[float, Field(gt=0.0, le=1e9)] | None = None
+    """Length of the way that the navigator's search finds on the true map; None without one, and in older results."""
 
     @property
     def reached(self) -> bool:

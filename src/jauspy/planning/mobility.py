@@ -7,6 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
+import numpy as np
+from numpy.typing import NDArray
+
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Pose
 from jauspy.geometry.urdf import Joint, JointKind, collision_boxes
@@ -35,6 +38,9 @@ CLIMBING_PITCH: Final = math.radians(45.0)
 LEVEL: Final = 0.01
 """Metres above the lowest point of tracks up to which a part of them stands on level ground."""
 
+TILE: Final = 0.12
+"""Side of the tiles along the edge of the footprint, as a part of half its width."""
+
 
 @dataclass(frozen=True, slots=True)
 class Mobility:
@@ -56,12 +62,35 @@ class Mobility:
 
     @property
     def circles(self) -> tuple[tuple[float, ...], float]:
-        """Circles that cover the footprint: positions of their centres along x, and their radius."""
+        """Few circles that cover the footprint, and some decimetres before and behind it.
+
+        Positions of their centres along x, and their radius.
+        """
         length = self.front + self.back
         count = max(1, math.ceil(length / (0.5 * self.half_width)))
         part = length / count
         centres = tuple(-self.back + (number + 0.5) * part for number in range(count))
         return centres, math.hypot(self.half_width, part / 2.0)
+
+    @property
+    def tiles(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Many circles that cover the footprint, and a hundredth of its width beside it.
+
+        Their centres, x and y, shape (n, 2), and their radii, shape (n,). Each surrounds a tile of the footprint: the
+        tiles along its edge are the smallest ones.
+        """
+        low, high = np.array([-self.back, -self.half_width]), np.array([self.front, self.half_width])
+        side = TILE * self.half_width
+        centres, radii = [], []
+        while (high > low).all():
+            counts = np.maximum(1, np.ceil((high - low) / side - 1e-9)).astype(int)
+            numbers = np.indices(counts).reshape(2, -1).T
+            edge = ((numbers == 0) | (numbers == counts - 1)).any(axis=1)
+            size = (high - low) / counts
+            centres.append(low + (numbers[edge] + 0.5) * size)
+            radii.append(np.full(np.count_nonzero(edge), 0.5 * float(np.hypot(*size))))
+            low, high, side = low + size, high - size, 2.0 * side
+        return np.concatenate(centres), np.concatenate(radii)
 
 
 def mobility_of(robot: RobotModel) -> Mobility:

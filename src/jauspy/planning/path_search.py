@@ -23,7 +23,7 @@ from scipy.sparse import csgraph
 
 from jauspy.errors import RequestError
 from jauspy.geometry.poses import PlanarPose
-from jauspy.planning.terrain_cost import MARGIN, TerrainCost
+from jauspy.planning.terrain_cost import COMFORTABLE, MARGIN, TerrainCost
 
 HEADINGS: Final = 16
 TURN: Final = math.tau / HEADINGS
@@ -53,14 +53,20 @@ GOAL_TOLERANCE: Final = 0.25
 """Metres from the goal at which the search has arrived."""
 STANDING_REACH: Final = 1.0
 """Metres around a goal at an edge within which a place to stand is sought, so that the refusal can name it."""
-COMFORTABLE: Final = 0.12
-"""Metres beside the footprint below which a way costs more: a robot is 4 cm and 5 degrees off its leg at times, and a
-door of 0.95 m leaves inc1 as much only where it drives straight through the middle."""
 TIGHT_COST: Final = 0.2
 """Added to the cost of a motion with nothing beside the footprint, metres."""
-MARGINS: Final = (0.05, MARGIN)
-"""Metres between the footprint and the middles of occupied cells on a way: the first with which there is one. With less
-than the last, the footprint would be inside of cells."""
+
+
+class Room(NamedTuple):
+    """Room that stays free on a way: metres beside the footprint, and whether that is the exact one."""
+
+    margin: float
+    is_exact: bool = False
+
+
+ROOMS: Final = (Room(0.05), Room(MARGIN), Room(0.05, is_exact=True))
+"""Room on a way, to the middles of occupied cells: the first with which there is one. With a margin of less, the
+footprint would be inside of cells."""
 DETOUR: Final = 1.5
 MORE: Final = 1.0
 """Factor, and metres, by which a way is longer than straight to the goal when one with less room is sought, too: where
@@ -141,7 +147,7 @@ def find_path(
 def find_path_with_margins(
     terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float], *, backward: bool, end: float
 ) -> Path:
-    """A way with the first of `MARGINS` that has one, or with less room if that is much shorter.
+    """A way with the first of `ROOMS` that has one, or with less room if that is much shorter.
 
     What lies on the ground is driven around where that is not much longer, even if the robot could drive over it.
 
@@ -150,24 +156,24 @@ def find_path_with_margins(
     """
     first: NoPath | None = None
     best: Path | None = None
-    used = MARGINS[0]
+    used = ROOMS[0]
     direct = math.dist(start[:2], goal)
     terrain.keep_off_things(False)
-    for margin in MARGINS:
+    for room in ROOMS:
         if best is not None and best.length <= DETOUR * direct + MORE:
             break
-        terrain.margin = margin
-        share = 1.0 if margin == MARGINS[-1] else 0.5
+        terrain.margin, terrain.is_exact = room
+        share = 1.0 if room == ROOMS[-1] else 0.5
         try:
             found = find_path(terrain, start, goal, backward=backward, seconds=share * (end - time.thread_time()))
         except NoPath as reason:
             first = first or reason
         else:
             if best is None or found.cost < MUCH_SHORTER * best.cost - MORE:
-                best, used = found, margin
+                best, used = found, room
         if time.thread_time() > end:
             break
-    terrain.margin = used
+    terrain.margin, terrain.is_exact = used
     if best is None:
         assert first is not None
         raise first
@@ -180,17 +186,17 @@ def _around_things(
     """The way, or one that keeps off what lies on the ground and is not much longer; the terrain is as for that one."""
     if not terrain.has_things:
         return way
-    margin = terrain.margin
+    room = Room(terrain.margin, terrain.is_exact)
     terrain.keep_off_things(True)
     terrain.start_at(start)
     if is_way_free(terrain, way.points):
         return way
     with suppress(NoPath):
-        terrain.margin = MARGINS[0]
+        terrain.margin, terrain.is_exact = ROOMS[0]
         around = find_path(terrain, start, goal, backward=backward, seconds=end - time.thread_time())
         if around.length <= DETOUR * way.length + MORE:
             return around
-    terrain.margin = margin
+    terrain.margin, terrain.is_exact = room
     terrain.keep_off_things(False)
     terrain.start_at(start)
     return way
@@ -339,15 +345,17 @@ def _graph(
 
 
 def _motions(turn_radius: float, *, backward: bool) -> tuple[_Motion, ...]:
-    """Motions from a pose. A curve changes the heading by `TURN`; its radius is the least, or such that it fits."""
+    """Motions from a pose. A curve changes the heading by `TURN`; its radius is the least of the robot."""
     found = [_arc(STRIDE, 0, backward=False)]
-    radius = turn_radius or STRIDE / TURN
-    found += [_arc(radius * TURN, turn, backward=False) for turn in (-1, 1)]
-    if not turn_radius:
+    curve = turn_radius * TURN
+    if turn_radius:
+        found += [_arc(curve, turn, backward=False) for turn in (-1, 1)]
+    else:
+        found += [_bend(turn) for turn in (-1, 1)]
         found += [_Motion(0.0, 0.0, turn, TURN_COST, ((0.0, 0.0, turn * TURN / 2.0),)) for turn in (-1, 1)]
     if backward:
         found += [_arc(STRIDE, 0, backward=True)]
-        found += [_arc(radius * TURN, turn, backward=True) for turn in ((-1, 1) if turn_radius else ())]
+        found += [_arc(curve, turn, backward=True) for turn in ((-1, 1) if turn_radius else ())]
     return tuple(found)
 
 
@@ -366,6 +374,13 @@ def _arc(length: float, turn: int, *, backward: bool) -> _Motion:
         y = -y
     cost = length * (BACKWARD if backward else 1.0) + 0.02 * abs(turn)
     return _Motion(x, y, turn, cost, (place(0.5),), backward)
+
+
+def _bend(turn: int) -> _Motion:
+    """A curve of a robot that turns on the spot: straight legs replace it, at whose corners it turns."""
+    curve = _arc(STRIDE, turn, backward=False)
+    half = turn * TURN / 2.0
+    return curve._replace(on_way=tuple((part * curve.x, part * curve.y, half) for part in (0.0, 0.5, 1.0)))
 
 
 _Key = tuple[int, int, int]
@@ -432,14 +447,17 @@ def _search(
             if cost >= best.get(new_key, math.inf) or math.isinf(left := remaining.at(x, y)):
                 continue
             reverse = motion.backward
-            clearance = terrain.free_clearance(x, y, angles[heading], backward=reverse)
+            turns = motion.turn != 0
+            clearance = terrain.free_clearance(x, y, angles[heading], backward=reverse, turns=turns)
             if math.isinf(clearance):
                 continue
             if clearance < COMFORTABLE:
                 cost += TIGHT_COST * (1.0 - max(0.0, clearance) / COMFORTABLE)
             if cost >= best.get(new_key, math.inf) or not all(
                 terrain.is_free(
-                    node.x + c * dx - s * dy, node.y + s * dx + c * dy, angles[node.heading] + turn, backward=reverse
+                    *(node.x + c * dx - s * dy, node.y + s * dx + c * dy, angles[node.heading] + turn),
+                    backward=reverse,
+                    turns=turns,
                 )
                 for dx, dy, turn in motion.on_way
             ):
@@ -512,7 +530,9 @@ def _fits(terrain: TerrainCost, node: _Node, start: PathPoint, end: PathPoint, b
         earlier = node.heading * TURN
     turn = math.remainder(heading - earlier, math.tau)
     count = math.ceil(abs(turn) / TURN)
-    return all(terrain.is_free(start.x, start.y, earlier + turn * number / count) for number in range(1, count))
+    return all(
+        terrain.is_free(start.x, start.y, earlier + turn * number / count, turns=True) for number in range(1, count)
+    )
 
 
 def _leg_cost(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> float:

@@ -1,4 +1,4 @@
-"""A way of straight legs in parts: those near steps that need flippers, and the others; and pieces of it.
+"""A way of straight legs in parts: those near steps that need flippers, those in tight places, and the others.
 
 Points are in the map, in metres.
 """
@@ -30,6 +30,8 @@ class Part:
 
     points: tuple[PathPoint, ...]
     flippers: float | None
+    is_tight: bool = False
+    """True where the robot has no room to turn but with its exact footprint: it must not drive past a corner."""
 
 
 def nearest_on_leg(point: PathPoint, start: PathPoint, end: PathPoint) -> PathPoint:
@@ -60,8 +62,26 @@ def _at(point: PathPoint, x: float, y: float) -> PathPoint:
     return PathPoint(x, y, point.backward)
 
 
-def parts(points: Sequence[PathPoint], terrain: TerrainCost) -> list[Part]:
-    """The way in parts: those near steps that need flippers, and the others."""
+def parts(points: Sequence[PathPoint], terrain: TerrainCost, *, flippers: bool) -> list[Part]:
+    """The way in parts: of a robot with flippers those near steps that need them; tight ones, and the others."""
+    found = _by_steps(points, terrain) if flippers else [Part(tuple(points), None)]
+    if not terrain.is_exact:
+        return found
+    return [piece for part in found for piece in _by_room(part, terrain)]
+
+
+def _by_room(part: Part, terrain: TerrainCost) -> list[Part]:
+    """A part in those with room to turn at their corners, and those without."""
+    tight = [terrain.room(point.x, point.y) < 0.0 for point in part.points]
+    legs = itertools.groupby(range(len(tight) - 1), key=lambda number: tight[number] or tight[number + 1])
+    found = [(is_tight, list(numbers)) for is_tight, numbers in legs]
+    return [
+        replace(part, points=part.points[numbers[0] : numbers[-1] + 2], is_tight=is_tight)
+        for is_tight, numbers in found
+    ]
+
+
+def _by_steps(points: Sequence[PathPoint], terrain: TerrainCost) -> list[Part]:
     close = _dense(points, SPACING)
     marked = [terrain.needs_flippers(point.x, point.y) for point in close]
     reach = round(STEP_ROOM / SPACING)
@@ -79,9 +99,12 @@ def parts(points: Sequence[PathPoint], terrain: TerrainCost) -> list[Part]:
 
 
 def without_short_start(found: Sequence[Part]) -> list[Part]:
-    """Parts of which the first is not too short to be driven: then the next one begins where the robot is."""
+    """Parts of which the first is not too short to be driven: then the next one begins where the robot is.
+
+    In tight places no corner is left out.
+    """
     first, *rest = found
-    if not rest or way_length(first.points) >= SHORT:
+    if not rest or first.is_tight or rest[0].is_tight or way_length(first.points) >= SHORT:
         return [first, *rest]
     return [replace(rest[0], points=(first.points[0], *rest[0].points[1:])), *rest[1:]]
 
