@@ -15,8 +15,9 @@ pytest.importorskip("scipy", reason="planning needs scipy")
 from jauspy.console.planned_way import PlannedWay, drawn_costs
 from jauspy.geometry.poses import PlanarPose
 from jauspy.messages.iop import ReportCostMap2D
+from jauspy.planning.legs import PathPoint
 from jauspy.planning.mobility import Mobility
-from jauspy.planning.path_search import Path, PathPoint
+from jauspy.planning.path_search import Path
 from jauspy.planning.path_services import navigation_services
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.testing import VirtualNetwork

@@ -25,9 +25,10 @@ from jauspy.ocu import Robot
 from jauspy.ocu.state import RobotPose
 from jauspy.planning import navigator
 from jauspy.planning.driving_map import DrivingMap
+from jauspy.planning.legs import PathPoint, is_leg_free
 from jauspy.planning.mobility import flipper_joints, mobility_of
 from jauspy.planning.navigator import Navigator
-from jauspy.planning.path_search import NoPath, PathPoint, find_path_with_margins, is_leg_free
+from jauspy.planning.path_search import NoPath, find_path_with_margins
 from jauspy.planning.path_services import IMPASSABLE, navigation_services
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.planning.way_parts import Part

@@ -11,8 +11,9 @@ import pytest
 pytest.importorskip("scipy", reason="planning needs scipy")
 
 from jauspy.geometry.poses import PlanarPose
+from jauspy.planning.legs import is_leg_free, way_cost
 from jauspy.planning.mobility import Mobility
-from jauspy.planning.path_search import ROOMS, NoPath, find_path, find_path_with_margins, is_leg_free, way_cost
+from jauspy.planning.path_search import ROOMS, NoPath, find_path, find_path_with_margins
 from jauspy.planning.terrain_cost import TerrainCost
 
 MOBILITY = Mobility(front=0.4, back=0.4, half_width=0.3, step=0.08, flipper_step=0.2, up=0.5, down=0.5, side=0.3)

@@ -5,8 +5,8 @@ import pytest
 
 pytest.importorskip("scipy", reason="planning needs scipy")
 
+from jauspy.planning.legs import PathPoint
 from jauspy.planning.mobility import FLIPPER_ANGLE, Mobility
-from jauspy.planning.path_search import PathPoint
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.planning.way_parts import SHORT, STEP_ROOM, Part, parts, without_short_start
 

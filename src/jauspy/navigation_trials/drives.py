@@ -13,8 +13,8 @@ from jauspy.geometry.poses import PlanarPose
 from jauspy.navigation_trials.goals import Goal
 from jauspy.navigation_trials.judge import DrivingTruth
 from jauspy.navigation_trials.results import MAX_TEXT, Drive
+from jauspy.planning.legs import way_length
 from jauspy.planning.navigator import NavigationProgress, Navigator
-from jauspy.planning.path_search import way_length
 from jauspy.planning.way_parts import first_metres
 
 LIMIT: Final = 180.0

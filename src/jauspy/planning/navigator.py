@@ -22,20 +22,9 @@ from jauspy.ocu.courses import ENHANCED_DRIVER, CoursePoint
 from jauspy.ocu.robot import DEFAULT_SPEED, Robot
 from jauspy.ocu.state import RobotPose
 from jauspy.planning.driving_map import Corners, DrivingMap
+from jauspy.planning.legs import PathPoint, is_leg_free, is_way_free, way_cost, way_length
 from jauspy.planning.mobility import Mobility, flipper_joints, mobility_of, with_posture
-from jauspy.planning.path_search import (
-    ROOMS,
-    NoPath,
-    NoStand,
-    Path,
-    PathPoint,
-    find_path_with_margins,
-    is_leg_free,
-    is_way_free,
-    place_to_stand,
-    way_cost,
-    way_length,
-)
+from jauspy.planning.path_search import ROOMS, NoPath, NoStand, Path, find_path_with_margins, place_to_stand
 from jauspy.planning.stall import Stall
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.planning.way_choice import WayChoice

@@ -11,7 +11,7 @@ import heapq
 import itertools
 import math
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, Final, NamedTuple
@@ -23,6 +23,19 @@ from scipy.sparse import csgraph
 
 from jauspy.errors import RequestError
 from jauspy.geometry.poses import PlanarPose
+from jauspy.planning.legs import (
+    BACKWARD,
+    TIGHT_COST,
+    Motion,
+    PathPoint,
+    few_legs,
+    heading_on,
+    is_leg_free,
+    is_way_free,
+    way_cost,
+    way_length,
+    with_more_room,
+)
 from jauspy.planning.terrain_cost import COMFORTABLE, MARGIN, TerrainCost
 
 HEADINGS: Final = 16
@@ -38,14 +51,8 @@ TURN_SLOPE: Final = 0.12
 """Slope, as a tangent, on which tracks slip when they turn on the spot."""
 SLIP_COST: Final = 1.0
 """Added to the cost of a turn on the spot by `TURN` there, metres."""
-BACKWARD: Final = 2.0
-"""Factor of the cost of driving backward."""
-CHECK: Final = 0.1
-"""Metres between poses that are checked on a leg."""
 GREED: Final = 1.1
 """Factor of the estimated cost to the goal: the search finds a way that is at most so much dearer, sooner."""
-SMOOTHED: Final = 1.03
-"""Factor by which a straight leg may be dearer than the motions that it replaces."""
 UPWARD: Final = math.cos(math.radians(50.0))
 """Cosine of the greatest angle between an edge of the grid and the way up a step: headings are `STEP_HEADING` off it,
 and edges 45 degrees apart."""
@@ -53,8 +60,6 @@ GOAL_TOLERANCE: Final = 0.25
 """Metres from the goal at which the search has arrived."""
 STANDING_REACH: Final = 1.0
 """Metres around a goal at an edge within which a place to stand is sought, so that the refusal can name it."""
-TIGHT_COST: Final = 0.2
-"""Added to the cost of a motion with nothing beside the footprint, metres."""
 
 
 class Room(NamedTuple):
@@ -82,14 +87,6 @@ class NoPath(RequestError):
 
 class NoStand(NoPath):
     """The robot cannot stand at the goal; `place_to_stand` finds where it can."""
-
-
-class PathPoint(NamedTuple):
-    """A point to which the robot drives, in metres, and whether it drives there backward."""
-
-    x: float
-    y: float
-    backward: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,13 +132,19 @@ def find_path(
     _check_ends(terrain, start, goal)
     remaining = _Remaining(terrain, start, goal)
     nodes, expanded = _search(terrain, remaining, start, goal, backward=backward, end=began + seconds)
-    points, cost = _straightened(terrain, nodes)
+    motions = [Motion(PathPoint(node.x, node.y, node.backward), node.heading * TURN, node.cost) for node in nodes]
+    turns = not terrain.mobility.min_turn_radius
+    points = few_legs(terrain, motions) if turns else [motion.end for motion in motions]
     end = PathPoint(*goal, points[-1].backward)
-    if len(points) > 1 and is_leg_free(terrain, points[-2], end):
-        way = math.atan2(end.y - points[-2].y, end.x - points[-2].x)
-        if not terrain.is_astride(*goal, way):  # backward, the footprint is the same
-            points = (*points[:-1], end)
-    return Path(points, cost, expanded, time.thread_time() - began)
+    if (
+        len(points) > 1
+        and is_leg_free(terrain, points[-2], end)
+        and not terrain.is_astride(*goal, heading_on(points[-2], end))
+    ):
+        points[-1] = end
+    if turns:
+        points = with_more_room(terrain, points, start.yaw)
+    return Path(tuple(points), way_cost(terrain, points), expanded, time.thread_time() - began)
 
 
 def find_path_with_margins(
@@ -200,29 +203,6 @@ def _around_things(
     terrain.keep_off_things(False)
     terrain.start_at(start)
     return way
-
-
-def is_leg_free(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> bool:
-    """True if the robot can drive straight from one point to the next one."""
-    heading = math.atan2(end.y - start.y, end.x - start.x) + (math.pi if end.backward else 0.0)
-    parts = np.linspace(0.0, 1.0, max(1, math.ceil(math.dist(start[:2], end[:2]) / CHECK)) + 1)
-    xs, ys = start.x + parts * (end.x - start.x), start.y + parts * (end.y - start.y)
-    return terrain.all_free(xs, ys, heading, backward=end.backward)
-
-
-def is_way_free(terrain: TerrainCost, points: Sequence[PathPoint]) -> bool:
-    """True if the robot can drive along straight legs through points."""
-    return all(is_leg_free(terrain, a, b) for a, b in itertools.pairwise(points))
-
-
-def way_length(points: Sequence[PathPoint]) -> float:
-    """Metres of straight legs through points."""
-    return sum(math.dist(a[:2], b[:2]) for a, b in itertools.pairwise(points))
-
-
-def way_cost(terrain: TerrainCost, points: Sequence[PathPoint]) -> float:
-    """Cost of straight legs through points, metres, as that of a `Path`; whether they are free does not count."""
-    return sum(_leg_cost(terrain, a, b) for a, b in itertools.pairwise(points) if a[:2] != b[:2])
 
 
 def _check_ends(terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float]) -> None:
@@ -452,7 +432,7 @@ def _search(
             if math.isinf(clearance):
                 continue
             if clearance < COMFORTABLE:
-                cost += TIGHT_COST * (1.0 - max(0.0, clearance) / COMFORTABLE)
+                cost += TIGHT_COST * STRIDE * (1.0 - max(0.0, clearance) / COMFORTABLE)
             if cost >= best.get(new_key, math.inf) or not all(
                 terrain.is_free(
                     *(node.x + c * dx - s * dy, node.y + s * dx + c * dy, angles[node.heading] + turn),
@@ -480,67 +460,3 @@ def _ancestors(node: _Node) -> list[_Node]:
     while (parent := found[-1].parent) is not None:
         found.append(parent)
     return found[::-1]
-
-
-def _straightened(terrain: TerrainCost, nodes: list[_Node]) -> tuple[tuple[PathPoint, ...], float]:
-    """Few straight legs that replace many motions, where they are free and hardly dearer; and their cost."""
-    places = [PathPoint(node.x, node.y, node.backward) for node in nodes]
-    kept = [places[0]]
-    begin, total = 0, 0.0
-    while begin < len(places) - 1:
-        end = begin + 1
-        if not terrain.mobility.min_turn_radius:  # the corners of legs need turns on the spot
-            stride = 1
-            while stride:  # longer and longer legs, then shorter and shorter additions
-                candidate = end + stride
-                if candidate < len(places) and _replaces(terrain, nodes, places, (begin, candidate), kept):
-                    end, stride = candidate, 2 * stride
-                else:
-                    stride //= 2
-        if math.dist(places[begin][:2], places[end][:2]) > 1e-6:
-            total += _leg_cost(terrain, places[begin], places[end])
-            kept.append(places[end])
-        begin = end
-    return tuple(kept), total
-
-
-def _replaces(
-    terrain: TerrainCost, nodes: list[_Node], places: list[PathPoint], leg: tuple[int, int], before: list[PathPoint]
-) -> bool:
-    """True if a straight leg from one node to a later one is as good as the motions between."""
-    begin, end = leg
-    if any(node.backward != nodes[end].backward for node in nodes[begin + 1 : end]):
-        return False
-    cost = _leg_cost(terrain, places[begin], places[end])
-    return cost <= SMOOTHED * (nodes[end].cost - nodes[begin].cost) and _fits(
-        terrain, nodes[begin], places[begin], places[end], before
-    )
-
-
-def _fits(terrain: TerrainCost, node: _Node, start: PathPoint, end: PathPoint, before: list[PathPoint]) -> bool:
-    """True if the leg is free, and the turn from the leg before, or from the first heading, onto it."""
-    if not is_leg_free(terrain, start, end):
-        return False
-    backward = math.pi if end.backward else 0.0
-    heading = math.atan2(end.y - start.y, end.x - start.x) + backward
-    if len(before) > 1:
-        last, previous = before[-1], before[-2]
-        earlier = math.atan2(last.y - previous.y, last.x - previous.x) + (math.pi if last.backward else 0.0)
-    else:
-        earlier = node.heading * TURN
-    turn = math.remainder(heading - earlier, math.tau)
-    count = math.ceil(abs(turn) / TURN)
-    return all(
-        terrain.is_free(start.x, start.y, earlier + turn * number / count, turns=True) for number in range(1, count)
-    )
-
-
-def _leg_cost(terrain: TerrainCost, start: PathPoint, end: PathPoint) -> float:
-    length = math.dist(start[:2], end[:2])
-    count = max(1, math.ceil(length / CHECK))
-    parts = (np.arange(count) + 0.5) / count
-    xs, ys = start.x + parts * (end.x - start.x), start.y + parts * (end.y - start.y)
-    heading = math.atan2(end.y - start.y, end.x - start.x) + (math.pi if end.backward else 0.0)
-    tight = 1.0 - np.clip(terrain.clearances(xs, ys, heading) / COMFORTABLE, 0.0, 1.0)
-    driven = float(terrain.costs_at(xs, ys).mean()) * length * (BACKWARD if end.backward else 1.0)
-    return driven + TIGHT_COST * float(tight.mean()) * length / STRIDE

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
+from jauspy.planning.legs import PathPoint, way_length
 from jauspy.planning.mobility import FLIPPER_ANGLE
-from jauspy.planning.path_search import PathPoint, way_length
 from jauspy.planning.terrain_cost import TerrainCost
 
 SPACING: Final = 0.05
