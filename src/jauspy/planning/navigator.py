@@ -55,7 +55,9 @@ NARROW_TOLERANCE: Final = 0.04
 PART_TOLERANCE: Final = 0.25
 """Metres within which the end of a part before a step counts as reached: a robot that is past it need not turn back."""
 PATH_TOLERANCE: Final = 0.3
-"""Metres beside a leg at whose end the robot need not turn back for it."""
+NARROW_PATH_TOLERANCE: Final = 0.12
+"""Metres beside a leg at whose end the robot need not turn back for it, and those where it just fits: jauspy's robots
+turn onto such a leg before they drive."""
 SEARCH_TIME: Final = 0.4
 LONG_SEARCH_TIME: Final = 6.0
 """Seconds of processor time of a search, with that of the costs, while the robot may drive on, and of one for which it
@@ -121,6 +123,8 @@ class Navigator:
         self._driven: list[PathPoint] = []
         """Points of the part that is driven, in the map."""
         self._is_tight = False
+        self._passed = 0
+        """Number of the last of these points that the robot has passed."""
         self._rest: list[Part] = []
         self._course: asyncio.Task[Any] | None = None
         self._choice = WayChoice()
@@ -359,7 +363,7 @@ class Navigator:
         if not self._rest:
             return False
         part, *self._rest = without_short_start(self._rest)
-        self._driven, self._is_tight = list(part.points), part.is_tight
+        self._driven, self._is_tight, self._passed = list(part.points), part.is_tight, 0
         if course is not None and not course.done():
             self._skip_near_corners()
         speed = self._speed
@@ -369,7 +373,7 @@ class Navigator:
             speed = min(speed, TIGHT_SPEED)
         if part.flippers != self._flippers:
             await self._set_flippers(part.flippers)
-        points = [self._course_point(point) for point in self._driven[1:]]
+        points = list(itertools.starmap(self._course_point, itertools.pairwise(self._driven)))
         if points and not self._rest:  # the goal need not be hit as a corner in a door: the robot would turn for it
             points[-1] = replace(points[-1], tolerance=CORNER_TOLERANCE, path_tolerance=CORNER_TOLERANCE)
         elif points:
@@ -393,10 +397,13 @@ class Navigator:
         ):
             del points[1]
 
-    def _course_point(self, point: PathPoint) -> CoursePoint:
-        x, y = self.map.to_local(point.x, point.y)
-        reverse = point.backward if self._backward else None
-        return CoursePoint(x, y, reverse=reverse, tolerance=self._tolerance(point), path_tolerance=PATH_TOLERANCE)
+    def _course_point(self, start: PathPoint, end: PathPoint) -> CoursePoint:
+        """The end of a leg."""
+        x, y = self.map.to_local(end.x, end.y)
+        reverse = end.backward if self._backward else None
+        tolerance, is_narrow = self._tolerance(end), self._tolerance(start) <= NARROW_TOLERANCE
+        path_tolerance = NARROW_PATH_TOLERANCE if is_narrow or tolerance <= NARROW_TOLERANCE else PATH_TOLERANCE
+        return CoursePoint(x, y, reverse=reverse, tolerance=tolerance, path_tolerance=path_tolerance)
 
     def _tolerance(self, point: PathPoint, wide: float = CORNER_TOLERANCE) -> float:
         """Metres within which a point of the way counts as reached: `wide`, and less where there is little room."""
@@ -443,17 +450,11 @@ class Navigator:
         return [place, *self._driven[self._leg(place) :]]
 
     def _leg(self, place: PathPoint) -> int:
-        """Number of the point to which the robot drives from this place."""
-        legs = list(itertools.pairwise(self._driven))
-        if not legs:
-            return len(self._driven)
-        nearest = min(
-            range(len(legs)),
-            key=lambda number: (math.dist(place[:2], nearest_on_leg(place, *legs[number])[:2]), -number),
-        )
-        while nearest < len(legs) - 1 and self._is_behind(place, *legs[nearest]):
-            nearest += 1  # a robot that is sent along the rest of its way must not turn back for a corner
-        return nearest + 1
+        """Number of the point to which the robot drives from this place; it does not drive back to an earlier one."""
+        last = len(self._driven) - 1
+        while self._passed < last - 1 and self._is_behind(place, *self._driven[self._passed : self._passed + 2]):
+            self._passed += 1  # a robot that is sent along the rest of its way must not turn back for a corner
+        return self._passed + 1 if last > 0 else len(self._driven)
 
     def _is_behind(self, place: PathPoint, start: PathPoint, end: PathPoint) -> bool:
         """True if the robot has reached the end of a leg, or is past it."""

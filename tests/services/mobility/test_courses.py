@@ -212,6 +212,24 @@ def test_a_leg_begins_at_the_waypoint_before() -> None:
     assert abs(along.steer(beside).turn_rate) > 5.0 * abs(straight.steer(beside).turn_rate), "back to the line"
 
 
+def test_with_a_narrow_path_tolerance_a_robot_turns_onto_its_leg_before_it_drives() -> None:
+    aside = {}
+    for path_tolerance in (0.12, 0.3):
+        goal = CourseGoal(PlanarPoint(0.0, 5.0), path_tolerance=path_tolerance)
+        drive = course(goal, speed=0.5)
+        pose, farthest = Pose(), 0.0
+        for _ in range(300):
+            wanted = drive.steer(pose)
+            assert wanted is not None
+            yaw = pose.yaw + 0.02 * wanted.turn_rate
+            x, y = (pose.x + 0.02 * wanted.speed * math.cos(yaw), pose.y + 0.02 * wanted.speed * math.sin(yaw))
+            pose, farthest = Pose(x=x, y=y, yaw=yaw), max(farthest, x)
+        aside[path_tolerance] = farthest
+        assert pose.y > 1.5
+    assert aside[0.12] < 0.03
+    assert aside[0.3] > 0.06, "it drives on in a curve"
+
+
 def test_zero_speed_waits_even_at_the_goal() -> None:
     assert course(CourseGoal(PlanarPoint(0.0, 0.0)), speed=0.0).steer(Pose()) == STANDSTILL
 

@@ -17,6 +17,9 @@ TURN_GAIN: Final = 1.8
 """Turn rate per heading error, 1/s."""
 MAX_DRIVING_ERROR: Final = 0.8
 """Heading error, rad, above which the robot turns on the spot."""
+NARROW_PATH: Final = 0.15
+NARROW_DRIVING_ERROR: Final = 0.2
+"""Path tolerance, metres, below which that angle is less, rad: from 0.8 rad a robot drives 10 cm beside its leg."""
 HEADING_TOLERANCE: Final = 0.03
 """Heading error, rad, below which a robot that stands does not turn."""
 MIN_LOOK_AHEAD: Final = 0.6
@@ -97,18 +100,26 @@ class VectorCourse:
         return steer_to_heading(error, self.speed, self.max_turn_rate, self.min_turn_radius)
 
 
-def steer_to_heading(error: float, speed: float, max_turn_rate: float, min_turn_radius: float = 0.0) -> PlanarVelocity:
+def steer_to_heading(
+    error: float,
+    speed: float,
+    max_turn_rate: float,
+    min_turn_radius: float = 0.0,
+    *,
+    max_driving_error: float = MAX_DRIVING_ERROR,
+) -> PlanarVelocity:
     """The velocity that reduces a heading error (rad, positive when the heading lies to the right).
 
-    The speed (m/s, negative backward) falls as the error grows: the slower a curve is driven, the narrower it is. With
-    a `min_turn_radius` (metres) the chassis does not turn on the spot: it keeps the speed and turns as it can.
+    The speed (m/s, negative backward) falls as the error grows, and is 0 above `max_driving_error` (rad): the slower a
+    curve is driven, the narrower it is. With a `min_turn_radius` (metres) the chassis does not turn on the spot: it
+    keeps the speed and turns as it can.
     """
     turn_rate = clamp(TURN_GAIN * error, max_turn_rate)
     if min_turn_radius:
         slowed = math.copysign(min(abs(speed), max(CURVE_SPEED, max_turn_rate * min_turn_radius)), speed)
         driven = slowed if abs(error) > HEADING_TOLERANCE else speed
         return PlanarVelocity(driven, clamp(turn_rate, abs(driven) / min_turn_radius))
-    fade = max(0.0, 1.0 - (error / MAX_DRIVING_ERROR) ** 2)
+    fade = max(0.0, 1.0 - (error / max_driving_error) ** 2)
     return PlanarVelocity(speed * fade, turn_rate)
 
 
@@ -245,7 +256,9 @@ class WaypointCourse:
             slowed = speed if abs(error) > MAX_DRIVING_ERROR else slowed
             self._drives_on = self._is_inside_curve(position, yaw, error, goal)
             error = 0.0 if self._drives_on else error
-        return steer_to_heading(error, slowed, self._max_turn_rate, self._min_turn_radius)
+        is_narrow = goal.path_tolerance is not None and goal.path_tolerance < NARROW_PATH
+        most = NARROW_DRIVING_ERROR if is_narrow else MAX_DRIVING_ERROR
+        return steer_to_heading(error, slowed, self._max_turn_rate, self._min_turn_radius, max_driving_error=most)
 
     def _is_inside_curve(self, position: PlanarPoint, yaw: float, error: float, goal: CourseGoal) -> bool:
         """True if the narrowest curve towards the goal does not reach it."""
