@@ -28,7 +28,7 @@ from jauspy.planning.driving_map import DrivingMap
 from jauspy.planning.legs import PathPoint, is_leg_free
 from jauspy.planning.mobility import flipper_joints, mobility_of
 from jauspy.planning.navigator import Navigator
-from jauspy.planning.path_search import NoPath, find_path_with_margins
+from jauspy.planning.path_search import NoPath, Path, find_path_with_margins
 from jauspy.planning.path_services import IMPASSABLE, navigation_services
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.planning.way_parts import Part
@@ -326,11 +326,27 @@ def test_the_rest_of_a_way_does_not_lead_back_to_a_corner_that_is_behind():
     around = SimpleNamespace(to_map=lambda pose: pose)
     driver = Navigator(SimpleNamespace(components=()), MODEL, around)  # type: ignore[arg-type]
     driver.terrain, driver._driven = terrain, [PathPoint(0.0, 0.0), PathPoint(1.0, 0.0), PathPoint(1.0, 2.0)]
-    for x, y, corners in ((0.5, 0.0, 2), (0.95, 0.02, 1), (1.2, 0.05, 1), (1.02, 0.6, 1), (1.0, 2.1, 1)):
+    for x, y, corners in (
+        (0.5, 0.0, 2),
+        (0.95, 0.02, 1),
+        (1.2, 0.05, 1),
+        (0.8, -0.1, 1),
+        (1.02, 0.6, 1),
+        (1.0, 2.1, 1),
+    ):
         place, *rest = driver.ahead(RobotPose(x, y, 0.0, 0.0, 0.0, 0.0))
         assert place[:2] == (x, y)
         assert len(rest) == corners, (x, y)
         assert rest[-1] == (1.0, 2.0, False)
+
+
+@pytest.mark.parametrize(
+    ("x", "end", "has_arrived"), [(1.75, 2.0, True), (1.66, 1.76, True), (1.6, 1.76, False), (1.66, 1.7, False)]
+)
+def test_a_robot_has_arrived_where_its_way_ends_as_near_to_the_goal_as_it_can_stand(x, end, has_arrived):
+    driver = Navigator(SimpleNamespace(components=()), MODEL, SimpleNamespace(to_map=lambda pose: pose))  # type: ignore[arg-type]
+    driver.path = Path((PathPoint(0.0, 0.0), PathPoint(end, 0.0)), end, 1, 0.0)
+    assert driver._has_arrived(RobotPose(x, 0.0, 0.0, 0.0, 0.0, 0.0), 2.0, 0.0) is has_arrived
 
 
 class Kerb:

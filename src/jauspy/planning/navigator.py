@@ -24,7 +24,15 @@ from jauspy.ocu.state import RobotPose
 from jauspy.planning.driving_map import Corners, DrivingMap
 from jauspy.planning.legs import PathPoint, is_leg_free, is_way_free, way_cost, way_length
 from jauspy.planning.mobility import Mobility, flipper_joints, mobility_of, with_posture
-from jauspy.planning.path_search import ROOMS, NoPath, NoStand, Path, find_path_with_margins, place_to_stand
+from jauspy.planning.path_search import (
+    GOAL_TOLERANCE,
+    ROOMS,
+    NoPath,
+    NoStand,
+    Path,
+    find_path_with_margins,
+    place_to_stand,
+)
 from jauspy.planning.stall import Stall
 from jauspy.planning.terrain_cost import TerrainCost
 from jauspy.planning.way_choice import WayChoice
@@ -239,7 +247,7 @@ class Navigator:
                 self._choice.look(is_free=free >= LOOK_AHEAD, now=now)
                 await (self._resend(pose) if free >= LOOK_AHEAD else self._avoid(x, y, pose, now))
             elif self._course is None or self._course.done():
-                if self._distance_to(pose, x, y) <= ARRIVED and not self._rest:
+                if not self._rest and self._has_arrived(pose, x, y):
                     if self._flippers is not None:
                         await self._set_flippers(None)
                     return pose
@@ -460,6 +468,17 @@ class Navigator:
         """True if the robot has reached the end of a leg, or is past it."""
         near = math.dist(place[:2], end[:2]) <= self._tolerance(end)
         return near or (place.x - end.x) * (end.x - start.x) + (place.y - end.y) * (end.y - start.y) >= 0.0
+
+    def _has_arrived(self, pose: RobotPose, x: float, y: float) -> bool:
+        """True at the goal, and where the way ends that comes as near to it as the robot can stand."""
+        if self._distance_to(pose, x, y) <= ARRIVED:
+            return True
+        end = None if self.path is None else self.path.points[-1]
+        return (
+            end is not None
+            and math.dist(end[:2], (x, y)) <= GOAL_TOLERANCE
+            and self._distance_to(pose, *end[:2]) <= CORNER_TOLERANCE
+        )
 
     def _distance_to(self, pose: RobotPose, x: float, y: float) -> float:
         """Metres from the robot to a point of the map."""
