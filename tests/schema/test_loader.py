@@ -40,6 +40,21 @@ def test_only_needed_services_and_ancestors_are_loaded() -> None:
     assert keys(found) == {(f"{MOBILITY}PrimitiveDriver", "1.1"), *((f"{CORE}{name}", "1.1") for name in names)}
 
 
+def test_services_are_the_same_in_whatever_order_they_are_loaded() -> None:
+    wanted = [
+        (f"{CORE}Events", None),
+        (f"{MOBILITY}LocalPathSegmentDriver", "1.0"),
+        (f"{MOBILITY}PrimitiveDriver", None),
+    ]
+    found = []
+    for order in (wanted, wanted[::-1]):
+        loader.load_needed.cache_clear()
+        loader._shipped_services.cache_clear()
+        found.append([load(service) for service in order])
+    assert found[0] == found[1][::-1]
+    assert load(*wanted).services == tuple(sorted({*sum((s.services for s in found[0]), ())}, key=loader._order))
+
+
 @pytest.mark.slow
 def test_partially_loaded_services_equal_fully_loaded_ones() -> None:
     whole = load_builtin()

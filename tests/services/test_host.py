@@ -283,11 +283,12 @@ def test_read_decodes_inputs_of_the_component_only(robot) -> None:
 def test_only_needed_definitions_are_read(monkeypatch, request) -> None:
     read: list[Path] = []
 
-    def count(paths: list[Path]) -> Schema:
+    def count(paths: list[Path], *, base: Schema) -> Schema:
         read.extend(paths)
-        return load_files(paths)
+        return load_files(paths, base=base)
 
     loader.load_needed.cache_clear()
+    loader._shipped_services.cache_clear()
     monkeypatch.setattr(loader, "load_files", count)
     robot = request.getfixturevalue("robot")
     types = 2

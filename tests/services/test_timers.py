@@ -1,10 +1,6 @@
 from __future__ import annotations
 
-from itertools import pairwise
-
-from hypothesis import given, strategies as st
-
-from jauspy.services.service import Timers, next_beat
+from jauspy.services.service import Timers
 
 
 def run(timers: Timers, now: float) -> None:
@@ -62,18 +58,3 @@ def test_repeatedly_moved_timer_takes_no_memory() -> None:
         timers.set("watchdog", float(step), lambda: None)
     assert len(timers) == 1
     assert len(timers._heap) < 200
-
-
-@given(st.floats(0.0, 1e7), st.floats(0.001, 100.0), st.integers(1, 0xFFFE))
-def test_beats_of_a_subsystem_are_a_period_apart(now: float, period: float, subsystem: int) -> None:
-    first = next_beat(now, period, subsystem)
-    error = 1e-9 * max(1.0, now)
-    assert now - error <= first <= now + period + error
-    later = next_beat(now + 0.7 * period, period, subsystem)
-    assert min(abs(later - first), abs(later - first - period)) <= error, "whenever they begin"
-
-
-def test_beats_of_robots_are_spread_over_the_period() -> None:
-    beats = sorted(next_beat(0.0, 1.0, subsystem) for subsystem in range(101, 161))
-    gaps = [after - before for before, after in pairwise([*beats, beats[0] + 1.0])]
-    assert max(gaps) < 2.5 / 60

@@ -15,6 +15,7 @@ from jauspy import backends
 from jauspy.audio.device_processes import LoudspeakerProcess, MicrophoneProcess
 from jauspy.audio.worker_messages import SoundPlayed
 from jauspy.backends import check_robot
+from jauspy.beats import next_beat
 from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time, until_signalled, wall_clock
 from jauspy.errors import ConfigError, JausError, TransportError
 from jauspy.ids import JausID
@@ -346,7 +347,9 @@ class RobotRunner:
                 self._following = asyncio.create_task(modules.follow(), name="modules of the cell")
                 self._supervise(stack, self._following, realtime)
             if (guard := ObstacleGuard.of(realtime)) is not None and (processes := sightings(self.config, realtime)):
-                seeing = asyncio.create_task(follow_guard(guard, processes), name="depth cameras of the guard")
+                seeing = asyncio.create_task(
+                    follow_guard(guard, processes, self.config.subsystem), name="depth cameras of the guard"
+                )
                 self._supervise(stack, seeing, realtime)
             if enable is not None:
                 await asyncio.wrap_future(realtime.enable(enable))
@@ -485,7 +488,7 @@ class RobotRunner:
         while True:
             sent_at = clock()
             realtime.alive(is_starting=self._realtime is None)
-            await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
+            await asyncio.sleep(next_beat(sent_at, HEARTBEAT_TIMEOUT / 5.0, self.config.subsystem) - sent_at)
             if self._realtime is not None and clock() - sent_at > HEARTBEAT_TIMEOUT:
                 _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
 

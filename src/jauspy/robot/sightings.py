@@ -8,6 +8,7 @@ from contextlib import AsyncExitStack
 from functools import partial
 from typing import Final
 
+from jauspy.beats import next_beat
 from jauspy.cloud.sightings import SightingProcess, SightingStream
 from jauspy.platform.guards import ObstacleGuard
 from jauspy.robot.config import RobotConfig
@@ -30,18 +31,20 @@ def sightings(config: RobotConfig, robot: RealTime) -> list[SightingProcess]:
     ]
 
 
-async def follow_guard(guard: ObstacleGuard, processes: Sequence[SightingProcess]) -> None:
-    """Run the processes while the guard is on, until cancelled."""
+async def follow_guard(guard: ObstacleGuard, processes: Sequence[SightingProcess], subsystem: int) -> None:
+    """Run the processes while the guard of a robot is on, until cancelled."""
     while True:
-        await _until(guard, enabled=True)
+        await _until(guard, subsystem, enabled=True)
         async with AsyncExitStack() as stack:
             for process in processes:
                 await stack.enter_async_context(process)
-            await _until(guard, enabled=False)
+            await _until(guard, subsystem, enabled=False)
 
 
-async def _until(guard: ObstacleGuard, *, enabled: bool) -> None:
+async def _until(guard: ObstacleGuard, subsystem: int, *, enabled: bool) -> None:
+    clock = asyncio.get_running_loop().time
     while True:
         if guard.state().enabled is enabled:
             return
-        await asyncio.sleep(CHECK_PERIOD)
+        now = clock()
+        await asyncio.sleep(next_beat(now, CHECK_PERIOD, subsystem) - now)

@@ -36,6 +36,7 @@ Wanted: TypeAlias = tuple[str, str | None]
 _HEAD: Final = 1024
 """Bytes within which the start tag of the root ends."""
 _ROOT: Final = re.compile(rb"<(?:service_def|declared_type_set|declared_const_set)\s([^>]*)>")
+_SERVICE: Final = re.compile(rb"<service_def\s([^>]*)>")
 _REFERENCE: Final = re.compile(rb"<(?:inherits_from|declared_type_set_ref|declared_const_set_ref)\s([^>]*)>")
 _ID: Final = re.compile(rb'\bid="([^"]*)"')
 _VERSION: Final = re.compile(rb'\bversion="([^"]*)"')
@@ -224,14 +225,32 @@ def load_needed(wanted: frozenset[Wanted]) -> Schema:
 
     For a service without the wanted version all versions are loaded, for an unknown service none.
     """
-    paths: set[Path] = set()
+    loaded = _shipped_services()
+    services: dict[Key, Path] = {}
+    sets: set[Path] = set()
     waiting = [path for pattern in wanted for path in _files(*pattern)]
     while waiting:
         path = waiting.pop()
-        if path not in paths:
-            paths.add(path)
-            waiting += [other for key in _keys(_REFERENCE, read_bytes(path)) for other in _files(*key)]
-    return load_files(sorted(paths))
+        data = read_bytes(path)
+        key = next(_keys(_SERVICE, data[:_HEAD]), None)
+        if path in sets or key in services:
+            continue
+        if key is None:
+            sets.add(path)
+        else:
+            services[key] = path
+        waiting += [other for referred in _keys(_REFERENCE, data) for other in _files(*referred)]
+    missing = [path for key, path in services.items() if key not in loaded]
+    if missing:
+        schema = load_files(sorted([*missing, *sets]), base=Schema(services=tuple(loaded.values())))
+        loaded |= {service.key: service for service in schema.services}
+    return Schema(services=tuple(sorted((loaded[key] for key in services), key=_order)))
+
+
+@cache
+def _shipped_services() -> dict[Key, ServiceDefinition]:
+    """The shipped services that `load_needed` has loaded so far: modules of a robot have many in common."""
+    return {}
 
 
 def versions_of(id: str) -> tuple[str, ...]:

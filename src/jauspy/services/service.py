@@ -11,6 +11,7 @@ from itertools import count
 from typing import TYPE_CHECKING, Any, ClassVar, Final, Protocol, TypeAlias, TypeVar
 
 from jauspy.arguments import check_number, described
+from jauspy.beats import next_beat
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
@@ -90,17 +91,6 @@ class Timers:
     def _compact(self) -> None:
         self._heap = [entry for entry in self._heap if not self._stale(entry)]
         heapq.heapify(self._heap)
-
-
-_GOLDEN: Final = 0.618034
-"""Fraction of a period by which calls of robots with successive subsystem ids are apart: any number of them is spread
-evenly."""
-
-
-def next_beat(now: float, period: float, subsystem: int) -> float:
-    """The first of the times of a subsystem, one `period` (s) apart, that is after `now`."""
-    phase = period * (subsystem * _GOLDEN % 1.0)
-    return phase + period * (math.floor((now - phase) / period) + 1)
 
 
 _LOG: Final = get_logger("jauspy.services")

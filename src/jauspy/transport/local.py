@@ -15,6 +15,7 @@ from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 from typing import Final, Self
 
+from jauspy.beats import next_beat
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
@@ -232,8 +233,10 @@ class LocalTransport:
             self._unanswered += 1
             self._sender.send(self._node, junior.connect(self.id))
             self._loss.clear()
+            now = loop.time()
+            due = next_beat(now, KEEP_ALIVE_INTERVAL, self.id.subsystem) if self.connected else now + interval
             with contextlib.suppress(TimeoutError):
-                async with asyncio.timeout(KEEP_ALIVE_INTERVAL if self.connected else interval):
+                async with asyncio.timeout_at(due):
                     await self._loss.wait()
             if not self.connected:
                 interval = min(interval * 1.3, RECONNECT_INTERVAL)
