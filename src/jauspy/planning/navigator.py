@@ -381,7 +381,10 @@ class Navigator:
             speed = min(speed, TIGHT_SPEED)
         if part.flippers != self._flippers:
             await self._set_flippers(part.flippers)
-        points = list(itertools.starmap(self._course_point, itertools.pairwise(self._driven)))
+        points = [
+            self._course_point(start, end, may_turn=part.flippers is None)
+            for start, end in itertools.pairwise(self._driven)
+        ]
         if points and not self._rest:  # the goal need not be hit as a corner in a door: the robot would turn for it
             points[-1] = replace(points[-1], tolerance=CORNER_TOLERANCE, path_tolerance=CORNER_TOLERANCE)
         elif points:
@@ -405,12 +408,13 @@ class Navigator:
         ):
             del points[1]
 
-    def _course_point(self, start: PathPoint, end: PathPoint) -> CoursePoint:
-        """The end of a leg."""
+    def _course_point(self, start: PathPoint, end: PathPoint, *, may_turn: bool) -> CoursePoint:
+        """The end of a leg, at whose start the robot may turn on the spot before it drives: not at an edge."""
         x, y = self.map.to_local(end.x, end.y)
         reverse = end.backward if self._backward else None
-        tolerance, is_narrow = self._tolerance(end), self._tolerance(start) <= NARROW_TOLERANCE
-        path_tolerance = NARROW_PATH_TOLERANCE if is_narrow or tolerance <= NARROW_TOLERANCE else PATH_TOLERANCE
+        tolerance = self._tolerance(end)
+        is_narrow = may_turn and min(tolerance, self._tolerance(start)) <= NARROW_TOLERANCE
+        path_tolerance = NARROW_PATH_TOLERANCE if is_narrow else PATH_TOLERANCE
         return CoursePoint(x, y, reverse=reverse, tolerance=tolerance, path_tolerance=path_tolerance)
 
     def _tolerance(self, point: PathPoint, wide: float = CORNER_TOLERANCE) -> float:
@@ -517,11 +521,10 @@ class Navigator:
     def _seen_ahead(self, ahead: list[PathPoint], pose: PlanarPose) -> _Ahead:
         assert self._mobility is not None
         terrain = self.map.terrain(self._mobility, [point[:2] for point in ahead], margin=1.0)
-        terrain.margin, terrain.is_exact = BLOCKING, True
+        terrain.margin, terrain.is_exact = BLOCKING, self._is_tight
         terrain.start_at(pose)
         if not is_way_free(terrain, ahead):
             return _Ahead(STOP_DISTANCE if is_way_free(terrain, first_metres(ahead, STOP_DISTANCE)) else 0.0)
-        terrain.is_exact = self._is_tight
         has_step = (
             self._flippers is None
             and self._has_flippers

@@ -72,6 +72,9 @@ class Room(NamedTuple):
 ROOMS: Final = (Room(0.05), Room(MARGIN), Room(0.05, is_exact=True))
 """Room on a way, to the middles of occupied cells: the first with which there is one. With a margin of less, the
 footprint would be inside of cells."""
+SHARES: Final = (0.5, 0.75, 1.0)
+"""Parts of the time that is left which these searches may take: one that looks for a way through a door that is a cell
+too narrow looks everywhere else first."""
 DETOUR: Final = 1.5
 MORE: Final = 1.0
 """Factor, and metres, by which a way is longer than straight to the goal when one with less room is sought, too: where
@@ -154,19 +157,17 @@ def find_path_with_margins(
 
     What lies on the ground is driven around where that is not much longer, even if the robot could drive over it.
 
-    Raises `NoPath`, that of the first of them, or at `end`, in processor time. Each search may take half of the time
-    that is left: one that looks for a way through a door that is a cell too narrow looks everywhere else first.
+    Raises `NoPath`, that of the first of them, or at `end`, in processor time.
     """
     first: NoPath | None = None
     best: Path | None = None
     used = ROOMS[0]
     direct = math.dist(start[:2], goal)
     terrain.keep_off_things(False)
-    for room in ROOMS:
+    for room, share in zip(ROOMS, SHARES, strict=True):
         if best is not None and best.length <= DETOUR * direct + MORE:
             break
         terrain.margin, terrain.is_exact = room
-        share = 1.0 if room == ROOMS[-1] else 0.5
         try:
             found = find_path(terrain, start, goal, backward=backward, seconds=share * (end - time.thread_time()))
         except NoPath as reason:
