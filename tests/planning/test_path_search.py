@@ -98,6 +98,20 @@ def test_a_robot_turns_closely_where_it_would_drive_far_to_turn():
     assert_free(found, path)
 
 
+def test_a_goal_beside_a_kerb_is_reached_as_near_to_it_as_the_robot_can_stand():
+    heights = np.zeros((100, 100), np.float32)
+    heights[:, :50] = 0.12
+    bare = terrain()
+    found = TerrainCost(MOBILITY, bare.blocked, ~bare.blocked, (-5.0, -5.0), 0.1, elevation=Heights(heights))
+    beside = next(0.05 * number for number in range(20) if not found.is_astride(0.05 * number, 2.0, math.pi / 2.0))
+    goal = (beside - 0.2, 2.0)
+    path = find_path(found, PlanarPose(goal[0] + 0.3, -2.0, math.pi / 2.0), goal)
+    assert path.expanded < 100
+    end = path.points[-1]
+    assert math.dist(end[:2], goal) < 0.4
+    assert not found.is_astride(end.x, end.y, math.pi / 2.0)
+
+
 def test_legs_are_free_from_where_the_robot_turns_onto_them():
     """A robot that turns on the spot drives a curve as two straight legs."""
     found = doors(13)

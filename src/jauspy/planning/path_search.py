@@ -58,6 +58,8 @@ UPWARD: Final = math.cos(math.radians(50.0))
 and edges 45 degrees apart."""
 GOAL_TOLERANCE: Final = 0.25
 """Metres from the goal at which the search has arrived."""
+STAND_TOLERANCE: Final = 0.15
+"""Metres from the place to stand there at which it has arrived, too: that may be at the very end of the tolerance."""
 STANDING_REACH: Final = 1.0
 """Metres around a goal at an edge within which a place to stand is sought, so that the refusal can name it."""
 
@@ -132,9 +134,9 @@ def find_path(
     """The way from a pose to a point; raises `NoPath`, after `seconds` of processor time at the latest."""
     began = time.thread_time()
     terrain.start_at(start)
-    _check_ends(terrain, start, goal)
+    stand = _check_ends(terrain, start, goal)
     remaining = _Remaining(terrain, start, goal)
-    nodes, expanded = _search(terrain, remaining, start, goal, backward=backward, end=began + seconds)
+    nodes, expanded = _search(terrain, remaining, start, (goal, stand), backward=backward, end=began + seconds)
     motions = [Motion(PathPoint(node.x, node.y, node.backward), node.heading * TURN, node.cost) for node in nodes]
     turns = not terrain.mobility.min_turn_radius
     points = few_legs(terrain, motions) if turns else [motion.end for motion in motions]
@@ -206,7 +208,8 @@ def _around_things(
     return way
 
 
-def _check_ends(terrain: TerrainCost, start: PlanarPose, goal: tuple[float, float]) -> None:
+def _check_ends(terrain: TerrainCost, start: PlanarPose, goal: _Point) -> _Point:
+    """The goal, or the place near it where the robot can stand; raises `NoPath`."""
     if terrain.cell(*goal) is None:
         raise NoPath(f"({goal[0]:.2f}, {goal[1]:.2f}) is outside of the map; choose a nearer goal, or a larger map")
     if terrain.cell(start.x, start.y) is None:
@@ -216,16 +219,11 @@ def _check_ends(terrain: TerrainCost, start: PlanarPose, goal: tuple[float, floa
         needed = terrain.mobility.half_width + terrain.margin
         why = f"{far:.2f} m from an obstacle" if far < needed else "where the robot cannot stand with any heading"
         raise NoStand(f"({goal[0]:.2f}, {goal[1]:.2f}) is {why}; choose a goal {needed:.2f} m from obstacles")
-    _check_stand(terrain, goal)
-
-
-def _check_stand(terrain: TerrainCost, goal: tuple[float, float]) -> None:
-    """Refuse a goal at which the robot would end with its tracks on both sides of a step."""
     if _can_stand(terrain, *goal):
-        return
+        return goal
     place = place_to_stand(terrain, goal)
     if place is not None and math.dist(place, goal) <= GOAL_TOLERANCE:
-        return
+        return place
     advice = (
         "choose a goal farther from the edge"
         if place is None
@@ -365,6 +363,7 @@ def _bend(turn: int) -> _Motion:
 
 
 _Key = tuple[int, int, int]
+_Point = tuple[float, float]
 
 
 @dataclass(slots=True)
@@ -381,12 +380,16 @@ def _search(
     terrain: TerrainCost,
     remaining: _Remaining,
     start: PlanarPose,
-    goal: tuple[float, float],
+    ends: tuple[_Point, _Point],
     *,
     backward: bool,
     end: float,
 ) -> tuple[list[_Node], int]:
-    """Nodes from the start to the goal, and how many were expanded."""
+    """Nodes from the start to the goal, and how many were expanded.
+
+    `ends` are the goal, and the place to stand there.
+    """
+    goal, stand = ends
     motions = _motions(terrain.mobility.min_turn_radius, backward=backward)
     angles = [number * TURN for number in range(HEADINGS)]
     turned = [(math.cos(angle), math.sin(angle)) for angle in angles]
@@ -406,9 +409,11 @@ def _search(
         if key in closed:
             continue
         closed.add(key)
-        if math.hypot(node.x - goal[0], node.y - goal[1]) <= GOAL_TOLERANCE and not terrain.is_astride(
-            node.x, node.y, angles[node.heading]
-        ):
+        is_there = (
+            math.hypot(node.x - goal[0], node.y - goal[1]) <= GOAL_TOLERANCE
+            or math.hypot(node.x - stand[0], node.y - stand[1]) <= STAND_TOLERANCE
+        )
+        if is_there and not terrain.is_astride(node.x, node.y, angles[node.heading]):
             return _ancestors(node), len(closed)
         if not len(closed) % 256 and time.thread_time() > end:
             raise NoPath(
