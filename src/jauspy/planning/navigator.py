@@ -27,7 +27,6 @@ from jauspy.planning.mobility import Mobility, flipper_joints, mobility_of, with
 from jauspy.planning.path_search import (
     GOAL_TOLERANCE,
     ROOMS,
-    STAND_TOLERANCE,
     NoPath,
     NoStand,
     Path,
@@ -481,7 +480,7 @@ class Navigator:
         end = None if self.path is None else self.path.points[-1]
         return (
             end is not None
-            and math.dist(end[:2], (x, y)) <= GOAL_TOLERANCE + STAND_TOLERANCE
+            and math.dist(end[:2], (x, y)) <= 2.0 * GOAL_TOLERANCE
             and self._distance_to(pose, *end[:2]) <= CORNER_TOLERANCE
         )
 

@@ -57,9 +57,8 @@ UPWARD: Final = math.cos(math.radians(50.0))
 """Cosine of the greatest angle between an edge of the grid and the way up a step: headings are `STEP_HEADING` off it,
 and edges 45 degrees apart."""
 GOAL_TOLERANCE: Final = 0.25
-"""Metres from the goal at which the search has arrived."""
-STAND_TOLERANCE: Final = 0.15
-"""Metres from the place to stand there at which it has arrived, too: that may be at the very end of the tolerance."""
+"""Metres from the goal at which the search has arrived, or from the nearest place where the robot can stand, which is
+as near to the goal."""
 STANDING_REACH: Final = 1.0
 """Metres around a goal at an edge within which a place to stand is sought, so that the refusal can name it."""
 
@@ -409,11 +408,9 @@ def _search(
         if key in closed:
             continue
         closed.add(key)
-        is_there = (
-            math.hypot(node.x - goal[0], node.y - goal[1]) <= GOAL_TOLERANCE
-            or math.hypot(node.x - stand[0], node.y - stand[1]) <= STAND_TOLERANCE
-        )
-        if is_there and not terrain.is_astride(node.x, node.y, angles[node.heading]):
+        if math.hypot(node.x - stand[0], node.y - stand[1]) <= GOAL_TOLERANCE and not terrain.is_astride(
+            node.x, node.y, angles[node.heading]
+        ):
             return _ancestors(node), len(closed)
         if not len(closed) % 256 and time.thread_time() > end:
             raise NoPath(
