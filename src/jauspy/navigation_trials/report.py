@@ -167,20 +167,28 @@ def _label(world: str, *, known: bool) -> str:
     return f"{printable(world)}, known" if known else printable(world)
 
 
-HEADINGS: Final = (
-    *("goals", "reached", "95 %", "touched", "way / shortest, median", "p95", "most", f"> {LONGER}"),
-    *("way / planned on the true map, median", "p95", "most", f"> {LONGER}"),
-    *("longest search, CPU s", "things put", "no way left", "new way after, s, median", "p95", "most"),
+ROWS: Final = (
+    *("goals", "reached", "reached, 95 % confidence, %", "touched something"),
+    *("way / shortest, median", "way / shortest, 95 %", "way / shortest, most", f"way / shortest > {LONGER}"),
+    *(
+        "way / planned on the true map, median",
+        "way / planned, 95 %",
+        "way / planned, most",
+        f"way / planned > {LONGER}",
+    ),
+    *("longest search, CPU s", "things put into the way", "no way left"),
+    *("new way after, s, median", "new way after, s, 95 %", "new way after, s, most"),
 )
+"""Figures of a world, as in the table."""
 
 
 def lines(report: Report) -> list[str]:
-    """A table with a line for each world, and lines about drives that failed or touched something."""
-    rows = [("world", *HEADINGS)] + [_row(world) for world in report.worlds]
-    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    """A table with a column for each world, and lines about drives that failed or touched something."""
+    columns = [("", *ROWS), *((_label(world.world, known=world.known), *_figures(world)) for world in report.worlds)]
+    widths = [max(map(len, column)) for column in columns]
     found = [
         "  ".join(cell.rjust(width) if number else cell.ljust(width) for number, (cell, width) in enumerate(cells))
-        for cells in (list(zip(row, widths, strict=True)) for row in rows)
+        for cells in (list(zip(row, widths, strict=True)) for row in zip(*columns, strict=True))
     ]
     found += [failure_text(failure) for failure in report.failures]
     if report.missing:
@@ -188,9 +196,8 @@ def lines(report: Report) -> list[str]:
     return found
 
 
-def _row(world: WorldReport) -> tuple[str, ...]:
+def _figures(world: WorldReport) -> tuple[str, ...]:
     return (
-        _label(world.world, known=world.known),
         str(world.goals),
         str(world.reached),
         f"{100.0 * world.low:.0f} to {100.0 * world.high:.0f}",
