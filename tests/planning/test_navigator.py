@@ -235,7 +235,7 @@ async def test_a_cancelled_drive_stops(inc1, robot):
 @pytest.mark.slow
 async def test_flippers_that_were_set_for_a_step_are_put_back_at_the_goal(inc1, monkeypatch):
     (joint,) = flipper_joints(MODEL)
-    monkeypatch.setattr(navigator, "parts", lambda points, terrain: [Part(tuple(points), 0.5)])
+    monkeypatch.setattr(navigator, "parts", lambda points, terrain, flippers: [Part(tuple(points), 0.5)])
     before, during = (await inc1.joints()).positions[joint], []
     async with inc1.control(), surroundings(inc1) as around:
         drive = asyncio.create_task(Navigator(inc1, MODEL, around).go_to(1.5, 0.0))
