@@ -8,11 +8,11 @@ from __future__ import annotations
 import math
 from typing import Final
 
-SPREAD: Final = 10.0
-"""Seconds over which the times of robots are spread."""
+SPREAD: Final = 30.0
+"""Seconds over which the times of robots are spread: of 5 to 70 s, those with which 20 and 60 robots lie apart most
+evenly, for periods from 0.1 to 5 s."""
 _GOLDEN: Final = 0.618034
-"""Fraction of them by which the times of robots with successive subsystem ids are apart: any number of them is
-spread evenly, for any period."""
+"""Part of them by which the times of robots with successive subsystem ids are apart."""
 
 
 def next_beat(now: float, period: float, subsystem: int) -> float:
