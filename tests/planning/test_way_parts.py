@@ -55,6 +55,7 @@ def test_tight_places_are_parts_of_their_own():
     assert parts(way, found, flippers=False) == [Part(way, None)], "it keeps far from where it would touch"
     found.is_exact = True
     assert parts(way, found, flippers=False) == [Part(way[:3], None, is_tight=True), Part(way[2:], None)]
+    assert parts(way[:1], found, flippers=False) == [Part(way[:1], None)], "the robot is there"
 
 
 def test_no_corner_is_left_out_in_a_tight_place():

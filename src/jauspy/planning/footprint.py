@@ -97,9 +97,8 @@ class Footprint:
         rows -= low
         low *= self._width
         low += left
-        below, beside = self._distance[low], self._distance[low + 1]
-        above, across = self._distance[low + self._width], self._distance[low + self._width + 1]
-        below = below + columns * (beside - below)
-        above = above + columns * (across - above)
-        found: NDArray[np.float64] = below + rows * (above - below) - radii
+        corners = [self._distance[low + step] for step in (0, 1, self._width, self._width + 1)]
+        lower = corners[0] + columns * (corners[1] - corners[0])
+        upper = corners[2] + columns * (corners[3] - corners[2])
+        found: NDArray[np.float64] = lower + rows * (upper - lower) - radii
         return found

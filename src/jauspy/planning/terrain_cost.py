@@ -155,10 +155,11 @@ class TerrainCost:
 
     def keep_off_things(self, keep_off: bool) -> None:
         """Take such things for obstacles, or again for ground that costs more."""
-        self.distance = self._to_blocked
+        distance = self._to_blocked
         if keep_off and self._things is not None:
-            self.distance = np.minimum(self._to_blocked, self._distances(self._things) - np.float32(THING_ROOM))
-        self._footprint = self._footprint_in(self.distance)
+            distance = np.minimum(self._to_blocked, self._distances(self._things) - np.float32(THING_ROOM))
+        if distance is not self.distance:
+            self.distance, self._footprint = distance, self._footprint_in(distance)
 
     def _footprint_in(self, distance: NDArray[np.float32]) -> Footprint:
         return Footprint(self.mobility, distance, self.origin, self.resolution)

@@ -71,14 +71,14 @@ def parts(points: Sequence[PathPoint], terrain: TerrainCost, *, flippers: bool) 
 
 
 def _by_room(part: Part, terrain: TerrainCost) -> list[Part]:
-    """A part in those with room to turn at their corners, and those without."""
+    """A part in those with room to turn at their corners, and those without; one without a leg stays."""
     tight = [terrain.room(point.x, point.y) < 0.0 for point in part.points]
     legs = itertools.groupby(range(len(tight) - 1), key=lambda number: tight[number] or tight[number + 1])
     found = [(is_tight, list(numbers)) for is_tight, numbers in legs]
     return [
         replace(part, points=part.points[numbers[0] : numbers[-1] + 2], is_tight=is_tight)
         for is_tight, numbers in found
-    ]
+    ] or [part]
 
 
 def _by_steps(points: Sequence[PathPoint], terrain: TerrainCost) -> list[Part]:

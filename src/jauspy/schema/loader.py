@@ -228,13 +228,15 @@ def load_needed(wanted: frozenset[Wanted]) -> Schema:
     loaded = _shipped_services()
     services: dict[Key, Path] = {}
     sets: set[Path] = set()
+    seen: set[Path] = set()
     waiting = [path for pattern in wanted for path in _files(*pattern)]
     while waiting:
         path = waiting.pop()
+        if path in seen:
+            continue
+        seen.add(path)
         data = read_bytes(path)
         key = next(_keys(_SERVICE, data[:_HEAD]), None)
-        if path in sets or key in services:
-            continue
         if key is None:
             sets.add(path)
         else:
