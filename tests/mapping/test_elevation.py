@@ -175,6 +175,21 @@ def test_a_robot_that_stands_forgets_nothing() -> None:
     assert np.array_equal(grid.heights, before, equal_nan=True)
 
 
+def test_cells_that_were_approached_stay_so_when_the_grid_moves() -> None:
+    grid = ElevationGrid(12.0, 0.1)
+    for number in range(11):
+        grid.add(np.empty((0, 3)), shifted(0.4 * number), float(number))
+    left, low = grid.ground.origin
+    ys, xs = (np.indices(grid.ground.approached.shape) + 0.5) * 0.1
+    xs, ys = xs + left, ys + low
+    start, end = (np.array(shifted(x).position) for x in (0.0, 4.0))
+    assert left > -6.0, "it has moved"
+    for place in (start, end):
+        assert grid.ground.approached[np.hypot(xs - place[0], ys - place[1]) < 2.8].all()
+    beyond = np.hypot(ys - end[1], np.clip(xs, start[0], end[0]) - xs) > 3.1
+    assert not grid.ground.approached[beyond].any()
+
+
 def test_a_tilt_that_is_measured_wrong_at_first_is_corrected_by_what_comes_after() -> None:
     grid = ElevationGrid(8.0, 0.1)
     grid.add(cloud(flat, 0), SENSOR @ Transform.from_pose(Pose(pitch=0.03)), 0.0)

@@ -13,6 +13,7 @@ from tests.helpers.trial_drives import driven
 
 from jauspy.campaigns import run_parts
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Pose
 from jauspy.navigation_trials.results import Drive, GoalGroup, TrialPlan, TrialResults
 
 ROOM = """<mujoco><worldbody>
@@ -50,6 +51,23 @@ def test_a_goal_in_a_room_is_reached(tmp_path: Path) -> None:
     assert drive.planning > 0.0
     assert drive.seconds > 2.0
     assert (drive.thing, drive.new_way, drive.new_way_planning) == ("", None, None)
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(300)
+def test_the_end_of_a_kerb_is_found_without_going_to_and_fro(monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a pavement, the goal on the road below: what was seen of the edge on one side stays known on the other."""
+    pytest.importorskip("mujoco", reason="MuJoCo is not installed")
+    pytest.importorskip("scipy", reason="needs the extra `planning`")
+    from jauspy.navigation_trials import groups
+    from jauspy.navigation_trials.goals import TrueMap
+
+    monkeypatch.setitem(groups.STARTS, "street", Pose(3.93, -10.49, 0.1, yaw=-1.2))
+    monkeypatch.setattr(TrueMap, "draw_goal", lambda self, here, _: self.goal_at(here, -1.65, -8.85))
+    (drive,) = groups.drive_group(TrialPlan(("street",), 1, 2), GoalGroup("street", 0, 1))
+    assert drive.reached, drive.error
+    assert drive.contacts == {}
+    assert drive.plans < 60
 
 
 @pytest.mark.slow

@@ -25,6 +25,7 @@ from jauspy.ocu import Robot
 from jauspy.ocu.state import RobotPose
 from jauspy.planning import navigator
 from jauspy.planning.driving_map import DrivingMap
+from jauspy.planning.ground import Ground
 from jauspy.planning.legs import PathPoint, is_leg_free
 from jauspy.planning.mobility import flipper_joints, mobility_of
 from jauspy.planning.navigator import Navigator
@@ -362,7 +363,8 @@ class Kerb:
 def test_a_step_that_was_not_known_when_the_way_was_planned_is_told_in_time(x, angle, is_told):
     """A robot that met it with its flippers up pressed against it for seconds."""
     cells = np.zeros((200, 200), bool)
-    terrain = TerrainCost(mobility_of(MODEL), cells, ~cells, (-5.0, -5.0), 0.05, elevation=Kerb())
+    mobility = mobility_of(MODEL)
+    terrain = TerrainCost(mobility, cells, ~cells, (-5.0, -5.0), 0.05, ground=Ground.of(Kerb(), mobility))
     around = SimpleNamespace(to_map=lambda pose: pose, terrain=lambda *_, **__: terrain)
     driver = Navigator(SimpleNamespace(components=()), MODEL, around)  # type: ignore[arg-type]
     driver._mobility, driver._flippers = mobility_of(MODEL), angle

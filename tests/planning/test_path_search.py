@@ -11,6 +11,7 @@ import pytest
 pytest.importorskip("scipy", reason="planning needs scipy")
 
 from jauspy.geometry.poses import PlanarPose
+from jauspy.planning.ground import Ground
 from jauspy.planning.legs import is_leg_free, way_cost
 from jauspy.planning.mobility import Mobility
 from jauspy.planning.path_search import ROOMS, NoPath, find_path, find_path_with_margins
@@ -102,7 +103,9 @@ def test_a_goal_beside_a_kerb_is_reached_as_near_to_it_as_the_robot_can_stand():
     heights = np.zeros((100, 100), np.float32)
     heights[:, :50] = 0.12
     bare = terrain()
-    found = TerrainCost(MOBILITY, bare.blocked, ~bare.blocked, (-5.0, -5.0), 0.1, elevation=Heights(heights))
+    found = TerrainCost(
+        MOBILITY, bare.blocked, ~bare.blocked, (-5.0, -5.0), 0.1, ground=Ground.of(Heights(heights), MOBILITY)
+    )
     beside = next(0.05 * number for number in range(20) if not found.is_astride(0.05 * number, 2.0, math.pi / 2.0))
     goal = (beside - 0.2, 2.0)
     path = find_path(found, PlanarPose(goal[0] + 0.3, -2.0, math.pi / 2.0), goal)
@@ -132,7 +135,12 @@ def with_strap(*boxes: tuple[float, float, float, float]) -> TerrainCost:
     heights[48:53, 50:52] = 0.03
     bare = terrain(*boxes)
     return TerrainCost(
-        MOBILITY, bare.blocked, np.ones_like(bare.blocked), (-5.0, -5.0), 0.1, elevation=Heights(heights)
+        MOBILITY,
+        bare.blocked,
+        np.ones_like(bare.blocked),
+        (-5.0, -5.0),
+        0.1,
+        ground=Ground.of(Heights(heights), MOBILITY),
     )
 
 
@@ -200,7 +208,7 @@ class Kerb:
 
 def test_a_goal_astride_of_a_kerb_is_refused_with_a_place_beside_it():
     cells = np.zeros((80, 80), bool)
-    found = TerrainCost(MOBILITY, cells, ~cells, (-4.0, -4.0), 0.1, elevation=Kerb())
+    found = TerrainCost(MOBILITY, cells, ~cells, (-4.0, -4.0), 0.1, ground=Ground.of(Kerb(), MOBILITY))
     start = PlanarPose(-2.0, 0.0, 0.0)
     with pytest.raises(NoPath, match=r"at the edge of a step.*nearest place where it can stand") as error:
         find_path(found, start, (0.05, 0.0))

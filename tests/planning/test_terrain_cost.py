@@ -9,6 +9,7 @@ import pytest
 pytest.importorskip("scipy", reason="planning needs scipy")
 
 from jauspy.geometry.poses import PlanarPose
+from jauspy.planning.ground import Ground
 from jauspy.planning.mobility import Mobility
 from jauspy.planning.terrain_cost import THING_COST, TerrainCost
 
@@ -18,23 +19,24 @@ ORIGIN = (-4.0, -4.0)
 
 
 @dataclass
-class Ground:
+class Elevation:
     heights: np.ndarray
     origin: tuple[float, float] = ORIGIN
     resolution: float = 0.1
 
 
-def ground(height) -> Ground:
+def ground(height) -> Elevation:
     """Ground with the height that a function of x and y returns."""
     places = -4.0 + (np.arange(80) + 0.5) * 0.1
-    return Ground(np.array([[height(x, y) for x in places] for y in places], np.float32))
+    return Elevation(np.array([[height(x, y) for x in places] for y in places], np.float32))
 
 
-def terrain(elevation=None, occupied=(), *, known=True, **options) -> TerrainCost:
+def terrain(elevation=None, occupied=(), *, known=True, approached=None, **options) -> TerrainCost:
     cells = np.zeros(SHAPE, bool)
     for row, column in occupied:
         cells[row, column] = True
-    return TerrainCost(MOBILITY, cells, np.full(SHAPE, known), ORIGIN, 0.1, elevation=elevation, **options)
+    found = None if elevation is None else Ground.of(elevation, MOBILITY, approached)
+    return TerrainCost(MOBILITY, cells, np.full(SHAPE, known), ORIGIN, 0.1, ground=found, **options)
 
 
 def test_a_gap_that_fits_lengthwise_does_not_fit_across():
@@ -139,7 +141,7 @@ def test_ground_that_an_edge_hides_is_taken_for_as_low_as_what_is_beyond():
     assert terrain(level).is_free(0.0, 0.0, 0.0)
 
 
-def test_ground_is_taken_for_hidden_only_near_the_robot():
+def test_ground_is_taken_for_hidden_only_where_the_robot_was_near():
     """A road, and single places of a pavement 10 cm above it, which are all that is seen of it from afar."""
 
     def seen(x: float, y: float) -> float:
@@ -147,7 +149,8 @@ def test_ground_is_taken_for_hidden_only_near_the_robot():
             return 0.0
         return 0.1 if x > 1.0 and (round(10.0 * x) + round(10.0 * y)) % 3 == 0 else math.nan
 
-    far, near = (terrain(ground(seen), viewpoint=(x, 0.0)) for x in (-3.9, 0.0))
+    known = ground(seen)
+    far, near = (terrain(known, approached=np.full(known.heights.shape, is_near)) for is_near in (False, True))
     beside = [(1.05 + 0.1 * step, 0.05) for step in range(10)]
     assert not any(far.needs_flippers(*place) for place in beside)
     assert any(near.needs_flippers(*place) or near.clearance(*place, 0.0) < 0.0 for place in beside)

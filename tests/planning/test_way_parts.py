@@ -5,6 +5,7 @@ import pytest
 
 pytest.importorskip("scipy", reason="planning needs scipy")
 
+from jauspy.planning.ground import Ground
 from jauspy.planning.legs import PathPoint
 from jauspy.planning.mobility import FLIPPER_ANGLE, Mobility
 from jauspy.planning.terrain_cost import TerrainCost
@@ -24,7 +25,9 @@ class Kerb:
 
 def terrain(elevation=None) -> TerrainCost:
     cells = np.zeros((80, 80), bool)
-    return TerrainCost(MOBILITY, cells, ~cells, (-4.0, -4.0), 0.1, elevation=elevation)
+    return TerrainCost(
+        MOBILITY, cells, ~cells, (-4.0, -4.0), 0.1, ground=None if elevation is None else Ground.of(elevation, MOBILITY)
+    )
 
 
 def test_flippers_are_set_near_a_step_only():

@@ -1,6 +1,7 @@
 """A fleet of real processes on this machine: robots with the backend kinematic, node managers, and one operator.
 
-Each robot is a process `jauspy up`, as integrators run it; several robots share a node manager, as behind a gateway,
+Each robot is a process `jauspy up`, as integrators run it, or some share one with `--also`, as who simulates a fleet
+runs it; several robots share a node manager, as behind a gateway,
 and the operator has one of its own, which finds the others by multicast on loopback. The operator is the client in the
 process of the benchmark. It discovers all robots, takes control of each, subscribes to the pose of each at 10 Hz,
 drives each a little, and releases it. What a robot does not do is a failure, which is printed.
@@ -64,6 +65,8 @@ class ProcessRow:
 
     robots: int
     """Robots that were to be started."""
+    per_program: int = 1
+    """Robots in one process."""
     started: int = 0
     started_after: float = 0.0
     start_cpu: float = 0.0
@@ -231,7 +234,7 @@ class Usage:
         machine = psutil.cpu_times()
         return {
             "time": time.monotonic(),
-            "robot": sum(robot.cpu() for robot in self._site.robots.values()),
+            "robot": sum(program.cpu() for program in self._site.programs),
             "node managers": sum(manager.cpu() for manager in self._site.node_managers),
             "operator": cpu_seconds(psutil.Process()),
             "machine": machine.user + machine.nice + machine.system + machine.irq + machine.softirq,
@@ -253,31 +256,33 @@ async def started(row: ProcessRow, per_node_manager: int, step: float) -> AsyncI
 
         turns = asyncio.Semaphore(psutil.cpu_count() or 1)
 
-        async def start(number: int) -> None:
+        async def start(robots: Sequence[int], root: Path) -> None:
             try:
                 async with turns:
-                    await found.start_robot(FIRST_ROBOT + number, roots[number // per_node_manager])
+                    await found.start_robots(robots, root)
             except NotStartedError as error:
-                row.failures.append(f"robot {FIRST_ROBOT + number}: not started: {error}")
+                row.failures += [f"robot {subsystem}: not started: {error}" for subsystem in robots]
 
         count = min(row.robots, robots_that_fit())
         if count < row.robots:
             row.failures.append(f"{row.robots - count} robots: not started: there is no memory for them")
         async with asyncio.TaskGroup() as group:
-            for number in range(count):
-                group.create_task(start(number))
+            for number, root in enumerate(roots):
+                last = FIRST_ROBOT + min(count, (number + 1) * per_node_manager)
+                for first in range(FIRST_ROBOT + number * per_node_manager, last, row.per_program):
+                    group.create_task(start(range(first, min(last, first + row.per_program)), root))
         row.started, row.started_after = len(found.robots), time.monotonic() - began
         row.node_managers = len(found.node_managers)
         yield found, operator
 
 
-async def run(robots: int, *, per_node_manager: int, step: float, seconds: float) -> ProcessRow:
+async def run(robots: int, *, per_program: int, per_node_manager: int, step: float, seconds: float) -> ProcessRow:
     """One run; `step` is that of the robots, in seconds."""
-    row = ProcessRow(robots)
+    row = ProcessRow(robots, per_program)
     clock = time.monotonic
     async with started(row, per_node_manager, step) as (place, root):
-        children = place.robots.values()
-        row.start_cpu = sum(child.cpu() for child in children) / max(1, len(children))
+        programs = place.programs
+        row.start_cpu = sum(program.cpu() for program in programs) / max(1, row.started)
         await asyncio.sleep(SETTLING_TIME)
         usage = Usage(place)
         await asyncio.sleep(seconds)
@@ -291,30 +296,34 @@ async def run(robots: int, *, per_node_manager: int, step: float, seconds: float
             await operator.take_control()
             row.controlled, row.controlled_after = len(operator.drivers), clock() - began
             await operator.subscribe()
-            before = await asyncio.gather(*(child.counters() for child in children))
+            before = await asyncio.gather(*(program.counters() for program in programs))
             usage = Usage(place)
             await operator.drive(seconds)
             row.cpu = usage.shares()
-            after = await asyncio.gather(*(child.counters() for child in children))
+            after = await asyncio.gather(*(program.counters() for program in programs))
             row.skipped = skipped_part(before, after)
             began = clock()
             await operator.release()
             row.released_after = clock() - began
-        row.memory = sum(child.memory() for child in children) / max(1, len(children))
+        row.memory = sum(program.memory() for program in programs) / max(1, row.started)
         row.memory_free = psutil.virtual_memory().available
         row.failures += [
-            f"robot {subsystem}: its process has ended: {child.last_error()}"
-            for subsystem, child in place.robots.items()
-            if child.has_ended
+            f"robot {subsystem}: its process has ended: {program.last_error()}"
+            for subsystem, program in place.robots.items()
+            if program.has_ended
         ]
     return row
 
 
-async def measure(sizes: Sequence[int], per_node_manager: int, step: float, seconds: float) -> list[ProcessRow]:
+async def measure(
+    sizes: Sequence[int], per_program: int, per_node_manager: int, step: float, seconds: float
+) -> list[ProcessRow]:
     """All runs, one after the other."""
     rows = []
     for size in sizes:
-        rows.append(await run(size, per_node_manager=per_node_manager, step=step, seconds=seconds))
+        rows.append(
+            await run(size, per_program=per_program, per_node_manager=per_node_manager, step=step, seconds=seconds)
+        )
         print(json.dumps(asdict(rows[-1])), flush=True)
     return rows
 
@@ -332,7 +341,8 @@ def skipped_part(before: Sequence[Mapping[str, int]], after: Sequence[Mapping[st
 def show(rows: Sequence[ProcessRow]) -> None:
     """Print rows, failures, and the projection."""
     processors = os.cpu_count() or 1
-    print(f"\nreal processes on this machine, which has {processors} processors: inc1, backend kinematic")
+    together = f", {rows[0].per_program} in a process" if rows[0].per_program > 1 else ""
+    print(f"\nreal processes on this machine, which has {processors} processors: inc1, backend kinematic{together}")
     print("robots   started  discovered  controlled    released  events          latency p50, p95  driven  MB each")
     for row in rows:
         times = f"{row.started_after:6.0f} s  {row.discovered_after:8.2f} s  {row.controlled_after:8.2f} s"

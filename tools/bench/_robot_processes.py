@@ -7,7 +7,8 @@ import re
 import signal
 import sys
 import time
-from collections.abc import AsyncIterator, Iterable
+from collections import Counter
+from collections.abc import AsyncIterator, Iterable, Sequence
 from contextlib import AsyncExitStack, asynccontextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -39,6 +40,8 @@ class Child:
 
     process: asyncio.subprocess.Process
     errors: Path
+    robots: int = 0
+    """Number of robots in it."""
 
     @property
     def has_ended(self) -> bool:
@@ -65,15 +68,18 @@ class Child:
             return 0
 
     async def counters(self) -> dict[str, int]:
-        """The counters that `jauspy up` prints on SIGUSR1; empty when it has ended, or prints none."""
+        """The counters that `jauspy up` prints on SIGUSR1, of all its robots; empty if it prints none."""
         before = self._printed()
         with suppress(ProcessLookupError):
             self.process.send_signal(signal.SIGUSR1)
         end = time.monotonic() + PRINT_TIMEOUT
         while not self.has_ended and time.monotonic() < end:
             await asyncio.sleep(0.1)
-            if len(now := self._printed()) > len(before):
-                return {name: int(number) for name, number in re.findall(r"^  (\S+) +(\d+)$", now[-1], re.MULTILINE)}
+            if len(printed := self._printed()[len(before) :]) >= self.robots:
+                total = Counter[str]()
+                for block in printed:
+                    total.update({name: int(number) for name, number in re.findall(r"^  (\S+) +(\d+)$", block, re.M)})
+                return total
         return {}
 
     def _printed(self) -> list[str]:
@@ -98,8 +104,10 @@ class Site:
 
     def __init__(self, folder: Path, port: int, step: float) -> None:
         self.node_managers: list[Child] = []
+        self.programs: list[Child] = []
+        """Programs with robots that have started."""
         self.robots: dict[int, Child] = {}
-        """Robots that have started, by subsystem."""
+        """The programs of robots, by subsystem."""
         self._folder = folder
         self._port = port
         self._step = step
@@ -115,20 +123,16 @@ class Site:
         self.node_managers.append(child)
         return root
 
-    async def start_robot(self, subsystem: int, root: Path) -> None:
-        """Start the robot inc1, with the backend kinematic, at the node manager with these sockets."""
-        options = (
-            "--backend",
-            "kinematic",
-            "--id",
-            str(subsystem),
-            "--local-root",
-            str(root),
-            "--step",
-            str(self._step),
-        )
+    async def start_robots(self, subsystems: Sequence[int], root: Path) -> None:
+        """Start robots inc1 in one program, with the backend kinematic, at the node manager with these sockets."""
+        first, *others = subsystems
+        options = ["--id", str(first), *(option for other in others for option in ("--also", f"inc1:{other}"))]
+        options += ["--backend", "kinematic", "--local-root", str(root), "--step", str(self._step)]
         command = ("up", "inc1", *options, "--no-node-manager", "--plain")
-        self.robots[subsystem] = await self._start(f"robot_{subsystem}", "stop it", *command)
+        program = await self._start(f"robot_{first}", "stop it", *command)
+        program.robots = len(subsystems)
+        self.programs.append(program)
+        self.robots.update(dict.fromkeys(subsystems, program))
 
     async def _start(self, name: str, ready: str, *command: str) -> Child:
         """Start a verb of jauspy, and wait for a line with `ready`."""

@@ -1,6 +1,6 @@
 """What a robot more costs: discovery, control and events of 10 to 500 robots in virtual time, and the projection.
 
-python tools/bench/fleet.py [--robots 10 100 500] [--processes 10 60] [--json FILE]
+python tools/bench/fleet.py [--robots 10 100 500] [--processes 10 60 [--per-program 5]] [--json FILE]
 
 `--robots`, in virtual time: each robot has 8 components on local sockets of one of 25 node managers (gateways), and 20
 operators have a node manager each. Routers, components and operators' clients are those of jauspy; sockets and clocks
@@ -322,6 +322,7 @@ def main() -> None:
     parser.add_argument("--robots", type=int, nargs="*", default=[10, 100, 500], help="in virtual time")
     parser.add_argument("--repeats", type=int, default=1, help="of runs in virtual time")
     parser.add_argument("--processes", type=int, nargs="*", default=[60], help="robots as processes")
+    parser.add_argument("--per-program", type=int, default=1, help="robots that share a process (`jauspy up --also`)")
     parser.add_argument("--per-node-manager", type=int, default=10, help="robots that share a node manager's process")
     parser.add_argument(
         "--step", type=float, default=0.02, help="of robots as processes, in seconds (`jauspy up --step`)"
@@ -337,7 +338,9 @@ def main() -> None:
     if sizes := [size for size in arguments.processes if size]:
         try:
             real = run_until_signal(
-                processes.measure(sizes, arguments.per_node_manager, arguments.step, arguments.seconds)
+                processes.measure(
+                    sizes, arguments.per_program, arguments.per_node_manager, arguments.step, arguments.seconds
+                )
             )
         except KeyboardInterrupt:
             real = None

@@ -389,7 +389,7 @@ FILMED_BY: Final[dict[str, str]] = {
     "take-apart": "platforms",
     "lift": "target",
     "throws": "target",
-    "step": "platforms",
+    "step": "steps",
     "car": "car",
     "demo": "story",
 }

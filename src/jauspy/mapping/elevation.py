@@ -73,6 +73,8 @@ STEADY_TIME: Final = 3.0
 """Seconds in which a difference between the measured tilt and known ground becomes one of that ground."""
 FORGET_INTERVAL: Final = 0.5
 """Metres of the way between two looks at what is to be forgotten."""
+APPROACHED: Final = 3.0
+"""Metres from a sensor within which cells count as approached: what is seen of edges from farther away is little."""
 RECENTRE: Final = 0.125
 """The grid moves when the sensor is farther than this part of its side from the middle."""
 CLIMB: Final = 0.5
@@ -92,6 +94,8 @@ class GroundHeights:
     resolution: float
     heights: Heights
     """Metres, rows along y, columns along x; NaN where unknown."""
+    approached: NDArray[np.bool_]
+    """Cells, of the same shape, to which a sensor has been within `APPROACHED` metres."""
 
 
 class ElevationGrid:
@@ -131,6 +135,8 @@ class ElevationGrid:
         """Metres that the sensor has moved."""
         self._seen_on_way = np.zeros((cells, cells))
         """The same, when each cell was hit last."""
+        self._approached = np.zeros((cells, cells), np.bool_)
+        """Cells to which the sensor has been near."""
         self._place: Floats | None = None
         """Where the sensor was when what is too old was forgotten last, x and y."""
         self._heights: Heights | None = None
@@ -151,6 +157,11 @@ class ElevationGrid:
         if self._heights is None:
             self._heights = self._surface()
         return self._heights
+
+    @property
+    def ground(self) -> GroundHeights:
+        """The heights as they are now, which other threads can read."""
+        return GroundHeights(self.origin, self.resolution, self.heights, self._approached.copy())
 
     def ages(self, now: float) -> Floats:
         """Seconds since something in each cell was seen; NaN where nothing was."""
@@ -295,19 +306,21 @@ class ElevationGrid:
             self._weights, self._sums = _shifted(self._weights, shift, 0.0), _shifted(self._sums, shift, 0.0)
             self._seen = _shifted(self._seen, shift[1:], np.nan)
             self._seen_on_way = _shifted(self._seen_on_way, shift[1:], 0.0)
+            self._approached = _shifted(self._approached, shift[1:], False)
             self._heights = None
         column, row, layer = wanted.tolist()
         self._corner = column, row, layer
 
     def _follow_way(self, start: Floats) -> None:
         """Measure the way of the sensor, and forget what was seen too long ago on it."""
-        if self._place is None:
-            self._place = start[:2].copy()
-        moved = math.dist(self._place, start[:2])
+        moved = math.inf if self._place is None else math.dist(self._place, start[:2])
         if moved < FORGET_INTERVAL:
             return
-        self._way += moved
+        self._way += moved if self._place is not None else 0.0
         self._place = start[:2].copy()
+        ys, xs = (np.indices((self.cells, self.cells)) + 0.5) * self.resolution
+        left, low = self.origin
+        self._approached |= np.hypot(xs + left - start[0], ys + low - start[1]) < APPROACHED
         old = self._way - self._seen_on_way > self._kept_way
         if old.any():
             self._weights[:, old] = self._sums[:, old] = 0.0

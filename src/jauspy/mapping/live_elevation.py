@@ -125,7 +125,7 @@ class LiveElevation(SensorFeed):
             size, ground = footprint(self._boxes, positions)
             self.grid.add_footprint(base, size, ground, measured.time)
         self.counters["clouds"] += 1
-        self.latest = GroundHeights(self.grid.origin, self.grid.resolution, self.grid.heights)
+        self.latest = self.grid.ground
         return used > 0
 
     def _in_boxes(self, points: Array, postures: Sequence[Positions]) -> Flags:

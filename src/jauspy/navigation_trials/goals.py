@@ -13,9 +13,10 @@ from scipy import sparse
 from scipy.sparse import csgraph
 
 from jauspy.geometry.poses import PlanarPose
+from jauspy.planning.ground import Ground, Heights
 from jauspy.planning.mobility import Mobility
 from jauspy.planning.path_search import NoPath, find_path
-from jauspy.planning.terrain_cost import Heights, TerrainCost
+from jauspy.planning.terrain_cost import TerrainCost
 
 NEAR, FAR = 2.0, 12.0
 """Lengths of the shortest ways to goals, metres."""
@@ -48,8 +49,9 @@ class TrueMap:
     def __init__(self, heights: Heights, mobility: Mobility) -> None:
         known = ~np.isnan(heights.heights)
         self._heights = heights.heights
+        ground = Ground.of(heights, mobility)
         self.terrain = TerrainCost(
-            mobility, ~known, known, heights.origin, heights.resolution, elevation=heights, allow_unknown=False
+            mobility, ~known, known, heights.origin, heights.resolution, ground=ground, allow_unknown=False
         )
         """The cost of driving there."""
         self.terrain.margin = BESIDE

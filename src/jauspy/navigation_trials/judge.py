@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from jauspy import backends
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose
-from jauspy.planning.terrain_cost import Heights
+from jauspy.planning.ground import Heights
 from jauspy.platform.backend import OpensSeveral, PlacedRobot
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel

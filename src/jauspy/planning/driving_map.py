@@ -17,12 +17,13 @@ from numpy.typing import NDArray
 
 from jauspy.errors import ResponseTimeout
 from jauspy.geometry.poses import PlanarPose
-from jauspy.mapping.elevation import ElevationGrid
+from jauspy.mapping.elevation import ElevationGrid, GroundHeights
 from jauspy.mapping.grid import OccupancyGrid, Points, transformed
 from jauspy.mapping.live import LiveMapping
 from jauspy.mapping.live_elevation import BODY_MARGIN, LiveElevation
 from jauspy.mapping.mapper import Mapper
 from jauspy.ocu.robot import Robot
+from jauspy.planning.ground import Ground, GroundMemory
 from jauspy.planning.mobility import Mobility
 from jauspy.planning.own_body import OwnBody
 from jauspy.planning.terrain_cost import OCCUPIED, TerrainCost
@@ -94,6 +95,9 @@ class DrivingMap:
         self.allow_unknown = allow_unknown
         self.heights = None if heights is None else heights(lambda: self.mapper.correction)
         """What fills the elevation grid; None without."""
+        self._memory = GroundMemory(self.grid.low, self.grid.cells * self.grid.resolution)
+        self._ground: tuple[GroundHeights, Mobility, Ground] | None = None
+        """The ground at last, and what it was made of."""
         self._threaded = threaded
         self.live = LiveMapping(
             robot, self.mapper, sensor, threaded=threaded, rate=SCAN_RATE, on_placed=self._take_scan
@@ -171,7 +175,7 @@ class DrivingMap:
         return found.x, found.y
 
     def terrain(self, mobility: Mobility, places: Sequence[tuple[float, float]], margin: float = 0.0) -> TerrainCost:
-        """The cost for a robot in a window around some places of the map, in metres; the first is where it is.
+        """The cost for a robot in a window around some places of the map, in metres.
 
         With a `margin`, in metres, the window has it around the places; without, all that is known is in it.
         """
@@ -194,12 +198,21 @@ class DrivingMap:
             window != 0.0,
             (left, lower),
             side,
-            elevation=None if self.heights is None else self.heights.latest,
+            ground=self._ground_for(mobility),
             points=self._last_echoes(),
             allow_unknown=self.allow_unknown,
             scan_height=self.live.lidar_height,
-            viewpoint=places[0],
         )
+
+    def _ground_for(self, mobility: Mobility) -> Ground | None:
+        """The ground for a robot, with what was known of it before; None without heights."""
+        heights = None if self.heights is None else self.heights.latest
+        if heights is None:
+            return None
+        if self._ground is None or self._ground[0] is not heights or self._ground[1] is not mobility:
+            ground = self._memory.completed(Ground.of(heights, mobility, heights.approached))
+            self._ground = heights, mobility, ground
+        return self._ground[2]
 
     def _zone_cells(self, shape: tuple[int, ...], origin: tuple[float, float]) -> NDArray[np.bool_]:
         """Cells of a window of this shape in the zones."""

@@ -1,13 +1,13 @@
 """Cost of driving for one robot in a map: where its footprint fits, and which ground its tracks and flippers climb.
 
-Inputs are a 2-D occupancy map and an elevation grid, in one frame (metres, x and y of the map, z up). Where heights are
+Inputs are a 2-D occupancy map and the ground, in one frame (metres, x and y of the map, z up). Where heights are
 known they decide, since a lidar that scans one plane takes a ramp for a wall; elsewhere the occupancy does.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any, Final, Protocol, TypeAlias
+from typing import Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,10 +15,9 @@ from scipy import ndimage
 
 from jauspy.geometry.poses import PlanarPose
 from jauspy.planning.footprint import Footprint
+from jauspy.planning.ground import Array, Cells, Ground
 from jauspy.planning.mobility import Mobility
 
-Array: TypeAlias = NDArray[np.floating[Any]]
-Cells: TypeAlias = NDArray[np.bool_]
 Points: TypeAlias = NDArray[np.float64]
 
 OCCUPIED: Final = 0.5
@@ -44,50 +43,22 @@ LOW: Final = 0.04
 """Metres of a step from which on it may be a thing that lies there: the tracks pass it, but rather beside it."""
 THING_COST: Final = 6.0
 """Added to the cost of a metre over what lies on the ground and can be driven around: straps, bases of cones."""
-THING: Final = 0.02
-THING_SIZE: Final = 0.7
-"""Metres above the ground from which on something lies there, and its longest side; what is longer is ground."""
 EDGE: Final = 0.15
 """Metres beside a step that needs flippers in which nothing is told from it."""
 THING_ROOM: Final = 0.08
 """Metres that stay free beside what lies on the ground, in addition: not all of it is seen."""
 STEP_HEADING: Final = math.radians(25.0)
 """Greatest angle between the heading and the way up a step that needs flippers, radians."""
-LEAST_KNOWN: Final = 0.3
-"""Part of the cells around one whose heights must be known for a slope to be known."""
 SCAN_ERROR: Final = 0.15
 """Metres below the plane of the scans from which on ground is taken for what the scans saw."""
 STEP_ERROR: Final = 0.005
 """Metres by which an edge that is partly in a cell looks lower than it is."""
 SURROUNDED: Final = 0.9
 """Part of the cells around one whose heights must be known for ground to be told from a wall."""
-HIDDEN: Final = 2.0
-"""Metres of unknown ground between known ground of which the height is assumed."""
-HIDDEN_REACH: Final = 3.0
-"""Metres around the robot within which it is: the little that is seen from farther away tells no edges."""
 LEVEL: Final = 0.01
 """Slope, as a tangent, below which ground has no way up."""
 START_RADIUS: Final = 0.8
 """Metres around the start within which the robot may be as close to an obstacle as it is."""
-
-
-class Heights(Protocol):
-    """An elevation grid (`mapping.elevation`)."""
-
-    @property
-    def origin(self) -> tuple[float, float]:
-        """Corner of the first cell, x and y in metres."""
-        ...
-
-    @property
-    def resolution(self) -> float:
-        """Side of a cell, metres."""
-        ...
-
-    @property
-    def heights(self) -> NDArray[np.float32]:
-        """Metres, shape (rows along y, columns along x); NaN where unknown."""
-        ...
 
 
 class TerrainCost:
@@ -95,8 +66,7 @@ class TerrainCost:
 
     `occupied` and `known` have the shape of the map. With `allow_unknown`, unknown cells cost more; else they are
     obstacles. Further obstacles, such as echoes of the last scan, are `points`, shape (n, 2). `scan_height` is the
-    height of the plane of the scans in the frame of the elevation, metres: ground that rises to it is no wall. The
-    robot looks from `viewpoint`; without it, what is hidden is taken for low ground everywhere.
+    height of the plane of the scans in the frame of the ground, metres: ground that rises to it is no wall.
     """
 
     def __init__(
@@ -107,11 +77,10 @@ class TerrainCost:
         origin: tuple[float, float],
         resolution: float,
         *,
-        elevation: Heights | None = None,
+        ground: Ground | None = None,
         points: Points | None = None,
         allow_unknown: bool = True,
         scan_height: float = math.inf,
-        viewpoint: tuple[float, float] | None = None,
     ) -> None:
         self.mobility = mobility
         self.origin = origin
@@ -122,7 +91,7 @@ class TerrainCost:
             rows, columns, inside = self.cells(points)
             blocked[rows[inside], columns[inside]] = True
         self._gradient: tuple[Array, Array] | None = None
-        """Slope of the ground along x and y; None without elevation."""
+        """Slope of the ground along x and y; None where it is not known."""
         self._steps: Cells | None = None
         """Cells with a step that needs flippers; None without any."""
         self._to_step: tuple[Array, NDArray[np.intp]] | None = None
@@ -130,8 +99,8 @@ class TerrainCost:
         self._things: Cells | None = None
         """Cells with something that lies on the ground; None without any."""
         slope_cost = np.zeros(self.shape, np.float32)
-        if elevation is not None:
-            slope_cost, known = self._add_elevation(elevation, blocked, known, scan_height, viewpoint)
+        if ground is not None:
+            slope_cost, known = self._add_ground(ground, blocked, known, scan_height)
         self.known = known
         self.blocked = blocked if allow_unknown else blocked | ~known
         self.centres, self.radius = mobility.circles
@@ -196,32 +165,23 @@ class TerrainCost:
 
     # --- ground -----------------------------------------------------------------------------------------------------
 
-    def _add_elevation(
-        self,
-        elevation: Heights,
-        blocked: Cells,
-        known: Cells,
-        scan_height: float,
-        viewpoint: tuple[float, float] | None,
-    ) -> tuple[Array, Cells]:
+    def _add_ground(self, ground: Ground, blocked: Cells, known: Cells, scan_height: float) -> tuple[Array, Cells]:
         """Block what the robot cannot climb; returns the cost of slopes, and the known cells."""
         mobility = self.mobility
-        ground = _with_hidden(elevation, mobility.flipper_step, viewpoint)
-        heights = self._resampled(elevation, ground, np.nan)
-        seen = ~np.isnan(heights)
-        walls, steps = (self._resampled(elevation, jumps, 0.0) for jumps in _jumps(ground, mobility.flipper_step))
-        slopes = _gradients(ground, elevation.resolution, mobility.half_width, mobility.flipper_step)
-        slope_x, slope_y = (self._resampled(elevation, slope, 0.0) for slope in slopes)
+        side = ground.resolution
+        ground = ground.resampled(self.origin, self.resolution, self.shape)
+        walls, steps, slope_x, slope_y = ground.walls, ground.steps, ground.slope_x, ground.slope_y
+        seen = ~np.isnan(ground.heights)
         steep = np.hypot(slope_x, slope_y) > math.tan(max(mobility.up, mobility.down, mobility.side))
         wall = seen & (walls > mobility.flipper_step)
-        tall = heights >= scan_height - SCAN_ERROR
-        reach = 2 * max(1, round(elevation.resolution / self.resolution)) + 1
+        tall = ground.heights >= scan_height - SCAN_ERROR
+        reach = 2 * max(1, round(side / self.resolution)) + 1
         scanned = ndimage.maximum_filter(blocked, reach)
         surrounded = ndimage.uniform_filter(seen.astype(np.float32), 3) > SURROUNDED
         # a wall to the lidar that is a slope to the robot
         blocked &= ~(seen & ~wall & tall & ~steep & surrounded)
-        # a wall that reaches the plane of the scans is where they saw it, in smaller cells
-        blocked |= wall & ~(tall & scanned)
+        # a wall that reaches the plane of the scans is where they saw it, in smaller cells, and see it later
+        blocked |= wall & ~(tall & (scanned | (ground.old > 0.0)))
         # what is seen of a wall from the ground up looks like a step; none is climbed so close to one
         beside_wall = ndimage.maximum_filter(blocked, 2 * round(mobility.half_width / self.resolution) - 1)
         blocked |= seen & steep
@@ -232,7 +192,7 @@ class TerrainCost:
             self._to_step = np.asarray(far * self.resolution, np.float32), nearest
         self._gradient = slope_x, slope_y
         grade = np.arctan(np.hypot(slope_x, slope_y)) / max(mobility.up, 1e-6)
-        things = self._resampled(elevation, _things(ground, elevation.resolution), 0.0)
+        things = ground.things
         if high.any():  # a part of an edge
             things[ndimage.maximum_filter(high, 2 * round(EDGE / self.resolution) + 1)] = 0.0
         if things.any():
@@ -241,20 +201,6 @@ class TerrainCost:
         under_tracks = ndimage.maximum_filter(low, 2 * round(mobility.half_width / self.resolution) + 1)
         cost = SLOPE_COST * np.minimum(1.0, grade) ** 2 + under_tracks
         return cost.astype(np.float32), known | seen
-
-    def _resampled(self, elevation: Heights, values: Array, outside: float) -> Array:
-        """Values of the cells of an elevation grid in those of this map."""
-        rows, columns = self.shape
-        xs = self.origin[0] + (np.arange(columns) + 0.5) * self.resolution
-        ys = self.origin[1] + (np.arange(rows) + 0.5) * self.resolution
-        left, low = elevation.origin
-        source_x = np.floor((xs - left) / elevation.resolution).astype(np.intp)
-        source_y = np.floor((ys - low) / elevation.resolution).astype(np.intp)
-        ok_x = (source_x >= 0) & (source_x < values.shape[1])
-        ok_y = (source_y >= 0) & (source_y < values.shape[0])
-        found = np.full(self.shape, outside, np.float32)
-        found[np.ix_(ok_y, ok_x)] = values[np.ix_(source_y[ok_y], source_x[ok_x])]
-        return found
 
     def slope_at(self, x: float, y: float) -> tuple[float, float]:
         """Slope of the ground along x and y, as tangents; 0 where it is not known."""
@@ -410,111 +356,6 @@ class TerrainCost:
         return math.inf if cell is None else self.cost.item(*cell)
 
 
-def _with_hidden(elevation: Heights, highest: float, viewpoint: tuple[float, float] | None) -> Array:
-    """Heights, with those of ground between known cells that is hidden by what is nearer: as low as the lower end.
-
-    Behind an edge, where a sensor on the ground does not see, ground may be as low as what is known beyond. The tops of
-    walls, above steps of `highest` metres, tell nothing about ground beside them. Only around `viewpoint`.
-    """
-    resolution = elevation.resolution
-    seen = elevation.heights.astype(np.float32)
-    heights = np.where(_jumps(seen, highest)[0] > highest, np.nan, seen)
-    found = heights.copy()
-    longest = round(HIDDEN / resolution)
-    for axis in (0, 1):
-        lines = np.moveaxis(heights, axis, 0)
-        known = ~np.isnan(lines)
-        numbers = np.where(known, np.arange(len(lines))[:, None], -1)
-        before = np.maximum.accumulate(numbers, axis=0)
-        after = np.minimum.accumulate(np.where(known, numbers, len(lines))[::-1], axis=0)[::-1]
-        rows, columns = np.nonzero(~known & (before >= 0) & (after < len(lines)) & (after - before <= longest + 1))
-        lower = np.minimum(lines[before[rows, columns], columns], lines[after[rows, columns], columns])
-        filled = np.moveaxis(found, axis, 0)
-        filled[rows, columns] = np.fmin(filled[rows, columns], lower)
-    hidden = np.isnan(seen)
-    if viewpoint is not None:
-        ys, xs = (np.indices(seen.shape) + 0.5) * resolution
-        left, low = elevation.origin
-        hidden &= np.hypot(xs + left - viewpoint[0], ys + low - viewpoint[1]) < HIDDEN_REACH
-    return np.where(hidden, found, seen)
-
-
-def _things(heights: Array, resolution: float) -> Array:
-    """1 in cells of what lies on the ground: all that is raised above it, and no longer than `THING_SIZE`; else 0."""
-    known = ~np.isnan(heights)
-    if not known.any():
-        return np.zeros(heights.shape, np.float32)
-    nearest = ndimage.distance_transform_edt(~known, return_distances=False, return_indices=True)
-    filled = heights[tuple(nearest)]
-    longest = max(1, round(THING_SIZE / resolution))
-    raised = filled - ndimage.grey_opening(filled, longest + 1) > THING  # what is seen of a pavement in dots is one
-    labels, _ = ndimage.label(raised, np.ones((3, 3)))
-    short = [False, *(max(s.stop - s.start for s in sides) <= longest for sides in ndimage.find_objects(labels))]
-    return np.asarray(np.array(short)[labels] & known, np.float32)
-
-
 def _is_straight_up(ahead: float, across: float) -> bool:
     """True for slopes ahead and across of a robot that heads up: flippers climb steps so, and never down."""
     return ahead > 0.0 and abs(math.atan2(across, ahead)) <= STEP_HEADING
-
-
-def _jumps(heights: Array, highest: float) -> tuple[Array, Array]:
-    """Height, metres, of the highest step from each cell down to those beside it; and down or up, if not too high.
-
-    These are 0 where nothing is known, or where all steps are above `highest`.
-    A step is a jump between two cells, or over the one between them, which it may share. A jump that goes on at both
-    sides is a slope: of each the least one within two cells is subtracted; over two cells, that before or after it.
-    """
-    falls, found = np.zeros(heights.shape), np.zeros(heights.shape)
-    for axis in (0, 1):
-        for cells in (1, 2):
-            jumps = _differences(heights, axis, cells)
-            up, down = (np.maximum(some, 0.0) - _slope(some, axis, cells) for some in (jumps, -jumps))
-            either = np.maximum(up, down)
-            count = heights.shape[axis] - cells
-            for first in range(cells + 1):
-                side = tuple(slice(first, first + count) if a == axis else slice(None) for a in (0, 1))
-                if first in (0, cells):
-                    falls[side] = np.maximum(falls[side], up if first else down)
-                found[side] = np.maximum(found[side], np.where(either <= highest, either, 0.0))
-    return falls, found
-
-
-def _differences(heights: Array, axis: int, cells: int) -> Array:
-    """Differences between each cell and the one so many cells after it; 0 if unknown."""
-    count = heights.shape[axis] - cells
-    high = np.moveaxis(heights.astype(np.float64), axis, 0)
-    found: Array = np.moveaxis(np.nan_to_num(high[cells:] - high[:count], nan=0.0), 0, axis)
-    return found
-
-
-def _slope(jumps: Array, axis: int, cells: int) -> Array:
-    """The part of each jump upward that is a slope, metres."""
-    if cells == 1:
-        size = [1, 1]
-        size[axis] = 5
-        return np.asarray(np.maximum(ndimage.minimum_filter(jumps, size, mode="nearest"), 0.0), np.float64)
-    beside = np.moveaxis(np.maximum(jumps, 0.0), axis, 0)
-    found = np.zeros(beside.shape)
-    found[cells:] = beside[:-cells]
-    found[:-cells] = np.maximum(found[:-cells], beside[cells:])
-    return np.asarray(np.moveaxis(np.minimum(found, beside), 0, axis), np.float64)
-
-
-def _gradients(heights: Array, resolution: float, reach: float, highest: float) -> tuple[Array, Array]:
-    """Slopes along x and y around each cell, as tangents: means of the differences between neighbouring cells.
-
-    The means are those of a square of `reach` metres to each side. Steps above `highest`, in metres, such as walls, and
-    what is not known do not count.
-    """
-    size = 2 * max(1, round(reach / resolution)) + 1
-    slopes = []
-    for axis in (1, 0):
-        jumps = np.zeros(heights.shape)
-        after = np.s_[:, 1:] if axis == 1 else np.s_[1:, :]
-        jumps[after] = np.diff(heights.astype(np.float64), axis=axis)
-        counted = np.isfinite(jumps) & (np.abs(jumps) <= highest)
-        total = ndimage.uniform_filter(np.where(counted, jumps, 0.0), size, mode="constant")
-        share = ndimage.uniform_filter(counted.astype(np.float64), size, mode="constant")
-        slopes.append(np.where(share > LEAST_KNOWN, total / np.maximum(share, LEAST_KNOWN) / resolution, 0.0))
-    return slopes[0], slopes[1]
