@@ -11,6 +11,8 @@ One run: all operators discover all robots; each takes control of its share; eac
 operator, who has more authority; each robot reports its pose at 10 Hz to the operator in control. The cost of a robot
 is the CPU time of a phase, divided by the robots (of discovery: by robots and operators), as a ratio to that of the
 smallest fleet of the same run. Runs of different sizes take turns, since the machine is not quiet: compare ratios.
+`--calls` counts calls of functions instead, which depend neither on other load nor on the caches of processors: large
+fleets in one process do not fit into them.
 
 `--processes`, in real time: robots, node managers and an operator as processes of this machine (`_fleet_processes.py`).
 One of the two parts is left out by its option without a number, or with 0.
@@ -20,11 +22,12 @@ from __future__ import annotations
 
 import argparse
 import asyncio
+import cProfile
 import gc
 import json
 import sys
 import time
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import AsyncIterator, Mapping, Sequence
 from contextlib import AsyncExitStack, asynccontextmanager, suppress
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -96,12 +99,14 @@ class Row:
     events_expected: int = 0
     datagrams: int = 0
     cpu: dict[str, float] = field(default_factory=dict)
+    calls: dict[str, int] = field(default_factory=dict)
+    """Calls of functions by phase, if they are counted, which takes several times as long."""
     tables: dict[str, int] = field(default_factory=dict)
     """The largest number of entries of each table, over all node managers and operators."""
 
-    def per_robot(self, phase: str) -> float:
-        """CPU seconds of a phase for one robot; of discovery, for one robot and operator."""
-        return self.cpu[phase] / self.robots / (OPERATORS if phase == "discovery" else 1)
+    def per_robot(self, phase: str, work: Mapping[str, float] | None = None) -> float:
+        """CPU seconds or other work of a phase for one robot; of discovery, for one robot and operator."""
+        return (work or self.cpu)[phase] / self.robots / (OPERATORS if phase == "discovery" else 1)
 
 
 class Fleet:
@@ -179,17 +184,24 @@ def is_complete(robot: SubsystemInfo) -> bool:
 
 
 class Phases:
-    """Measures CPU time by phase."""
+    """Measures CPU time by phase, and counts calls of functions if wanted."""
 
-    def __init__(self, row: Row) -> None:
+    def __init__(self, row: Row, *, counts_calls: bool = False) -> None:
         self._row = row
+        self._counts_calls = counts_calls
 
     @asynccontextmanager
     async def phase(self, name: str) -> AsyncIterator[float]:
         """Yields the time at which it begins."""
         gc.collect()
+        profile = cProfile.Profile()
         before = time.process_time()
+        if self._counts_calls:
+            profile.enable()
         yield asyncio.get_running_loop().time()
+        if self._counts_calls:
+            profile.disable()
+            self._row.calls[name] = sum(entry.callcount for entry in profile.getstats())
         self._row.cpu[name] = time.process_time() - before
 
 
@@ -214,7 +226,12 @@ async def count_events(operator: OCU, subsystem: int, seconds: float) -> int:
 
 
 async def run(
-    robots: int, *, operators: int = OPERATORS, gateways: int = GATEWAYS, seconds: float = EVENT_SECONDS
+    robots: int,
+    *,
+    operators: int = OPERATORS,
+    gateways: int = GATEWAYS,
+    seconds: float = EVENT_SECONDS,
+    counts_calls: bool = False,
 ) -> Row:
     """One run, in virtual time."""
     row = Row(robots)
@@ -222,7 +239,7 @@ async def run(
     with VirtualClock():
         clock = asyncio.get_running_loop().time
         fleet = Fleet(robots, operators, gateways)
-        phases = Phases(row)
+        phases = Phases(row, counts_calls=counts_calls)
         async with fleet.opened(), AsyncExitStack() as first, AsyncExitStack() as second:
             gc.collect()
             gc.freeze()  # robots are processes of their own, whose collectors do not look at each other
@@ -256,10 +273,13 @@ async def run(
 
 
 def ratios(rows: Sequence[Row]) -> dict[str, dict[int, float]]:
-    """The cost of a robot by phase and size of the fleet, relative to the smallest fleet; of several runs the best."""
+    """The cost of a robot by phase and size of the fleet, relative to the smallest fleet; of several runs the best.
+
+    It is counted in calls where those were counted, else in CPU time.
+    """
     sizes = sorted({row.robots for row in rows})
     best = {
-        (phase, size): min(row.per_robot(phase) for row in rows if row.robots == size)
+        (phase, size): min(row.per_robot(phase, row.calls) for row in rows if row.robots == size)
         for phase in rows[0].cpu
         for size in sizes
     }
@@ -275,7 +295,8 @@ def show(rows: Sequence[Row]) -> None:
         print(f"{row.robots:6}  {times}  {row.events:6} of {row.events_expected:6}  {row.datagrams:9}  {cpu}")
     late = [row.robots for row in rows if row.discovered_after > LIMIT]
     print(f"\ndiscovery within {LIMIT:g} s of their time: " + (f"not with {late} robots" if late else "yes"))
-    print("cost of a robot, relative to the smallest fleet:")
+    unit = "calls of functions" if rows[0].calls else "CPU time"
+    print(f"cost of a robot in {unit}, relative to the smallest fleet:")
     for phase, by_size in ratios(rows).items():
         values = "  ".join(f"{size}: {ratio:.2f}" for size, ratio in by_size.items())
         flat = max(by_size.values()) <= 1.0 + FLAT
@@ -284,7 +305,8 @@ def show(rows: Sequence[Row]) -> None:
     print(f"\nlargest tables with {largest.robots} robots:")
     for name, number in largest.tables.items():
         print(f"  {name}: {number}")
-    project(largest)
+    if not largest.calls:  # counting takes longer than all else
+        project(largest)
 
 
 def project(row: Row) -> None:
@@ -305,13 +327,13 @@ def project(row: Row) -> None:
     print(f"    ends at {4096 // COMPONENTS} robots: set max_ids, max_ids_per_host and OCU(max_components)")
 
 
-async def measure(sizes: Sequence[int], repeats: int) -> list[Row]:
+async def measure(sizes: Sequence[int], repeats: int, *, counts_calls: bool = False) -> list[Row]:
     """All runs, in turns."""
     rows = []
     await run(2, operators=2, gateways=2, seconds=0.5)  # modules are loaded and code is generated
     for _ in range(repeats):
         for size in sizes:
-            rows.append(await run(size))
+            rows.append(await run(size, counts_calls=counts_calls))
             print(json.dumps(asdict(rows[-1])), flush=True)
     return rows
 
@@ -321,6 +343,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--robots", type=int, nargs="*", default=[10, 100, 500], help="in virtual time")
     parser.add_argument("--repeats", type=int, default=1, help="of runs in virtual time")
+    parser.add_argument("--calls", action="store_true", help="count calls of functions instead of CPU time")
     parser.add_argument("--processes", type=int, nargs="*", default=[60], help="robots as processes")
     parser.add_argument("--per-program", type=int, default=1, help="robots that share a process (`jauspy up --also`)")
     parser.add_argument("--per-node-manager", type=int, default=10, help="robots that share a node manager's process")
@@ -332,7 +355,7 @@ def main() -> None:
     arguments = parser.parse_args()
     rows: list[Row | processes.ProcessRow] = []
     if sizes := [size for size in arguments.robots if size]:
-        virtual = asyncio.run(measure(sizes, arguments.repeats))
+        virtual = asyncio.run(measure(sizes, arguments.repeats, counts_calls=arguments.calls))
         show(virtual)
         rows += virtual
     if sizes := [size for size in arguments.processes if size]:
