@@ -90,10 +90,7 @@ class CellClient:
         """Parts that were elsewhere in the observation before the last one of them."""
         self._observation_time = 0.0
         self._latest: dict[str, tuple[float, pin.SE3]] = {}
-        self._offset = math.inf
-        """Seconds that the robot's clock is behind this one, by the observation that came fastest."""
-        self._delays: deque[float] = deque(maxlen=5)
-        """Seconds from the last observations, by the robot's clock, until they came, by this one."""
+        self._robot_clock = RobotClock()
         self.counts: dict[str, int] = defaultdict(int)
 
     async def __aenter__(self) -> Self:
@@ -305,7 +302,7 @@ class CellClient:
 
     def silence(self) -> float:
         """Seconds since the last observation, by this client's clock; infinite before the first."""
-        return self.now() - (self._observation_time + self._offset) if self._in_view else math.inf
+        return self.now() - self._robot_clock.here(self._observation_time) if self._in_view else math.inf
 
     def _known(self, name: str, type: str) -> SeenPart:
         seen = self._seen.get(name)
@@ -317,7 +314,7 @@ class CellClient:
         if part not in self._latest:
             raise RequestError(f"the part sensor does not see {part}")
         time, pose = self._latest[part]
-        return time + self._offset, pose
+        return self._robot_clock.here(time), pose
 
     async def connector(self, name: str) -> ConnectorState:
         """Measurements of a connector or the gripper. One whose module has no power reports nothing."""
@@ -454,16 +451,9 @@ class CellClient:
             else:
                 if seen.time > last:
                     last = seen.time
-                    self._compare_clocks(seen.time)
+                    self._robot_clock.compare(seen.time, self.now())
                     self._add(seen)
             await asyncio.sleep(WATCH_PERIOD)
-
-    def _compare_clocks(self, observed: float) -> None:
-        """Take in an observation that comes now. The time of a robot that cannot keep up pauses, and stays behind."""
-        self._delays.append(self.now() - observed)
-        least = min(self._delays)
-        if least < self._offset or (len(self._delays) == self._delays.maxlen and least > self._offset + PAUSED):
-            self._offset = least
 
     def _add(self, observation: PartObservation) -> None:
         for name, frame in observation.poses.items():
@@ -482,6 +472,29 @@ class CellClient:
         self._in_view = frozenset(observation.poses)
         self._observation_time = observation.time
         self._observed.set()
+
+
+class RobotClock:
+    """How far the robot's clock is behind this client's, by the observation that came fastest.
+
+    The time of a robot that cannot keep up pauses, and stays behind.
+    """
+
+    def __init__(self) -> None:
+        self._offset = math.inf
+        self._delays: deque[float] = deque(maxlen=5)
+        """Seconds from the last observations, by the robot's clock, until they came, by this one."""
+
+    def compare(self, observed: float, now: float) -> None:
+        """Take in an observation of a time of the robot's clock that comes now, by this one."""
+        self._delays.append(now - observed)
+        least = min(self._delays)
+        if least < self._offset or (len(self._delays) == self._delays.maxlen and least > self._offset + PAUSED):
+            self._offset = least
+
+    def here(self, time: float) -> float:
+        """A time of the robot's clock on this one; infinite before the first observation."""
+        return time + self._offset
 
 
 async def _cancel(task: asyncio.Task[None]) -> None:

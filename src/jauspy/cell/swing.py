@@ -140,19 +140,19 @@ async def swing(session: Session, controller: ArmController) -> Swing:
     cell = session.cell
     await cell.move_arm(START, 3.0)
     await cell.choose_controller(controller)
-    await cell.enable(TIP, True)  # it is; from now on this client has control of it, so that the release is prompt
+    await cell.enable(TIP, True)  # it is; from now on this client has control of it
     await cell.servo(LAST_MODULE)
     await cell.sleep(SETTLE_TIME)
     state = await cell.arm()
     if len(state.joints) != len(START):
         raise ConfigError(f"the swing needs an arm with {len(START)} joints; there are {len(state.joints)}")
-    await cell.command_arm(END, DURATION)
     began = cell.now()
+    # together, and the robot counts the seconds: a client would be late by what its machine takes
+    await asyncio.gather(cell.command_arm(END, DURATION), cell.enable(TIP, False, after=RELEASE))
     await cell.sleep(0.1)
     if error := (await cell.arm()).error:
         raise ConfigError(f"the arm does not swing: {error}")
     await cell.sleep(began + RELEASE - cell.now())
-    releasing = asyncio.create_task(cell.enable(TIP, False), name="release")
     released = cell.now()
     times: list[float] = []
     rates: list[tuple[float, float, float]] = []
@@ -162,7 +162,6 @@ async def swing(session: Session, controller: ArmController) -> Swing:
         found = report.angular_velocity_x, report.angular_velocity_y, report.angular_velocity_z
         times.append(cell.now() - released)
         rates.append((found[0] or 0.0, found[1] or 0.0, found[2] or 0.0))
-    await releasing
     end = began + DURATION - released
     return Swing(controller, np.array(times), np.array(rates), end, state.payload)
 
