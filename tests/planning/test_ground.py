@@ -26,12 +26,16 @@ class Elevation:
     resolution: float = SIDE
 
 
-def seen(height, x: float = 0.0, y: float = 0.0) -> Ground:
-    """The ground of an elevation grid of 4 m around a point, with the heights that a function of x and y returns."""
+def seen(height, x: float = 0.0, y: float = 0.0, *, hidden: bool = True) -> Ground:
+    """The ground of an elevation grid of 4 m around a point, with the heights that a function of x and y returns.
+
+    What is `hidden` is taken for low ground, or stays unknown.
+    """
     first = [round(value / SIDE) - CELLS // 2 for value in (x, y)]
     xs, ys = ((number + np.arange(CELLS) + 0.5) * SIDE for number in first)
     heights = np.array([[height(a, b) for a in xs] for b in ys], np.float32)
-    return Ground.of(Elevation(heights, (first[0] * SIDE, first[1] * SIDE)), MOBILITY)
+    elevation = Elevation(heights, (first[0] * SIDE, first[1] * SIDE))
+    return Ground.of(elevation, MOBILITY, np.full(heights.shape, hidden))
 
 
 def kerb(x: float, _: float) -> float:
@@ -68,6 +72,20 @@ def test_what_is_seen_again_is_as_it_is_now(memory: GroundMemory) -> None:
     now = memory.completed(seen(lambda x, y: 0.0))
     assert at(now, "steps", 0.05, 0.5) == 0.0
     assert at(now, "old", 0.05, 0.5) == 0.0
+
+
+def test_a_crate_that_has_come_is_there_although_it_hides_what_is_behind_it(memory: GroundMemory) -> None:
+    memory.completed(seen(lambda x, y: 0.0))
+
+    def crate(x: float, y: float) -> float:
+        return 0.0 if x < 0.5 or abs(y) > 0.3 + 0.2 * (x - 0.5) else 0.25 if x < 0.6 else math.nan
+
+    now = memory.completed(seen(crate, hidden=False))
+    assert at(now, "walls", 0.55, 0.05) == pytest.approx(0.25)
+    assert at(now, "heights", 0.55, 0.05) == pytest.approx(0.25)
+    assert at(now, "old", 0.85, 0.05) == 1.0
+    gone = memory.completed(seen(lambda x, y: 0.0))
+    assert at(gone, "walls", 0.55, 0.05) == 0.0
 
 
 def test_heights_of_different_times_make_no_step(memory: GroundMemory) -> None:

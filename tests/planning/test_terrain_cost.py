@@ -156,6 +156,23 @@ def test_ground_is_taken_for_hidden_only_where_the_robot_was_near():
     assert any(near.needs_flippers(*place) or near.clearance(*place, 0.0) < 0.0 for place in beside)
 
 
+def crate(x: float, y: float) -> float:
+    """A crate of 0.6 m x 0.6 m, of which only the side at x = 0 and some of the top are seen."""
+    if x < 0.0 or abs(y) > 0.3:
+        return math.nan if x > 0.6 and abs(y) < 0.6 else 0.0
+    return 0.4 if x < 0.2 else math.nan
+
+
+@pytest.mark.parametrize(("scan_height", "is_free"), [(0.6, False), (0.4, True)])
+def test_what_a_low_thing_hides_may_be_a_part_of_it(scan_height: float, is_free: bool) -> None:
+    """A lidar that sees the thing also sees how long it is."""
+    found = terrain(ground(crate), scan_height=scan_height)
+    assert found.blocked[found.cell(0.05, 0.05)]
+    assert bool(found.blocked[found.cell(0.35, 0.05)]) is not is_free
+    assert not found.blocked[found.cell(0.95, 0.05)], "it is not so long"
+    assert not found.blocked[found.cell(0.35, 0.45)], "ground that was seen"
+
+
 def test_a_thing_that_the_tracks_would_pass_is_rather_left_beside():
     found = terrain(ground(lambda x, y: 0.06 * (abs(x) < 0.1 and abs(y) < 0.1)))
     assert found.is_free(0.0, 0.0, 0.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections import defaultdict
 from collections.abc import AsyncIterator, Callable, Hashable, Iterator
 from contextlib import asynccontextmanager, contextmanager
 from dataclasses import dataclass, field
@@ -12,7 +13,7 @@ from jauspy.arguments import described
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import CodecError, ConfigError, DecodeError
-from jauspy.ids import JausID, message_id
+from jauspy.ids import EVERYONE, JausID, message_id
 
 REPORT_OFFSET: Final = 0x2000
 """Difference of the message id of a query (2000h to 3FFFh) and that of its report (AS5710)."""
@@ -125,11 +126,14 @@ class ReplyDispatcher:
     registry: Registry
     on_malformed: Callable[[str], None]
     _waiters: list[ReplyWaiter] = field(default_factory=list)
-    _listeners: list[_Listener] = field(default_factory=list)
+    _listeners: defaultdict[tuple[int, JausID], list[_Listener]] = field(default_factory=lambda: defaultdict(list))
+    """By message id and source; those of sources that are wildcards are at `EVERYONE`."""
 
     def dispatch(self, payload: bytes, source: JausID) -> bool:
         """Hand out one message; false when nobody takes it. Malformed messages are reported and count as taken."""
-        heard = [listener for listener in tuple(self._listeners) if self._notify(listener, payload, source)]
+        code = message_id(payload)
+        listeners = [*self._listeners.get((code, source), ()), *self._listeners.get((code, EVERYONE), ())]
+        heard = [listener for listener in listeners if self._notify(listener, payload, source)]
         for waiter in self._waiters:
             try:
                 if waiter.take(payload, source, self.registry):
@@ -170,11 +174,16 @@ class ReplyDispatcher:
     ) -> Iterator[None]:
         """Call `callback` at once for every message of these classes from `source`, which may be a wildcard."""
         listener = _Listener(source, kinds, callback)
-        self._listeners.append(listener)
+        keys = {(kind.CODE, EVERYONE if source.is_wildcard else source) for kind in kinds}
+        for key in keys:
+            self._listeners[key].append(listener)
         try:
             yield
         finally:
-            self._listeners.remove(listener)
+            for key in keys:
+                self._listeners[key].remove(listener)
+                if not self._listeners[key]:
+                    del self._listeners[key]
 
     def fail(self, error: Exception) -> None:
         """End every wait with this error."""

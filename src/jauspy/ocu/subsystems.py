@@ -167,6 +167,8 @@ class SubsystemTree:
         """When the `INTRODUCTION_TIME` of each new component ends."""
         self._services = 0
         """Number of services of all entries."""
+        self._longest_silent = math.inf
+        """A time before which no component was seen last."""
         self._silent: dict[JausID, None] = {}
         """Components that responded once and fell silent; other components may still list them."""
 
@@ -213,6 +215,8 @@ class SubsystemTree:
         `listed_before`: the time for those that have sent nothing themselves, and were listed by others.
         """
         listed = before if listed_before is None else listed_before
+        if self._longest_silent >= max(before, listed):
+            return
         silent = {id for id, entry in self._entries.items() if entry.last_seen < (before if entry.responds else listed)}
         for id in silent:
             members = self._members[id.subsystem]
@@ -221,12 +225,17 @@ class SubsystemTree:
                 del self._members[id.subsystem]
             if self._entries.pop(id).responds:
                 self._silent[id] = None
-        for entry in self._entries.values() if silent else ():
-            entry.services = {source: services for source, services in entry.services.items() if source not in silent}
-        self._services = sum(len(services) for entry in self._entries.values() for services in entry.services.values())
+        self._longest_silent = min((entry.last_seen for entry in self._entries.values()), default=math.inf)
         while len(self._silent) > self._max_components:
             del self._silent[next(iter(self._silent))]
         if silent:
+            for entry in self._entries.values():
+                entry.services = {
+                    source: services for source, services in entry.services.items() if source not in silent
+                }
+            self._services = sum(
+                len(services) for entry in self._entries.values() for services in entry.services.values()
+            )
             named = {name_owner(level, id) for id in self._entries for level in Level}
             self._names = {key: name for key, name in self._names.items() if key[1] in named}
             self._facts = len(self._names) + sum(entry.facts for entry in self._entries.values())
@@ -335,6 +344,7 @@ class SubsystemTree:
             self._facts += 1
             self._ordered.pop(id.subsystem, None)
             self._introductions.append(now + INTRODUCTION_TIME)
+            self._longest_silent = min(self._longest_silent, now)
             self._has_changed(id.subsystem)
         return entry
 

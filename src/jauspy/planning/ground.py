@@ -25,6 +25,9 @@ THING_SIZE: Final = 0.7
 """Metres above the ground from which on something lies there, and its longest side; what is longer is ground."""
 LEAST_KNOWN: Final = 0.3
 """Part of the cells around one whose heights must be known for a slope to be known."""
+CHANGED: Final = 0.04
+MORE: Final = 0.01
+"""Metres by which another height, and a higher step, is something new, and no error of the clouds."""
 AROUND: Final = 5
 """Cells along a side of the square around a cell of which the known ones are counted: steps are sought in it."""
 
@@ -64,6 +67,8 @@ class Ground:
     slope_y: Array
     things: Array
     """1 where something lies on the ground, else 0."""
+    hidden: Array
+    """1 where nothing was seen though a sensor was near, else 0."""
     old: Array
     """1 where it is remembered, and not known now, else 0."""
 
@@ -78,8 +83,9 @@ class Ground:
         heights = _with_hidden(elevation, highest, approached)
         walls, steps = _jumps(heights, highest)
         slope_x, slope_y = _gradients(heights, side, mobility.half_width, highest)
-        things, old = _things(heights, side), np.zeros(heights.shape, np.float32)
-        return cls(elevation.origin, side, heights, walls, steps, slope_x, slope_y, things, old)
+        hidden = np.isnan(elevation.heights) & (True if approached is None else approached)
+        others = _things(heights, side), hidden.astype(np.float32), np.zeros(heights.shape, np.float32)
+        return cls(elevation.origin, side, heights, walls, steps, slope_x, slope_y, *others)
 
     def resampled(self, origin: tuple[float, float], side: float, shape: tuple[int, ...]) -> Ground:
         """The ground in cells of another grid, of `side` metres from `origin`; heights outside are unknown."""
@@ -101,7 +107,7 @@ class Ground:
 
 
 REMEMBERED: Final = ("heights", "walls", "steps", "slope_x", "slope_y")
-LAYERS: Final = (*REMEMBERED, "things", "old")
+LAYERS: Final = (*REMEMBERED, "things", "hidden", "old")
 """Names of the layers of a ground, in their order, and those that are remembered."""
 
 
@@ -110,7 +116,7 @@ class GroundMemory:
 
     Elevation grids forget heights, since those of what is seen again would be a step beside old ones. A robot that
     forgets edges drives to and fro before them. So steps and slopes are remembered, and not computed anew from heights
-    of different times.
+    of different times. What has come since is new, even if it hides what was known around it.
     """
 
     def __init__(self, low: float, size: float) -> None:
@@ -120,7 +126,9 @@ class GroundMemory:
         self._ground: Ground
 
     def completed(self, ground: Ground) -> Ground:
-        """Remember a ground; returns it with what was known before where less is known now. Things are those of now.
+        """Remember a ground; returns it with what was known before where less is known now.
+
+        Things, and what is hidden, are those of now.
 
         All of them have cells of one size, with borders at the same places. It is valid until the next call.
         """
@@ -131,12 +139,16 @@ class GroundMemory:
         here, source = _overlap(ground, memory)
         known = ~np.isnan(ground.heights)
         around = ndimage.uniform_filter(known.astype(np.float32), AROUND, mode="constant")[source]
-        newer = known[source] & (around >= self._known[here] - 0.5 / AROUND**2)
+        newer = around >= self._known[here] - 0.5 / AROUND**2
+        newer |= np.abs(ground.heights[source] - memory.heights[here]) > CHANGED
+        newer |= (ground.walls[source] > memory.walls[here] + MORE) | (ground.steps[source] > memory.steps[here] + MORE)
+        newer &= known[source]
         self._known[here][newer] = around[newer]
         for name in REMEMBERED:
             getattr(memory, name)[here][newer] = getattr(ground, name)[source][newer]
-        memory.things.fill(0.0)
-        memory.things[here] = ground.things[source]
+        for layer, values in ((memory.things, ground.things), (memory.hidden, ground.hidden)):
+            layer.fill(0.0)
+            layer[here] = values[source]
         memory.old.fill(1.0)
         memory.old[here] = ~known[source]
         return memory
