@@ -27,7 +27,7 @@ def test_listeners_hear_their_classes_from_their_senders(dispatcher: ReplyDispat
     def note(name: str):
         return lambda message, source: heard.append((name, type(message), source))
 
-    status, time, pose = (message.encode() for message in (ReportStatus(), ReportTime(), ReportLocalPose(x=1.0)))
+    status, time, pose = (message.encode() for message in (ReportStatus(1, 0), ReportTime(), ReportLocalPose(x=1.0)))
     with ExitStack() as stack:
         stack.enter_context(dispatcher.listening(A, note("a"), ReportStatus, ReportTime))
         stack.enter_context(dispatcher.listening(B, note("b"), ReportStatus))
@@ -63,8 +63,8 @@ def test_a_listener_may_leave_while_it_hears(dispatcher: ReplyDispatcher) -> Non
 
         first.enter_context(dispatcher.listening(A, lambda *_: leave("first"), ReportStatus))
         second.enter_context(dispatcher.listening(A, lambda *_: heard.append("second"), ReportStatus))
-        assert dispatcher.dispatch(ReportStatus().encode(), A)
-        assert dispatcher.dispatch(ReportStatus().encode(), A)
+        assert dispatcher.dispatch(ReportStatus(1, 0).encode(), A)
+        assert dispatcher.dispatch(ReportStatus(1, 0).encode(), A)
     assert heard == ["first", "second", "second"]
 
 
@@ -77,5 +77,5 @@ def test_reports_of_one_sender_are_not_offered_to_listeners_to_others(dispatcher
                 dispatcher.listening(JausID(subsystem, 1, 1), lambda _, source: heard.append(source), ReportStatus)
             )
         assert [listener.source for listener in dispatcher._listeners[ReportStatus.CODE, A]] == [A]
-        assert dispatcher.dispatch(ReportStatus().encode(), A)
+        assert dispatcher.dispatch(ReportStatus(1, 0).encode(), A)
     assert heard == [A]
