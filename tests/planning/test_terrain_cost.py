@@ -163,14 +163,16 @@ def crate(x: float, y: float) -> float:
     return 0.4 if x < 0.2 else math.nan
 
 
-@pytest.mark.parametrize(("scan_height", "is_free"), [(0.6, False), (0.4, True)])
-def test_what_a_low_thing_hides_may_be_a_part_of_it(scan_height: float, is_free: bool) -> None:
+@pytest.mark.parametrize(("scan_height", "is_hidden"), [(0.6, True), (0.4, False)])
+def test_what_a_low_thing_hides_may_be_a_part_of_it(scan_height: float, is_hidden: bool) -> None:
     """A lidar that sees the thing also sees how long it is."""
     found = terrain(ground(crate), scan_height=scan_height)
+    seen = terrain(ground(lambda x, y: 0.4 if 0.0 <= x < 0.2 and abs(y) <= 0.3 else 0.0), scan_height=scan_height)
     assert found.blocked[found.cell(0.05, 0.05)]
-    assert bool(found.blocked[found.cell(0.35, 0.05)]) is not is_free
-    assert not found.blocked[found.cell(0.95, 0.05)], "it is not so long"
-    assert not found.blocked[found.cell(0.35, 0.45)], "ground that was seen"
+    for beside in ((0.65, 0.05), (0.75, 0.05)):
+        assert (found.cost_at(*beside) > 4.0 + seen.cost_at(*beside)) is is_hidden
+    for away in ((1.25, 0.05), (0.35, 1.05), (-0.65, 0.05)):
+        assert found.cost_at(*away) < 1.0 + seen.cost_at(*away)
 
 
 def test_a_thing_that_the_tracks_would_pass_is_rather_left_beside():

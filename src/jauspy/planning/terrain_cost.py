@@ -52,8 +52,9 @@ STEP_HEADING: Final = math.radians(25.0)
 SCAN_ERROR: Final = 0.15
 """Metres below the plane of the scans from which on ground is taken for what the scans saw."""
 SHADOW: Final = 0.4
-"""Metres beside what is lower than the plane of the scans in which ground that was not seen is taken for a part of it:
-cameras see the side of a crate that faces them."""
+SHADOW_COST: Final = 6.0
+"""Metres beside what is lower than the plane of the scans in which ground that was not seen may be a part of it, since
+cameras see the side of a crate that faces them; and what is added to the cost of a metre over it."""
 STEP_ERROR: Final = 0.005
 """Metres by which an edge that is partly in a cell looks lower than it is."""
 SURROUNDED: Final = 0.9
@@ -185,10 +186,7 @@ class TerrainCost:
         blocked &= ~(seen & ~wall & tall & ~steep & surrounded)
         # a wall that reaches the plane of the scans is where they saw it, in smaller cells, and see it later
         blocked |= wall & ~(tall & (scanned | (ground.old > 0.0)))
-        low_walls = wall & ~tall
-        if low_walls.any():
-            shadow = ndimage.maximum_filter(low_walls, 2 * round(SHADOW / self.resolution) + 1)
-            blocked |= shadow & (ground.hidden > 0.0)
+        shadow = ndimage.maximum_filter(wall & ~tall, 2 * round(SHADOW / self.resolution) + 1) & (ground.hidden > 0.0)
         # what is seen of a wall from the ground up looks like a step; none is climbed so close to one
         beside_wall = ndimage.maximum_filter(blocked, 2 * round(mobility.half_width / self.resolution) - 1)
         blocked |= seen & steep
@@ -205,6 +203,7 @@ class TerrainCost:
         if things.any():
             self._things = things > 0.0
         low = np.maximum(THING_COST * things, LOW_COST * (seen & (steps > LOW) & ~beside_wall))
+        low = np.maximum(low, SHADOW_COST * shadow)
         under_tracks = ndimage.maximum_filter(low, 2 * round(mobility.half_width / self.resolution) + 1)
         cost = SLOPE_COST * np.minimum(1.0, grade) ** 2 + under_tracks
         return cost.astype(np.float32), known | seen
