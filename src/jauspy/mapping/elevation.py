@@ -312,7 +312,7 @@ class ElevationGrid:
         self._corner = column, row, layer
 
     def _follow_way(self, start: Floats) -> None:
-        """Measure the way of the sensor, and forget what was seen too long ago on it."""
+        """Measure the way of the sensor, note what it approaches, and forget what was seen too long ago on it."""
         moved = math.inf if self._place is None else math.dist(self._place, start[:2])
         if moved < FORGET_INTERVAL:
             return

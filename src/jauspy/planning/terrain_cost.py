@@ -184,7 +184,7 @@ class TerrainCost:
         surrounded = ndimage.uniform_filter(seen.astype(np.float32), 3) > SURROUNDED
         # a wall to the lidar that is a slope to the robot
         blocked &= ~(seen & ~wall & tall & ~steep & surrounded)
-        # a wall that reaches the plane of the scans is where they saw it, in smaller cells, and see it later
+        # a wall that reaches the plane of the scans is where they saw it, in smaller cells, or will see it
         blocked |= wall & ~(tall & (scanned | (ground.old > 0.0)))
         shadow = ndimage.maximum_filter(wall & ~tall, 2 * round(SHADOW / self.resolution) + 1) & (ground.hidden > 0.0)
         # what is seen of a wall from the ground up looks like a step; none is climbed so close to one
