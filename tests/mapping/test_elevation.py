@@ -175,19 +175,32 @@ def test_a_robot_that_stands_forgets_nothing() -> None:
     assert np.array_equal(grid.heights, before, equal_nan=True)
 
 
-def test_cells_that_were_approached_stay_so_when_the_grid_moves() -> None:
+def test_cells_that_were_approached_and_not_seen_are_hidden_also_when_the_grid_moves() -> None:
     grid = ElevationGrid(12.0, 0.1)
     for number in range(11):
         grid.add(np.empty((0, 3)), shifted(0.4 * number), float(number))
     left, low = grid.ground.origin
-    ys, xs = (np.indices(grid.ground.approached.shape) + 0.5) * 0.1
+    ys, xs = (np.indices(grid.ground.hidden.shape) + 0.5) * 0.1
     xs, ys = xs + left, ys + low
     start, end = (np.array(shifted(x).position) for x in (0.0, 4.0))
     assert left > -6.0, "it has moved"
     for place in (start, end):
-        assert grid.ground.approached[np.hypot(xs - place[0], ys - place[1]) < 2.8].all()
+        assert grid.ground.hidden[np.hypot(xs - place[0], ys - place[1]) < 2.8].all()
     beyond = np.hypot(ys - end[1], np.clip(xs, start[0], end[0]) - xs) > 3.1
-    assert not grid.ground.approached[beyond].any()
+    assert not grid.ground.hidden[beyond].any()
+
+
+def test_ground_that_was_seen_and_forgotten_is_not_hidden() -> None:
+    grid = ElevationGrid(12.0, 0.1, kept_way=2.0)
+    for seed in range(3):
+        grid.add(cloud(flat, seed, 30_000), SENSOR, 0.1 * seed)
+    known = np.isfinite(grid.ground.heights)
+    assert known.any()
+    assert not grid.ground.hidden[known].any()
+    for number in range(1, 8):
+        grid.add(np.empty((0, 3)), shifted(0.5 * (number % 2)), float(number))
+    assert np.isnan(grid.ground.heights).all()
+    assert not grid.ground.hidden[known].any()
 
 
 def test_a_tilt_that_is_measured_wrong_at_first_is_corrected_by_what_comes_after() -> None:

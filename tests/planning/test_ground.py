@@ -10,7 +10,7 @@ import pytest
 
 pytest.importorskip("scipy", reason="needs the extra `planning`")
 
-from jauspy.planning.ground import Ground, GroundMemory
+from jauspy.planning.ground import SIZE, Ground, GroundMemory
 from jauspy.planning.mobility import mobility_of
 from jauspy.robot.robot_files import load, robot_model
 
@@ -29,13 +29,13 @@ class Elevation:
 def seen(height, x: float = 0.0, y: float = 0.0, *, hidden: bool = True) -> Ground:
     """The ground of an elevation grid of 4 m around a point, with the heights that a function of x and y returns.
 
-    What is `hidden` is taken for low ground, or stays unknown.
+    What is unknown is hidden, so that it is taken for low ground, or was seen before.
     """
     first = [round(value / SIDE) - CELLS // 2 for value in (x, y)]
     xs, ys = ((number + np.arange(CELLS) + 0.5) * SIDE for number in first)
     heights = np.array([[height(a, b) for a in xs] for b in ys], np.float32)
     elevation = Elevation(heights, (first[0] * SIDE, first[1] * SIDE))
-    return Ground.of(elevation, MOBILITY, np.full(heights.shape, hidden))
+    return Ground.of(elevation, MOBILITY, np.isnan(heights) & hidden)
 
 
 def kerb(x: float, _: float) -> float:
@@ -49,22 +49,46 @@ def at(ground: Ground, layer: str, x: float, y: float) -> float:
 
 @pytest.fixture
 def memory() -> GroundMemory:
-    return GroundMemory(-10.0, 20.0)
+    return GroundMemory()
 
 
-def test_an_edge_is_remembered_where_the_grid_has_forgotten_it(memory: GroundMemory) -> None:
+def test_an_edge_is_remembered_where_the_grid_has_left_it(memory: GroundMemory) -> None:
     assert at(memory.completed(seen(kerb)), "steps", 0.05, 0.5) == pytest.approx(0.1)
-    forgotten = memory.completed(seen(lambda _, y: math.nan if y > 0.0 else 0.0, y=-3.0))
-    assert at(forgotten, "steps", 0.05, 0.5) == pytest.approx(0.1)
-    assert at(forgotten, "slope_x", 0.05, 0.5) > 0.1
-    assert at(forgotten, "heights", 0.55, 0.5) == pytest.approx(0.1)
-    assert (at(forgotten, "old", 0.05, 0.5), at(forgotten, "old", 0.05, -3.0)) == (1.0, 0.0)
+    elsewhere = memory.completed(seen(lambda x, y: 0.0, y=-4.0))
+    assert at(elsewhere, "steps", 0.05, 0.5) == pytest.approx(0.1)
+    assert at(elsewhere, "slope_x", 0.05, 0.5) > 0.1
+    assert at(elsewhere, "heights", 0.55, 0.5) == pytest.approx(0.1)
+    assert (at(elsewhere, "old", 0.05, 0.5), at(elsewhere, "old", 0.05, -4.0), at(elsewhere, "old", 9.0, 0.0)) == (
+        1,
+        0,
+        0,
+    )
 
 
 def test_an_edge_stays_when_the_cells_beside_it_are_forgotten_one_by_one(memory: GroundMemory) -> None:
     memory.completed(seen(kerb))
-    upper = memory.completed(seen(lambda x, y: 0.1 if x > 0.0 else math.nan))
-    assert at(upper, "steps", 0.05, 0.5) == pytest.approx(0.1)
+    for column in range(CELLS):
+        forgotten = -2.0 + SIDE * column
+        found = memory.completed(seen(lambda x, y: math.nan if x < forgotten else kerb(x, y), hidden=False))  # noqa: B023
+        assert at(found, "steps", 0.05, 0.5) == pytest.approx(0.1)
+    assert at(found, "old", 0.05, 0.5) == 1.0
+
+
+@pytest.mark.parametrize("hidden", [True, False])
+def test_a_thing_stays_when_it_is_forgotten_between_ground_that_is_seen(memory: GroundMemory, *, hidden: bool) -> None:
+    """Also if it were taken for low ground."""
+    crate = seen(lambda x, y: 0.25 if 0.0 < x < 0.5 and abs(y) < 0.3 else 0.0)
+    memory.completed(crate)
+    found = memory.completed(seen(lambda x, y: math.nan if -0.1 < x < 0.6 and abs(y) < 0.4 else 0.0, hidden=hidden))
+    assert at(found, "walls", 0.05, 0.05) == pytest.approx(0.25)
+    assert at(found, "heights", 0.25, 0.05) == pytest.approx(0.25)
+
+
+def test_pavement_that_is_forgotten_makes_no_other_edge(memory: GroundMemory) -> None:
+    memory.completed(seen(kerb))
+    found = memory.completed(seen(lambda x, y: math.nan if 0.0 < x < 1.0 else kerb(x, y), hidden=False))
+    assert at(found, "steps", 0.05, 0.5) == pytest.approx(0.1)
+    assert at(found, "steps", 1.05, 0.5) == 0.0
 
 
 def test_what_is_seen_again_is_as_it_is_now(memory: GroundMemory) -> None:
@@ -103,9 +127,24 @@ def test_things_are_those_of_now(memory: GroundMemory) -> None:
     assert at(memory.completed(seen(lambda x, y: 0.0, y=-5.0)), "things", 0.05, 0.05) == 0.0
 
 
-@pytest.mark.parametrize("place", [(9.0, -9.0), (30.0, 0.0), (-11.9, 4.0), (0.0, -1e6)])
-def test_ground_beyond_the_memory_is_left_out(memory: GroundMemory, place: tuple[float, float]) -> None:
-    found = memory.completed(seen(kerb, *place))
-    assert found.heights.shape == (200, 200)
-    inside = abs(place[0]) < 10.0 and abs(place[1]) < 10.0
-    assert bool(np.isfinite(found.heights).any()) is (inside or place[0] == -11.9)
+def test_it_follows_the_robot_and_forgets_what_is_far_away(memory: GroundMemory) -> None:
+    memory.completed(seen(kerb, y=4.0))
+    for number in range(60):
+        found = memory.completed(seen(lambda x, y: 0.0, y=-1.0 * number))
+        assert found.heights.size <= (SIZE / SIDE) ** 2
+        assert at(found, "heights", 0.05, -1.0 * number) == 0.0
+        if number < 15:
+            assert at(found, "steps", 0.05, 5.5) == pytest.approx(0.1)
+    assert np.isnan(at(found, "heights", 0.05, 5.5))
+    assert at(found, "heights", 0.05, -50.0) == 0.0
+    jumped = memory.completed(seen(kerb, 1e5, -1e6))
+    assert at(jumped, "heights", 1e5, -1e6) == pytest.approx(0.1)
+    assert np.isfinite(jumped.heights).sum() == CELLS**2
+
+
+def test_a_ground_that_was_told_does_not_change(memory: GroundMemory) -> None:
+    """Threads still read it."""
+    first = memory.completed(seen(kerb))
+    before = first.steps.copy()
+    memory.completed(seen(lambda x, y: 0.0))
+    assert np.array_equal(first.steps, before)

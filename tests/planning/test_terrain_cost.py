@@ -9,7 +9,7 @@ import pytest
 pytest.importorskip("scipy", reason="planning needs scipy")
 
 from jauspy.geometry.poses import PlanarPose
-from jauspy.planning.ground import Ground
+from jauspy.planning.ground import Ground, GroundMemory
 from jauspy.planning.mobility import Mobility
 from jauspy.planning.terrain_cost import THING_COST, TerrainCost
 
@@ -31,11 +31,11 @@ def ground(height) -> Elevation:
     return Elevation(np.array([[height(x, y) for x in places] for y in places], np.float32))
 
 
-def terrain(elevation=None, occupied=(), *, known=True, approached=None, **options) -> TerrainCost:
+def terrain(elevation=None, occupied=(), *, known=True, hidden=None, ages=None, **options) -> TerrainCost:
     cells = np.zeros(SHAPE, bool)
     for row, column in occupied:
         cells[row, column] = True
-    found = None if elevation is None else Ground.of(elevation, MOBILITY, approached)
+    found = None if elevation is None else Ground.of(elevation, MOBILITY, hidden, ages)
     return TerrainCost(MOBILITY, cells, np.full(SHAPE, known), ORIGIN, 0.1, ground=found, **options)
 
 
@@ -150,7 +150,7 @@ def test_ground_is_taken_for_hidden_only_where_the_robot_was_near():
         return 0.1 if x > 1.0 and (round(10.0 * x) + round(10.0 * y)) % 3 == 0 else math.nan
 
     known = ground(seen)
-    far, near = (terrain(known, approached=np.full(known.heights.shape, is_near)) for is_near in (False, True))
+    far, near = (terrain(known, hidden=np.isnan(known.heights) & is_near) for is_near in (False, True))
     beside = [(1.05 + 0.1 * step, 0.05) for step in range(10)]
     assert not any(far.needs_flippers(*place) for place in beside)
     assert any(near.needs_flippers(*place) or near.clearance(*place, 0.0) < 0.0 for place in beside)
@@ -163,9 +163,9 @@ def crate(x: float, y: float) -> float:
     return 0.4 if x < 0.2 else math.nan
 
 
-@pytest.mark.parametrize(("scan_height", "is_hidden"), [(0.6, True), (0.4, False)])
+@pytest.mark.parametrize(("scan_height", "is_hidden"), [(0.6, True), (0.44, True), (0.3, False)])
 def test_what_a_low_thing_hides_may_be_a_part_of_it(scan_height: float, is_hidden: bool) -> None:
-    """A lidar that sees the thing also sees how long it is."""
+    """A lidar that sees the thing also sees how long it is; that of inc1 has its plane 0.44 m up."""
     found = terrain(ground(crate), scan_height=scan_height)
     seen = terrain(ground(lambda x, y: 0.4 if 0.0 <= x < 0.2 and abs(y) <= 0.3 else 0.0), scan_height=scan_height)
     assert found.blocked[found.cell(0.05, 0.05)]
@@ -173,6 +173,33 @@ def test_what_a_low_thing_hides_may_be_a_part_of_it(scan_height: float, is_hidde
         assert (found.cost_at(*beside) > 4.0 + seen.cost_at(*beside)) is is_hidden
     for away in ((1.25, 0.05), (0.35, 1.05), (-0.65, 0.05)):
         assert found.cost_at(*away) < 1.0 + seen.cost_at(*away)
+
+
+@pytest.mark.parametrize(("since", "is_shadow"), [(5.0, True), (0.5, False)])
+def test_ground_behind_a_thing_that_was_seen_before_it_may_be_a_part_of_it(*, since: float, is_shadow: bool) -> None:
+    """A crate that was put where the floor was known: the floor below its far side is still the one of then."""
+    face = ground(lambda x, y: 0.4 if 0.0 <= x < 0.2 and abs(y) <= 0.3 else 0.0)
+    ages = ground(lambda x, y: since if x > 0.2 and abs(y) < 0.3 else 0.0).heights
+    found, new = terrain(face, ages=ages, scan_height=0.6), terrain(face, ages=0.0 * ages, scan_height=0.6)
+    for beside in ((0.65, 0.05), (0.75, 0.05)):
+        assert (found.cost_at(*beside) > 4.0 + new.cost_at(*beside)) is is_shadow
+    assert found.cost_at(-0.65, 0.05) == new.cost_at(-0.65, 0.05)
+
+
+@pytest.mark.parametrize(
+    ("height", "scan_height", "is_blocked"), [(0.4, 0.44, True), (0.25, 0.44, True), (0.6, 0.44, False)]
+)
+def test_a_remembered_thing_is_left_to_the_lidar_only_if_it_sees_it(
+    height: float, scan_height: float, is_blocked: bool
+) -> None:
+    memory = GroundMemory()
+    seen = ground(lambda x, y: height if 0.0 <= x < 0.2 and abs(y) <= 0.3 else 0.0)
+    memory.completed(Ground.of(seen, MOBILITY))
+    forgotten = ground(lambda x, y: math.nan if x > -1.0 else 0.0)
+    found = memory.completed(Ground.of(forgotten, MOBILITY, np.zeros(SHAPE, bool)))
+    cells = np.zeros(SHAPE, bool)
+    cost = TerrainCost(MOBILITY, cells, ~cells, ORIGIN, 0.1, ground=found, scan_height=scan_height)
+    assert bool(cost.blocked[cost.cell(0.05, 0.05)]) is is_blocked
 
 
 def test_a_thing_that_the_tracks_would_pass_is_rather_left_beside():

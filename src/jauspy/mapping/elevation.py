@@ -94,8 +94,10 @@ class GroundHeights:
     resolution: float
     heights: Heights
     """Metres, rows along y, columns along x; NaN where unknown."""
-    approached: NDArray[np.bool_]
-    """Cells, of the same shape, to which a sensor has been within `APPROACHED` metres."""
+    hidden: NDArray[np.bool_]
+    """Cells, of the same shape, that were never seen, though a sensor has been within `APPROACHED` metres."""
+    ages: NDArray[np.float64]
+    """Seconds since something in each cell was seen, at the last cloud; NaN where nothing was."""
 
 
 class ElevationGrid:
@@ -136,7 +138,8 @@ class ElevationGrid:
         self._seen_on_way = np.zeros((cells, cells))
         """The same, when each cell was hit last."""
         self._approached = np.zeros((cells, cells), np.bool_)
-        """Cells to which the sensor has been near."""
+        self._ever_seen = np.zeros((cells, cells), np.bool_)
+        """Cells to which the sensor has been near, and those whose height was known when the ground was asked for."""
         self._place: Floats | None = None
         """Where the sensor was when what is too old was forgotten last, x and y."""
         self._heights: Heights | None = None
@@ -161,7 +164,9 @@ class ElevationGrid:
     @property
     def ground(self) -> GroundHeights:
         """The heights as they are now, which other threads can read."""
-        return GroundHeights(self.origin, self.resolution, self.heights, self._approached.copy())
+        self._ever_seen |= ~np.isnan(self.heights)
+        hidden = self._approached & ~self._ever_seen
+        return GroundHeights(self.origin, self.resolution, self.heights, hidden, self.ages(self.stamp))
 
     def ages(self, now: float) -> Floats:
         """Seconds since something in each cell was seen; NaN where nothing was."""
@@ -306,7 +311,9 @@ class ElevationGrid:
             self._weights, self._sums = _shifted(self._weights, shift, 0.0), _shifted(self._sums, shift, 0.0)
             self._seen = _shifted(self._seen, shift[1:], np.nan)
             self._seen_on_way = _shifted(self._seen_on_way, shift[1:], 0.0)
-            self._approached = _shifted(self._approached, shift[1:], False)
+            self._approached, self._ever_seen = (
+                _shifted(cells, shift[1:], False) for cells in (self._approached, self._ever_seen)
+            )
             self._heights = None
         column, row, layer = wanted.tolist()
         self._corner = column, row, layer

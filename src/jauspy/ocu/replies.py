@@ -132,7 +132,8 @@ class ReplyDispatcher:
     def dispatch(self, payload: bytes, source: JausID) -> bool:
         """Hand out one message; false when nobody takes it. Malformed messages are reported and count as taken."""
         code = message_id(payload)
-        listeners = [*self._listeners.get((code, source), ()), *self._listeners.get((code, EVERYONE), ())]
+        keys = dict.fromkeys([(code, source), (code, EVERYONE)])
+        listeners = [listener for key in keys for listener in self._listeners.get(key, ())]
         heard = [listener for listener in listeners if self._notify(listener, payload, source)]
         for waiter in self._waiters:
             try:

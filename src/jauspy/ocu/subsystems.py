@@ -167,8 +167,8 @@ class SubsystemTree:
         """When the `INTRODUCTION_TIME` of each new component ends."""
         self._services = 0
         """Number of services of all entries."""
-        self._longest_silent = math.inf
-        """A time before which no component was seen last."""
+        self._heard = self._listed = math.inf
+        """Times before which none that has responded was seen last, and none that others have listed."""
         self._silent: dict[JausID, None] = {}
         """Components that responded once and fell silent; other components may still list them."""
 
@@ -202,6 +202,7 @@ class SubsystemTree:
             return
         self._facts += not entry.responds
         entry.last_seen, entry.responds = now, True
+        self._heard = min(self._heard, now)
         if isinstance(message, ReportIdentification):
             if (level := int(message.query_type)) in _LEVELS:
                 self._set_name(level, name_owner(level, source), (message.identification, int(message.type)))
@@ -215,7 +216,7 @@ class SubsystemTree:
         `listed_before`: the time for those that have sent nothing themselves, and were listed by others.
         """
         listed = before if listed_before is None else listed_before
-        if self._longest_silent >= max(before, listed):
+        if self._heard >= before and self._listed >= listed:
             return
         silent = {id for id, entry in self._entries.items() if entry.last_seen < (before if entry.responds else listed)}
         for id in silent:
@@ -225,7 +226,10 @@ class SubsystemTree:
                 del self._members[id.subsystem]
             if self._entries.pop(id).responds:
                 self._silent[id] = None
-        self._longest_silent = min((entry.last_seen for entry in self._entries.values()), default=math.inf)
+        self._heard, self._listed = (
+            min((entry.last_seen for entry in self._entries.values() if entry.responds is responds), default=math.inf)
+            for responds in (True, False)
+        )
         while len(self._silent) > self._max_components:
             del self._silent[next(iter(self._silent))]
         if silent:
@@ -344,7 +348,7 @@ class SubsystemTree:
             self._facts += 1
             self._ordered.pop(id.subsystem, None)
             self._introductions.append(now + INTRODUCTION_TIME)
-            self._longest_silent = min(self._longest_silent, now)
+            self._listed = min(self._listed, now)
             self._has_changed(id.subsystem)
         return entry
 

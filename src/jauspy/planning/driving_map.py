@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import asyncio
 import math
+import threading
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -95,7 +96,7 @@ class DrivingMap:
         self.allow_unknown = allow_unknown
         self.heights = None if heights is None else heights(lambda: self.mapper.correction)
         """What fills the elevation grid; None without."""
-        self._memory = GroundMemory(self.grid.low, self.grid.cells * self.grid.resolution)
+        self._memory, self._lock = GroundMemory(), threading.Lock()
         self._ground: tuple[GroundHeights, Mobility, Ground] | None = None
         """The ground at last, and what it was made of."""
         self._threaded = threaded
@@ -110,13 +111,13 @@ class DrivingMap:
 
     async def __aenter__(self) -> Self:
         self._running = [asyncio.create_task(self.live.run(), name="navigation: map")]
-        if self.heights is not None:
-            self._running.append(asyncio.create_task(self.heights.run(), name="navigation: heights"))
         first = asyncio.create_task(self._first.wait())
         await asyncio.wait({first, *self._running}, timeout=FIRST_SCAN_TIMEOUT, return_when=asyncio.FIRST_COMPLETED)
         first.cancel()
         try:
             self.check()
+            if self.heights is not None:  # not before the place in the map is known
+                self._running.append(asyncio.create_task(self.heights.run(), name="navigation: heights"))
             await self._until_heights()
         except BaseException:
             await self._end()
@@ -209,10 +210,11 @@ class DrivingMap:
         heights = None if self.heights is None else self.heights.latest
         if heights is None:
             return None
-        if self._ground is None or self._ground[0] is not heights or self._ground[1] is not mobility:
-            ground = self._memory.completed(Ground.of(heights, mobility, heights.approached))
-            self._ground = heights, mobility, ground
-        return self._ground[2]
+        with self._lock:  # of a call that was cancelled, the thread may still run
+            if self._ground is None or self._ground[0] is not heights or self._ground[1] is not mobility:
+                ground = self._memory.completed(Ground.of(heights, mobility, heights.hidden, heights.ages))
+                self._ground = heights, mobility, ground
+            return self._ground[2]
 
     def _zone_cells(self, shape: tuple[int, ...], origin: tuple[float, float]) -> NDArray[np.bool_]:
         """Cells of a window of this shape in the zones."""

@@ -27,9 +27,11 @@ LEAST_KNOWN: Final = 0.3
 """Part of the cells around one whose heights must be known for a slope to be known."""
 CHANGED: Final = 0.04
 MORE: Final = 0.01
-"""Metres by which another height, and a higher step, is something new, and no error of the clouds."""
+"""Metres by which a height must differ, and a step be higher, to replace what is remembered."""
 AROUND: Final = 5
-"""Cells along a side of the square around a cell of which the known ones are counted: steps are sought in it."""
+"""Cells along a side of the square around a cell of which the measured ones are counted: steps are sought in it."""
+SIZE: Final = 48.0
+"""Metres along a side of what is remembered."""
 
 
 class Heights(Protocol):
@@ -68,27 +70,40 @@ class Ground:
     things: Array
     """1 where something lies on the ground, else 0."""
     hidden: Array
-    """1 where nothing was seen though a sensor was near, else 0."""
+    """1 where nothing was ever seen though a sensor was near, else 0."""
+    age: Array
+    """Seconds since it was seen last; NaN where that is not known."""
     old: Array
-    """1 where it is remembered, and not known now, else 0."""
+    """1 where nothing is known now, and what was known before is told, else 0."""
 
     @classmethod
-    def of(cls, elevation: Heights, mobility: Mobility, approached: Cells | None = None) -> Ground:
+    def of(
+        cls, elevation: Heights, mobility: Mobility, hidden: Cells | None = None, ages: Array | None = None
+    ) -> Ground:
         """The ground for a robot.
 
-        What is hidden is taken for low ground only in cells that were `approached`, by default in all: the little that
-        is seen from far away tells no edges.
+        Ground is taken for low only in cells that are `hidden`, by default in all whose heights are unknown: the little
+        that is seen from far away tells no edges, and what was forgotten is not low. `ages` are seconds since cells
+        were seen, by default not known.
         """
         highest, side = mobility.flipper_step, elevation.resolution
-        heights = _with_hidden(elevation, highest, approached)
+        if hidden is None:
+            hidden = np.isnan(elevation.heights)
+        heights = _with_hidden(elevation, highest, hidden)
         walls, steps = _jumps(heights, highest)
         slope_x, slope_y = _gradients(heights, side, mobility.half_width, highest)
-        hidden = np.isnan(elevation.heights) & (True if approached is None else approached)
-        others = _things(heights, side), hidden.astype(np.float32), np.zeros(heights.shape, np.float32)
+        nothing = np.zeros(heights.shape, np.float32)
+        age = nothing + np.nan if ages is None else ages
+        others = _things(heights, side), hidden.astype(np.float32), age, nothing
         return cls(elevation.origin, side, heights, walls, steps, slope_x, slope_y, *others)
 
+    @classmethod
+    def unknown(cls, origin: tuple[float, float], side: float, shape: tuple[int, ...]) -> Ground:
+        """Ground of which nothing is known."""
+        return cls(origin, side, *(np.full(shape, EMPTY.get(name, 0.0), np.float32) for name in LAYERS))
+
     def resampled(self, origin: tuple[float, float], side: float, shape: tuple[int, ...]) -> Ground:
-        """The ground in cells of another grid, of `side` metres from `origin`; heights outside are unknown."""
+        """The ground in cells of another grid, of `side` metres from `origin`; what is outside is unknown."""
         rows, columns = shape
         xs = origin[0] + (np.arange(columns) + 0.5) * side
         ys = origin[1] + (np.arange(rows) + 0.5) * side
@@ -96,80 +111,93 @@ class Ground:
         source_y = np.floor((ys - self.origin[1]) / self.resolution).astype(np.intp)
         ok_x = (source_x >= 0) & (source_x < self.heights.shape[1])
         ok_y = (source_y >= 0) & (source_y < self.heights.shape[0])
+        found = Ground.unknown(origin, side, shape)
         inside, source = np.ix_(ok_y, ok_x), np.ix_(source_y[ok_y], source_x[ok_x])
-
-        def layer(name: str) -> Array:
-            found = np.full(shape, np.nan if name == "heights" else 0.0, np.float32)
-            found[inside] = getattr(self, name)[source]
-            return found
-
-        return Ground(origin, side, *map(layer, LAYERS))
+        for name in LAYERS:
+            getattr(found, name)[inside] = getattr(self, name)[source]
+        return found
 
 
 REMEMBERED: Final = ("heights", "walls", "steps", "slope_x", "slope_y")
-LAYERS: Final = (*REMEMBERED, "things", "hidden", "old")
-"""Names of the layers of a ground, in their order, and those that are remembered."""
+LAYERS: Final = (*REMEMBERED, "things", "hidden", "age", "old")
+"""Names of the layers of a ground that are remembered, and of all, in their order."""
+EMPTY: Final = {"heights": math.nan, "age": math.nan}
+"""Values of layers where nothing is known, if not 0."""
 
 
 class GroundMemory:
-    """The ground in a square of `size` metres from `low`, both x and y, as it was when most around each cell was known.
+    """The ground in a square that follows the robot, as it was when most around each cell was measured.
 
     Elevation grids forget heights, since those of what is seen again would be a step beside old ones. A robot that
     forgets edges drives to and fro before them. So steps and slopes are remembered, and not computed anew from heights
-    of different times. What has come since is new, even if it hides what was known around it.
+    of different times. What has come since is new, even if it hides what was known around it; what is only taken for
+    low ground is not.
     """
 
-    def __init__(self, low: float, size: float) -> None:
-        self._low, self._size = low, size
-        self._known: Array | None = None
-        """Part of the cells around each one that was known then; 0 where nothing was. None before the first ground."""
-        self._ground: Ground
+    def __init__(self) -> None:
+        self._ground: Ground | None = None
+        self._measured: Array = np.zeros((0, 0), np.float32)
+        """Part of the cells around each one that was measured then; 0 where it was not."""
 
     def completed(self, ground: Ground) -> Ground:
         """Remember a ground; returns it with what was known before where less is known now.
 
-        Things, and what is hidden, are those of now.
-
-        All of them have cells of one size, with borders at the same places. It is valid until the next call.
+        Things, ages, and what is hidden, are those of now. Cells of all grounds have one size, and borders at the same
+        places.
         """
-        if self._known is None:
-            self._begin(ground.resolution)
-            assert self._known is not None
-        memory = self._ground
+        memory = self._around(ground)
         here, source = _overlap(ground, memory)
-        known = ~np.isnan(ground.heights)
-        around = ndimage.uniform_filter(known.astype(np.float32), AROUND, mode="constant")[source]
-        newer = around >= self._known[here] - 0.5 / AROUND**2
+        known, hidden = ~np.isnan(ground.heights[source]), ground.hidden[source] > 0.0
+        around = ndimage.uniform_filter((~np.isnan(ground.heights) & (ground.hidden == 0.0)).astype(np.float32), AROUND)
+        measured, before = known & ~hidden, self._measured[here]
+        newer = around[source] >= before - 0.5 / AROUND**2
         newer |= np.abs(ground.heights[source] - memory.heights[here]) > CHANGED
         newer |= (ground.walls[source] > memory.walls[here] + MORE) | (ground.steps[source] > memory.steps[here] + MORE)
-        newer &= known[source]
-        self._known[here][newer] = around[newer]
+        newer = (measured & newer) | (known & (before == 0.0))
+        before[newer] = np.where(measured, around[source], 0.0)[newer]
         for name in REMEMBERED:
             getattr(memory, name)[here][newer] = getattr(ground, name)[source][newer]
-        for layer, values in ((memory.things, ground.things), (memory.hidden, ground.hidden)):
-            layer.fill(0.0)
-            layer[here] = values[source]
-        memory.old.fill(1.0)
-        memory.old[here] = ~known[source]
-        return memory
+        found = Ground.unknown(memory.origin, memory.resolution, memory.heights.shape)
+        for name in REMEMBERED:
+            getattr(found, name)[...] = getattr(memory, name)
+        for name in ("things", "hidden", "age"):
+            getattr(found, name)[here] = getattr(ground, name)[source]
+        found.old[...] = ~np.isnan(memory.heights)
+        found.old[here] = ~known & ~np.isnan(memory.heights[here])
+        return found
 
-    def _begin(self, side: float) -> None:
-        low = round(self._low / side) * side
-        shape = (math.ceil(self._size / side),) * 2
-        self._known = np.zeros(shape, np.float32)
-        layers = [np.full(shape, np.nan if name == "heights" else 0.0, np.float32) for name in LAYERS]
-        self._ground = Ground((low, low), side, *layers)
+    def _around(self, ground: Ground) -> Ground:
+        """The memory, moved so that it has a ground in it."""
+        memory, side = self._ground, ground.resolution
+        cells = max(round(SIZE / side), *ground.heights.shape)
+        rows, columns = ground.heights.shape
+        if memory is not None:
+            here, _ = _overlap(ground, memory)
+            if memory.heights[here].shape == (rows, columns):
+                return memory
+        low = [
+            (round(corner / side) - (cells - count) // 2) * side
+            for corner, count in zip(ground.origin, (columns, rows), strict=True)
+        ]
+        moved, measured = Ground.unknown((low[0], low[1]), side, (cells, cells)), np.zeros((cells, cells), np.float32)
+        if memory is not None:
+            here, source = _overlap(memory, moved)
+            measured[here] = self._measured[source]
+            for name in REMEMBERED:
+                getattr(moved, name)[here] = getattr(memory, name)[source]
+        self._measured, self._ground = measured, moved
+        return moved
 
 
 Window: TypeAlias = tuple[slice, slice]
 
 
-def _overlap(ground: Ground, memory: Ground) -> tuple[Window, Window]:
-    """Cells of the memory that the ground covers, and those of the ground there: rows and columns."""
+def _overlap(ground: Ground, other: Ground) -> tuple[Window, Window]:
+    """Cells of the other ground that a ground covers, and those of the ground there: rows and columns."""
     windows = []
     for axis in (1, 0):
-        first = round((ground.origin[axis] - memory.origin[axis]) / memory.resolution)
-        count, all_cells = ground.heights.shape[1 - axis], memory.heights.shape[1 - axis]
+        first = round((ground.origin[axis] - other.origin[axis]) / other.resolution)
+        count, all_cells = ground.heights.shape[1 - axis], other.heights.shape[1 - axis]
         begin, end = min(max(first, 0), all_cells), max(0, min(first + count, all_cells))
         end = max(begin, end)
         windows.append((slice(begin, end), slice(begin - first, end - first)))
@@ -177,11 +205,11 @@ def _overlap(ground: Ground, memory: Ground) -> tuple[Window, Window]:
     return (rows, columns), (source_rows, source_columns)
 
 
-def _with_hidden(elevation: Heights, highest: float, approached: Cells | None) -> Array:
+def _with_hidden(elevation: Heights, highest: float, hidden: Cells) -> Array:
     """Heights, with those of ground between known cells that is hidden by what is nearer: as low as the lower end.
 
     Behind an edge, where a sensor on the ground does not see, ground may be as low as what is known beyond. The tops of
-    walls, above steps of `highest` metres, tell nothing about ground beside them. Only in cells that were `approached`.
+    walls, above steps of `highest` metres, tell nothing about ground beside them. Only in cells that are `hidden`.
     """
     resolution = elevation.resolution
     seen = elevation.heights.astype(np.float32)
@@ -198,10 +226,7 @@ def _with_hidden(elevation: Heights, highest: float, approached: Cells | None) -
         lower = np.minimum(lines[before[rows, columns], columns], lines[after[rows, columns], columns])
         filled = np.moveaxis(found, axis, 0)
         filled[rows, columns] = np.fmin(filled[rows, columns], lower)
-    hidden = np.isnan(seen)
-    if approached is not None:
-        hidden &= approached
-    return np.where(hidden, found, seen)
+    return np.where(hidden & np.isnan(seen), found, seen)
 
 
 def _things(heights: Array, resolution: float) -> Array:

@@ -52,9 +52,13 @@ STEP_HEADING: Final = math.radians(25.0)
 SCAN_ERROR: Final = 0.15
 """Metres below the plane of the scans from which on ground is taken for what the scans saw."""
 SHADOW: Final = 0.4
+SEEN_SINCE: Final = 1.0
 SHADOW_COST: Final = 6.0
-"""Metres beside what is lower than the plane of the scans in which ground that was not seen may be a part of it, since
-cameras see the side of a crate that faces them; and what is added to the cost of a metre over it."""
+"""Metres beside what is lower than the plane of the scans in which ground may be a part of it that was not seen, or so
+many seconds before that: cameras see the side of a crate that faces them. And what is added to the cost of a metre over
+such ground."""
+PLANE_ERROR: Final = 0.05
+"""Metres above the plane of the scans up to which they may pass above something."""
 STEP_ERROR: Final = 0.005
 """Metres by which an edge that is partly in a cell looks lower than it is."""
 SURROUNDED: Final = 0.9
@@ -184,9 +188,10 @@ class TerrainCost:
         surrounded = ndimage.uniform_filter(seen.astype(np.float32), 3) > SURROUNDED
         # a wall to the lidar that is a slope to the robot
         blocked &= ~(seen & ~wall & tall & ~steep & surrounded)
-        # a wall that reaches the plane of the scans is where they saw it, in smaller cells, or will see it
-        blocked |= wall & ~(tall & (scanned | (ground.old > 0.0)))
-        shadow = ndimage.maximum_filter(wall & ~tall, 2 * round(SHADOW / self.resolution) + 1) & (ground.hidden > 0.0)
+        # a wall that reaches the plane of the scans is where they saw it, in smaller cells, or where they will see it
+        crossed = ground.heights > scan_height + PLANE_ERROR
+        blocked |= wall & ~(tall & scanned) & ~(crossed & (ground.old > 0.0))
+        shadow = self._shadow(wall & ~crossed & ~scanned, ground)
         # what is seen of a wall from the ground up looks like a step; none is climbed so close to one
         beside_wall = ndimage.maximum_filter(blocked, 2 * round(mobility.half_width / self.resolution) - 1)
         blocked |= seen & steep
@@ -207,6 +212,14 @@ class TerrainCost:
         under_tracks = ndimage.maximum_filter(low, 2 * round(mobility.half_width / self.resolution) + 1)
         cost = SLOPE_COST * np.minimum(1.0, grade) ** 2 + under_tracks
         return cost.astype(np.float32), known | seen
+
+    def _shadow(self, low: Cells, ground: Ground) -> Cells:
+        """Ground beside low things that may be a part of them: it was not seen, or not since the thing was."""
+        if not low.any():
+            return np.zeros(self.shape, np.bool_)
+        far, nearest = ndimage.distance_transform_edt(~low, return_indices=True)
+        before = ground.age > ground.age[nearest[0], nearest[1]] + SEEN_SINCE
+        return np.asarray((far * self.resolution <= SHADOW) & ~low & (before | (ground.hidden > 0.0)))
 
     def slope_at(self, x: float, y: float) -> tuple[float, float]:
         """Slope of the ground along x and y, as tangents; 0 where it is not known."""
