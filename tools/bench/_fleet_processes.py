@@ -1,10 +1,10 @@
 """A fleet of real processes on this machine: robots with the backend kinematic, node managers, and one operator.
 
-Each robot is a process `jauspy up`, as integrators run it, or some share one with `--also`, as who simulates a fleet
-runs it; several robots share a node manager, as behind a gateway,
-and the operator has one of its own, which finds the others by multicast on loopback. The operator is the client in the
-process of the benchmark. It discovers all robots, takes control of each, subscribes to the pose of each at 10 Hz,
-drives each a little, and releases it. What a robot does not do is a failure, which is printed.
+Each robot is a process `jauspy up`, as integrators run it, or several share one by its option `--also`, as in the
+simulation of a fleet. Several robots share a node manager, as behind a gateway, and the operator has one of its own,
+which finds the others by multicast on loopback. The operator is the client in the process of the benchmark. It
+discovers all robots, takes control of each, subscribes to the pose of each at 10 Hz, drives each a little, and releases
+it. What a robot does not do is a failure, which is printed.
 """
 
 from __future__ import annotations
@@ -263,7 +263,7 @@ async def started(row: ProcessRow, per_node_manager: int, step: float) -> AsyncI
             except NotStartedError as error:
                 row.failures += [f"robot {subsystem}: not started: {error}" for subsystem in robots]
 
-        count = min(row.robots, robots_that_fit())
+        count = min(row.robots, robots_that_fit(row.per_program))
         if count < row.robots:
             row.failures.append(f"{row.robots - count} robots: not started: there is no memory for them")
         async with asyncio.TaskGroup() as group:

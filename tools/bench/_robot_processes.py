@@ -25,7 +25,8 @@ END_TIMEOUT: Final = 30.0
 PRINT_TIMEOUT: Final = 20.0
 """Seconds in which a robot must have printed its counters."""
 MEMORY_EACH: Final = 100 << 20
-"""Bytes of memory that a robot is expected to take."""
+MEMORY_FURTHER: Final = 20 << 20
+"""Bytes of memory that a program with a robot is expected to take, and each further robot in it."""
 MEMORY_RESERVE: Final = 1 << 30
 """Bytes of memory of the machine that are left to others."""
 
@@ -88,9 +89,10 @@ class Child:
         return [block for block in blocks if re.search(r"realtime\.steps +\d+\n", block)]
 
 
-def robots_that_fit() -> int:
-    """The number of robots for which the machine has memory now."""
-    return max(0, (psutil.virtual_memory().available - MEMORY_RESERVE) // MEMORY_EACH)
+def robots_that_fit(per_program: int) -> int:
+    """The number of robots, so many in a program, for which the machine has memory now."""
+    program = MEMORY_EACH + (per_program - 1) * MEMORY_FURTHER
+    return max(0, (psutil.virtual_memory().available - MEMORY_RESERVE) // program) * per_program
 
 
 def cpu_seconds(process: psutil.Process) -> float:

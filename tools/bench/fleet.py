@@ -62,7 +62,7 @@ RATE: Final = 10.0
 """Hz of events."""
 EVENT_SECONDS: Final = 3.0
 DISCOVERY_TIME: Final = 5.0
-"""Seconds of their time of which the work counts as that of discovery: in all fleets as many, since all components are
+"""Seconds of their time for which discovery is measured at least, also after all robots are known: all components are
 asked again every 2 s, and larger fleets are discovered later."""
 LIMIT: Final = 10.0
 """Seconds of their time in which all robots must have been discovered."""
@@ -159,7 +159,7 @@ class Fleet:
         return self.robots[number % len(self.operators) :: len(self.operators)]
 
     async def discover(self, operator: OCU, until: float) -> float:
-        """When an operator knows all robots, with names and services of components; it watches on until a time."""
+        """Let an operator watch until a time; returns when it knew all robots, with names and services of components."""
         clock = asyncio.get_running_loop().time
         missing, known_at = set(self.robots), math.inf
         with suppress(TimeoutError):
@@ -170,6 +170,8 @@ class Fleet:
                     if not missing and math.isinf(known_at):
                         known_at = clock()
                         limit.reschedule(max(until, known_at))
+        if missing:
+            raise TimeoutError(f"{len(missing)} of {len(self.robots)} robots were not discovered in {6.0 * LIMIT:g} s")
         return known_at
 
     def tables(self) -> dict[str, int]:

@@ -140,7 +140,7 @@ async def swing(session: Session, controller: ArmController) -> Swing:
     cell = session.cell
     await cell.move_arm(START, 3.0)
     await cell.choose_controller(controller)
-    await cell.enable(TIP, True)  # it is; from now on this client has control of it
+    await cell.enable(TIP, True)  # it is enabled already; this takes control of it
     await cell.servo(LAST_MODULE)
     await cell.sleep(SETTLE_TIME)
     state = await cell.arm()
