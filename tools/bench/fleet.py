@@ -159,7 +159,7 @@ class Fleet:
         return self.robots[number % len(self.operators) :: len(self.operators)]
 
     async def discover(self, operator: OCU, until: float) -> float:
-        """Let an operator watch until a time; returns when it knew all robots, with names and services of components."""
+        """Let an operator watch until a time; returns when it knew all robots, with names and services of all parts."""
         clock = asyncio.get_running_loop().time
         missing, known_at = set(self.robots), math.inf
         with suppress(TimeoutError):
