@@ -26,8 +26,7 @@ THING_SIZE: Final = 0.7
 LEAST_KNOWN: Final = 0.3
 """Part of the cells around one whose heights must be known for a slope to be known."""
 CHANGED: Final = 0.04
-MORE: Final = 0.01
-"""Metres by which a height must differ, and a step be higher, to replace what is remembered."""
+"""Metres by which a height must differ to replace what is remembered where more was known."""
 AROUND: Final = 5
 """Cells along a side of the square around a cell of which the measured ones are counted: steps are sought in it."""
 SIZE: Final = 48.0
@@ -152,7 +151,6 @@ class GroundMemory:
         measured, before = known & ~hidden, self._measured[here]
         newer = around[source] >= before - 0.5 / AROUND**2
         newer |= np.abs(ground.heights[source] - memory.heights[here]) > CHANGED
-        newer |= (ground.walls[source] > memory.walls[here] + MORE) | (ground.steps[source] > memory.steps[here] + MORE)
         newer = (measured & newer) | (known & (before == 0.0))
         before[newer] = np.where(measured, around[source], 0.0)[newer]
         for name in REMEMBERED:
