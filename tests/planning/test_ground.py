@@ -58,18 +58,17 @@ def test_an_edge_is_remembered_where_the_grid_has_left_it(memory: GroundMemory) 
     assert at(elsewhere, "steps", 0.05, 0.5) == pytest.approx(0.1)
     assert at(elsewhere, "slope_x", 0.05, 0.5) > 0.1
     assert at(elsewhere, "heights", 0.55, 0.5) == pytest.approx(0.1)
-    assert (at(elsewhere, "old", 0.05, 0.5), at(elsewhere, "old", 0.05, -4.0), at(elsewhere, "old", 9.0, 0.0)) == (
-        1,
-        0,
-        0,
-    )
+    assert [at(elsewhere, "old", *place) for place in ((0.05, 0.5), (0.05, -4.0), (9.0, 0.0))] == [1, 0, 0]
 
 
 def test_an_edge_stays_when_the_cells_beside_it_are_forgotten_one_by_one(memory: GroundMemory) -> None:
     memory.completed(seen(kerb))
+
+    def kerb_from(least: float):
+        return lambda x, y: math.nan if x < least else kerb(x, y)
+
     for column in range(CELLS):
-        forgotten = -2.0 + SIDE * column
-        found = memory.completed(seen(lambda x, y: math.nan if x < forgotten else kerb(x, y), hidden=False))  # noqa: B023
+        found = memory.completed(seen(kerb_from(-2.0 + SIDE * column), hidden=False))
         assert at(found, "steps", 0.05, 0.5) == pytest.approx(0.1)
     assert at(found, "old", 0.05, 0.5) == 1.0
 

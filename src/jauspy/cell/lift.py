@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import asyncio
 import math
-from collections.abc import Callable, Sequence
-from contextlib import suppress
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -18,7 +16,7 @@ from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout, Piece, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
 from jauspy.cell.throw import MARGIN, PERIOD, Load, ThrowPlan, ThrowPlanner, arm_limits, motion
-from jauspy.errors import JausError
+from jauspy.cell.timed_connector import begin_motion
 from jauspy.platform.modular.parts import ConveyorSetup, PartKind, TargetArea
 
 BELT_SPEED: Final = 0.15
@@ -183,7 +181,7 @@ class Lifter:
             if wait < POLL:
                 break
             await self.cell.sleep(min(wait, 0.2))
-        await self._command(await arm.vector(end), duration, before + PRESSING, enabled=True)
+        await begin_motion(self.cell, await arm.vector(end), duration, arm.tip, before + PRESSING, enabled=True)
         held = await arm.wait_attached(arm.tip, before + PRESSING + duration)
         await self.cell.run_conveyor(0.0)
         await arm.move(raised, LIFT_TIME)
@@ -191,20 +189,6 @@ class Lifter:
             return True
         await self.cell.enable(arm.tip, False)
         return False
-
-    async def _command(self, vector: Sequence[float], duration: float, after: float, *, enabled: bool) -> None:
-        """Begin a motion, and set the tip's connector so many seconds after its start.
-
-        Both commands leave together, and the robot counts the seconds: a client that sent the second one in time would
-        be late by what its machine and the network take, and box and tip move by 3 mm in each millisecond of a throw.
-        """
-        tip = self.arm.tip
-        commands = self.cell.command_arm(vector, duration), self.cell.enable(tip, enabled, after=after)
-        for failure in await asyncio.gather(*commands, return_exceptions=True):
-            if isinstance(failure, BaseException):
-                with suppress(JausError):
-                    await self.cell.enable(tip, not enabled)  # takes the place of what is to come
-                raise failure
 
     def _following(self, start: Array, end: Array) -> tuple[float, float, float]:
         """Seconds of a motion whose largest speed is that of the belt; until it is reached; and y there, metres."""
@@ -240,7 +224,8 @@ class Lifter:
         self.planned = result.plan = plan
         await arm.go(plan.windup, margin=min(MARGIN, plan.clearance.distance))
         await self.cell.sleep(WINDUP_REST)
-        await self._command(await arm.vector(plan.follow_through), plan.duration, plan.release, enabled=False)
+        vector = await arm.vector(plan.follow_through)
+        await begin_motion(self.cell, vector, plan.duration, arm.tip, plan.release, enabled=False)
         result.release_speed = float(np.linalg.norm(plan.flight.velocity))
         await self.cell.sleep(plan.duration)
         until = self.cell.now() + LATE

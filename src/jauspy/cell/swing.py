@@ -5,7 +5,6 @@ In the published system the arm swung on for long. The IMU of the last module sh
 
 from __future__ import annotations
 
-import asyncio
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,6 +16,7 @@ import numpy as np
 from jauspy.cell.frames import Array
 from jauspy.cell.measurements import Measured
 from jauspy.cell.session import UNDISTURBED, Session, simulated
+from jauspy.cell.timed_connector import begin_motion
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import rotation_about
@@ -147,8 +147,7 @@ async def swing(session: Session, controller: ArmController) -> Swing:
     if len(state.joints) != len(START):
         raise ConfigError(f"the swing needs an arm with {len(START)} joints; there are {len(state.joints)}")
     began = cell.now()
-    # together, and the robot counts the seconds: a client would be late by what its machine takes
-    await asyncio.gather(cell.command_arm(END, DURATION), cell.enable(TIP, False, after=RELEASE))
+    await begin_motion(cell, END, DURATION, TIP, RELEASE, enabled=False)
     await cell.sleep(0.1)
     if error := (await cell.arm()).error:
         raise ConfigError(f"the arm does not swing: {error}")

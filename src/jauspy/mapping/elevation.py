@@ -320,10 +320,11 @@ class ElevationGrid:
 
     def _follow_way(self, start: Floats) -> None:
         """Measure the way of the sensor, note what it approaches, and forget what was seen too long ago on it."""
-        moved = math.inf if self._place is None else math.dist(self._place, start[:2])
-        if moved < FORGET_INTERVAL:
-            return
-        self._way += moved if self._place is not None else 0.0
+        if self._place is not None:
+            moved = math.dist(self._place, start[:2])
+            if moved < FORGET_INTERVAL:
+                return
+            self._way += moved
         self._place = start[:2].copy()
         ys, xs = (np.indices((self.cells, self.cells)) + 0.5) * self.resolution
         left, low = self.origin

@@ -161,7 +161,7 @@ class GroundMemory:
         for name in ("things", "hidden", "age"):
             getattr(found, name)[here] = getattr(ground, name)[source]
         found.old[...] = ~np.isnan(memory.heights)
-        found.old[here] = ~known & ~np.isnan(memory.heights[here])
+        found.old[here][known] = 0.0
         return found
 
     def _around(self, ground: Ground) -> Ground:
